@@ -1,0 +1,142 @@
+#!/usr/bin/env node
+/**
+ * Runs a SWF in a headless player: prints what it traces, as it comes, and ends with its exit status.
+ *
+ *   node test/headless/run.mjs file.swf [options]
+ *
+ *   --param name=value      a value in loaderInfo.parameters (may be repeated)
+ *   --mount /path=folder    a folder that the SWF can load from (may be repeated)
+ *   --out folder            where the files go that the SWF hands over (default: bin)
+ *   --stall seconds         how long the SWF may give no sign of life (default: 120)
+ *   --screenshot file.png   a picture of the stage when the SWF is done, or when it fails
+ *   --size 800x600          the stage in pixels
+ *
+ * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
+ * stalled; 69 when there is no browser; 64 for wrong arguments.
+ */
+import { access, mkdir, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { parseArgs } from 'node:util';
+import { play } from './player.mjs';
+
+const USAGE = 64;
+const NO_BROWSER = 69;
+const FAILED = 70;
+
+class RunError extends Error {
+	constructor(message, status) {
+		super(message);
+		this.status = status;
+	}
+}
+
+function readArguments() {
+	const { values, positionals } = parseArgs({
+		allowPositionals: true,
+		options: {
+			param: { type: 'string', multiple: true, default: [] },
+			mount: { type: 'string', multiple: true, default: [] },
+			out: { type: 'string', default: 'bin' },
+			stall: { type: 'string', default: '120' },
+			screenshot: { type: 'string' },
+			size: { type: 'string', default: '800x600' },
+		},
+	});
+	if (positionals.length !== 1) {
+		throw new RunError('exactly one SWF must be given', USAGE);
+	}
+	const [, width, height] = /^(\d+)x(\d+)$/.exec(values.size) ?? [];
+	const stall = Number(values.stall);
+	if (!width || !(stall > 0)) {
+		throw new RunError(`--size must be like 800x600 and --stall a number of seconds: ${values.size}, ${values.stall}`, USAGE);
+	}
+	return {
+		swf: positionals[0],
+		parameters: pairs(values.param),
+		folders: pairs(values.mount),
+		out: values.out,
+		stall,
+		screenshot: values.screenshot,
+		width: Number(width),
+		height: Number(height),
+	};
+}
+
+function pairs(list) {
+	return Object.fromEntries(list.map((entry) => {
+		const [, name, value] = /^([^=]+)=([^]*)$/.exec(entry) ?? [];
+		if (!name) {
+			throw new RunError(`expected name=value, not ${entry}`, USAGE);
+		}
+		return [name, value];
+	}));
+}
+
+async function browserPath() {
+	const chrome = process.env.CHROME || '/usr/bin/chromium';
+	await access(chrome).catch(() => {
+		throw new RunError(`there is no browser at ${chrome}: install Chromium, or name one in CHROME`, NO_BROWSER);
+	});
+	return chrome;
+}
+
+/** Plays the SWF to its end; resolves with its exit status. */
+async function run(options) {
+	await access(options.swf).catch(() => {
+		throw new RunError(`there is no SWF at ${options.swf}`, USAGE);
+	});
+	const chrome = await browserPath();
+	let lastSign = Date.now();
+	const writes = [];
+	let end;
+	const ended = new Promise((resolve, reject) => {
+		end = { resolve, fail: (message) => reject(new RunError(message, FAILED)) };
+	});
+	ended.catch(() => {}); // reported below, after the player has started
+	const player = await play({ ...options, chrome }, {
+		trace: (text) => {
+			lastSign = Date.now();
+			console.log(text);
+		},
+		error: (text) => end.fail(`the SWF threw: ${text}`),
+		crash: (text) => end.fail(`the player failed (out of memory, if the SWF allocates much in one call): ${text}`),
+		writeFile: (file, text) => {
+			lastSign = Date.now();
+			writes.push(save(options.out, file, text));
+		},
+		exit: end.resolve,
+	});
+	const watch = setInterval(() => {
+		if (Date.now() - lastSign > options.stall * 1000) {
+			end.fail(`the SWF stalled: ${options.stall} s without a sign of life`);
+		}
+	}, 500);
+	try {
+		return await ended;
+	} finally {
+		clearInterval(watch);
+		if (options.screenshot) {
+			await mkdir(path.dirname(options.screenshot), { recursive: true });
+			await player.screenshot(options.screenshot)
+				.catch((error) => console.error(`headless: no screenshot: ${error.message}`));
+		}
+		await player.close();
+		await Promise.all(writes);
+	}
+}
+
+async function save(folder, file, text) {
+	const target = path.resolve(folder, file);
+	if (!target.startsWith(path.resolve(folder) + path.sep)) {
+		throw new RunError(`the SWF wants to write outside ${folder}: ${file}`, FAILED);
+	}
+	await mkdir(path.dirname(target), { recursive: true });
+	await writeFile(target, text);
+}
+
+try {
+	process.exitCode = await run(readArguments());
+} catch (error) {
+	console.error(`headless: ${error instanceof RunError ? error.message : error.stack ?? error}`);
+	process.exitCode = error.status ?? (error.code?.startsWith?.('ERR_PARSE_ARGS') ? USAGE : FAILED);
+}

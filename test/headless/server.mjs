@@ -1,0 +1,45 @@
+import http from 'node:http';
+import sirv from 'sirv';
+
+/**
+ * Serves folders on loopback, each below a path of its own, and one page at `/`.
+ *
+ * @param {string} page the page's HTML
+ * @param {Record<string, string>} folders what to serve: path ('/assets') to folder
+ * @returns {Promise<{url: string, close: () => void}>}
+ */
+export async function serve(page, folders) {
+	const mounts = Object.entries(folders).map(([path, folder]) => ({
+		path,
+		handle: sirv(folder, { dev: true, etag: false }),
+	}));
+	const server = http.createServer((request, response) => {
+		if (request.url === '/') {
+			response.setHeader('Content-Type', 'text/html; charset=utf-8');
+			response.end(page);
+			return;
+		}
+		const notFound = () => {
+			response.statusCode = 404;
+			response.end(`nothing is served at ${request.url}`);
+		};
+		const mount = mounts.find(({ path }) => request.url.startsWith(path + '/'));
+		if (!mount) {
+			notFound();
+			return;
+		}
+		request.url = request.url.slice(mount.path.length);
+		mount.handle(request, response, notFound);
+	});
+	await new Promise((resolve, reject) => {
+		server.once('error', reject);
+		server.listen(0, '127.0.0.1', resolve);
+	});
+	return {
+		url: `http://127.0.0.1:${server.address().port}/`,
+		close: () => {
+			server.close();
+			server.closeAllConnections?.();
+		},
+	};
+}

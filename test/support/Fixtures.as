@@ -1,0 +1,84 @@
+package support
+{
+    import flash.events.Event;
+    import flash.events.IOErrorEvent;
+    import flash.net.URLLoader;
+    import flash.net.URLLoaderDataFormat;
+    import flash.net.URLRequest;
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+
+    /** The files that tests read, loaded before the first test runs. */
+    public final class Fixtures
+    {
+        private static var sFiles:Object = {};
+        private static var sPending:Array;
+        private static var sComplete:Function;
+
+        /**
+         * Loads the files one after the other; one that is not there is left out.
+         *
+         * @param addresses absolute paths on the server that the SWF comes from
+         * @param complete called without arguments when all are loaded
+         */
+        public static function load(addresses:Array, complete:Function):void
+        {
+            sPending = addresses.concat();
+            sComplete = complete;
+            loadNext();
+        }
+
+        /** Whether a file was there. */
+        public static function has(address:String):Boolean
+        {
+            return sFiles.hasOwnProperty(address);
+        }
+
+        /** A file's bytes, little-endian, from its first. */
+        public static function bytes(address:String):ByteArray
+        {
+            if (!has(address))
+            {
+                throw new ArgumentError("no such fixture (is it in the test's FIXTURES, and served?): " + address);
+            }
+            var content:ByteArray = sFiles[address];
+            content.endian = Endian.LITTLE_ENDIAN;
+            content.position = 0;
+            return content;
+        }
+
+        /** A file's text. */
+        public static function text(address:String):String
+        {
+            var content:ByteArray = bytes(address);
+            return content.readUTFBytes(content.length);
+        }
+
+        private static function loadNext():void
+        {
+            if (sPending.length == 0)
+            {
+                sComplete();
+                return;
+            }
+            var address:String = sPending.shift();
+            if (has(address))
+            {
+                loadNext();
+                return;
+            }
+            var loader:URLLoader = new URLLoader();
+            loader.dataFormat = URLLoaderDataFormat.BINARY;
+            loader.addEventListener(Event.COMPLETE, function(event:Event):void
+                {
+                    sFiles[address] = loader.data;
+                    loadNext();
+                });
+            loader.addEventListener(IOErrorEvent.IO_ERROR, function(event:Event):void
+                {
+                    loadNext();
+                });
+            loader.load(new URLRequest(address));
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package starlogo.bounding
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Placement;
+
+    /**
+     * A ball swept along a segment: the points no farther than <code>radius</code> from the segment between
+     * <code>start</code> and <code>end</code> (thesis §3.3). Where both ends are one, it is a sphere; where the radius is
+     * 0, a segment.
+     */
+    public final class Capsule extends BoundingStructure
+    {
+        /** One end of the axis. */
+        public var start:Vector3D;
+
+        /** The other end of the axis. */
+        public var end:Vector3D;
+
+        /** The radius in patches, not negative. */
+        public var radius:Number;
+
+        /**
+         * @param start copied
+         * @param end copied; may equal start
+         * @param radius in patches; 0 is allowed
+         * @throws ArgumentError when an end is null
+         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         */
+        public function Capsule(start:Vector3D, end:Vector3D, radius:Number)
+        {
+            super(CAPSULE);
+            this.radius = checkLength(radius, "the radius of a capsule");
+            this.start = checkVector(start, "the start of a capsule").clone();
+            this.end = checkVector(end, "the end of a capsule").clone();
+        }
+
+        /** @inheritDoc */
+        override public function get volume():Number
+        {
+            return Math.PI * radius * radius * (Vector3D.distance(start, end) + 4 / 3 * radius);
+        }
+
+        /** @inheritDoc */
+        override public function scale(factor:Number):BoundingStructure
+        {
+            checkFactor(factor);
+            start.scaleBy(factor);
+            end.scaleBy(factor);
+            radius *= factor;
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function rotate(rotation:Matrix3D):BoundingStructure
+        {
+            var m:Vector.<Number> = readRotation(rotation);
+            turn(start, m);
+            turn(end, m);
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function translate(offset:Vector3D):BoundingStructure
+        {
+            checkVector(offset, "an offset");
+            start.incrementBy(offset);
+            end.incrementBy(offset);
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function contains(point:Vector3D):Boolean
+        {
+            var axisX:Number = end.x - start.x;
+            var axisY:Number = end.y - start.y;
+            var axisZ:Number = end.z - start.z;
+            var x:Number = point.x - start.x;
+            var y:Number = point.y - start.y;
+            var z:Number = point.z - start.z;
+            var along:Number = axisX * x + axisY * y + axisZ * z;
+            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            var t:Number = along <= 0 ? 0 : (along >= lengthSquared ? 1 : along / lengthSquared);
+            x -= t * axisX;
+            y -= t * axisY;
+            z -= t * axisZ;
+            var reach:Number = radius + slack(radius + Math.sqrt(lengthSquared) / 2, start);
+            return x * x + y * y + z * z <= reach * reach;
+        }
+
+        /** @inheritDoc */
+        override public function clone():BoundingStructure
+        {
+            return new Capsule(start, end, radius);
+        }
+
+        /** @inheritDoc */
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        {
+            var placed:Capsule = out as Capsule;
+            if (placed == null)
+            {
+                if (out != null)
+                {
+                    throw wrongKind(out, "Capsule");
+                }
+                placed = new Capsule(start, end, radius);
+            }
+            placePoint(start, placement, placed.start);
+            placePoint(end, placement, placed.end);
+            placed.radius = radius * placement.size;
+            return placed;
+        }
+
+        /** @inheritDoc */
+        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
+        {
+            var startX:Number = start.x;
+            var startY:Number = start.y;
+            var startZ:Number = start.z;
+            var endX:Number = end.x;
+            var endY:Number = end.y;
+            var endZ:Number = end.z;
+            var reach:Number = radius + rounding(radius, start) + rounding(radius, end);
+            out[offset] = (startX < endX ? startX : endX) - reach;
+            out[int(offset + 1)] = (startX < endX ? endX : startX) + reach;
+            out[int(offset + 2)] = (startY < endY ? startY : endY) - reach;
+            out[int(offset + 3)] = (startY < endY ? endY : startY) + reach;
+            out[int(offset + 4)] = (startZ < endZ ? startZ : endZ) - reach;
+            out[int(offset + 5)] = (startZ < endZ ? endZ : startZ) + reach;
+        }
+    }
+}

@@ -1,0 +1,146 @@
+package starlogo.bounding
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Placement;
+
+    /**
+     * A solid cylinder with flat ends: the points no farther than <code>radius</code> from the segment between
+     * <code>start</code> and <code>end</code>, measured at right angles to it (thesis §3.4.3). A radius of 0 makes it a
+     * segment, and ends that are one a point whatever the radius: a disc without an axis has no direction.
+     *
+     * <p>Cylinders are fitted and measured but never collided: the test of two of them needs a numerical solver (thesis
+     * §3.6.1), and <code>intersects</code> refuses them. Capsules take their place.</p>
+     */
+    public final class Cylinder extends BoundingStructure
+    {
+        /** One end of the axis. */
+        public var start:Vector3D;
+
+        /** The other end of the axis. */
+        public var end:Vector3D;
+
+        /** The radius in patches, not negative. */
+        public var radius:Number;
+
+        /**
+         * @param start copied
+         * @param end copied; may equal start
+         * @param radius in patches; 0 is allowed
+         * @throws ArgumentError when an end is null
+         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         */
+        public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
+        {
+            super(CYLINDER);
+            this.radius = checkLength(radius, "the radius of a cylinder");
+            this.start = checkVector(start, "the start of a cylinder").clone();
+            this.end = checkVector(end, "the end of a cylinder").clone();
+        }
+
+        /** @inheritDoc */
+        override public function get volume():Number
+        {
+            return Math.PI * radius * radius * Vector3D.distance(start, end);
+        }
+
+        /** @inheritDoc */
+        override public function scale(factor:Number):BoundingStructure
+        {
+            checkFactor(factor);
+            start.scaleBy(factor);
+            end.scaleBy(factor);
+            radius *= factor;
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function rotate(rotation:Matrix3D):BoundingStructure
+        {
+            var m:Vector.<Number> = readRotation(rotation);
+            turn(start, m);
+            turn(end, m);
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function translate(offset:Vector3D):BoundingStructure
+        {
+            checkVector(offset, "an offset");
+            start.incrementBy(offset);
+            end.incrementBy(offset);
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function contains(point:Vector3D):Boolean
+        {
+            var axisX:Number = end.x - start.x;
+            var axisY:Number = end.y - start.y;
+            var axisZ:Number = end.z - start.z;
+            var x:Number = point.x - start.x;
+            var y:Number = point.y - start.y;
+            var z:Number = point.z - start.z;
+            var length:Number = Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
+            var tolerance:Number = slack(radius + length / 2, start);
+            if (length == 0)
+            {
+                return x * x + y * y + z * z <= tolerance * tolerance;
+            }
+            var along:Number = (axisX * x + axisY * y + axisZ * z) / length;
+            if (along < -tolerance || along > length + tolerance)
+            {
+                return false;
+            }
+            x -= along / length * axisX;
+            y -= along / length * axisY;
+            z -= along / length * axisZ;
+            var reach:Number = radius + tolerance;
+            return x * x + y * y + z * z <= reach * reach;
+        }
+
+        /** @inheritDoc */
+        override public function clone():BoundingStructure
+        {
+            return new Cylinder(start, end, radius);
+        }
+
+        /** @inheritDoc */
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        {
+            var placed:Cylinder = out as Cylinder;
+            if (placed == null)
+            {
+                if (out != null)
+                {
+                    throw wrongKind(out, "Cylinder");
+                }
+                placed = new Cylinder(start, end, radius);
+            }
+            placePoint(start, placement, placed.start);
+            placePoint(end, placement, placed.end);
+            placed.radius = radius * placement.size;
+            return placed;
+        }
+
+        /** @inheritDoc */
+        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
+        {
+            var axisX:Number = end.x - start.x;
+            var axisY:Number = end.y - start.y;
+            var axisZ:Number = end.z - start.z;
+            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            var rim:Number = lengthSquared == 0 ? 0 : radius / Math.sqrt(lengthSquared);
+            var margin:Number = rounding(radius, start) + rounding(radius, end);
+            writeExtent(start.x, end.x, rim * Math.sqrt(axisY * axisY + axisZ * axisZ) + margin, out, offset);
+            writeExtent(start.y, end.y, rim * Math.sqrt(axisX * axisX + axisZ * axisZ) + margin, out, offset + 2);
+            writeExtent(start.z, end.z, rim * Math.sqrt(axisX * axisX + axisY * axisY) + margin, out, offset + 4);
+        }
+
+        private static function writeExtent(from:Number, to:Number, reach:Number, out:Vector.<Number>, offset:int):void
+        {
+            out[offset] = (from < to ? from : to) - reach;
+            out[offset + 1] = (from < to ? to : from) + reach;
+        }
+    }
+}

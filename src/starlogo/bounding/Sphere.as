@@ -1,0 +1,109 @@
+package starlogo.bounding
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Placement;
+
+    /**
+     * A ball: the points no farther than <code>radius</code> from <code>center</code> (thesis §3.3). A radius of 0 makes
+     * it a point.
+     */
+    public final class Sphere extends BoundingStructure
+    {
+        /** The middle. */
+        public var center:Vector3D;
+
+        /** The radius in patches, not negative. */
+        public var radius:Number;
+
+        /**
+         * @param center copied
+         * @param radius in patches; 0 is allowed
+         * @throws ArgumentError when the centre is null
+         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         */
+        public function Sphere(center:Vector3D, radius:Number)
+        {
+            super(SPHERE);
+            this.radius = checkLength(radius, "the radius of a sphere");
+            this.center = checkVector(center, "the centre of a sphere").clone();
+        }
+
+        /** @inheritDoc */
+        override public function get volume():Number
+        {
+            return 4 / 3 * Math.PI * radius * radius * radius;
+        }
+
+        /** @inheritDoc */
+        override public function scale(factor:Number):BoundingStructure
+        {
+            checkFactor(factor);
+            center.scaleBy(factor);
+            radius *= factor;
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function rotate(rotation:Matrix3D):BoundingStructure
+        {
+            turn(center, readRotation(rotation));
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function translate(offset:Vector3D):BoundingStructure
+        {
+            center.incrementBy(checkVector(offset, "an offset"));
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function contains(point:Vector3D):Boolean
+        {
+            var x:Number = point.x - center.x;
+            var y:Number = point.y - center.y;
+            var z:Number = point.z - center.z;
+            var reach:Number = radius + slack(radius, center);
+            return x * x + y * y + z * z <= reach * reach;
+        }
+
+        /** @inheritDoc */
+        override public function clone():BoundingStructure
+        {
+            return new Sphere(center, radius);
+        }
+
+        /** @inheritDoc */
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        {
+            var placed:Sphere = out as Sphere;
+            if (placed == null)
+            {
+                if (out != null)
+                {
+                    throw wrongKind(out, "Sphere");
+                }
+                placed = new Sphere(center, radius);
+            }
+            placePoint(center, placement, placed.center);
+            placed.radius = radius * placement.size;
+            return placed;
+        }
+
+        /** @inheritDoc */
+        override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
+        {
+            var x:Number = center.x;
+            var y:Number = center.y;
+            var z:Number = center.z;
+            var reach:Number = radius + rounding(radius, center);
+            out[offset] = x - reach;
+            out[int(offset + 1)] = x + reach;
+            out[int(offset + 2)] = y - reach;
+            out[int(offset + 3)] = y + reach;
+            out[int(offset + 4)] = z - reach;
+            out[int(offset + 5)] = z + reach;
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package starlogo.geometry
+{
+    /**
+     * Every tolerance of the engine: its unit, where it comes from, and what changing it does.
+     *
+     * <p>All of them are relative, so that a game at any scale behaves alike. Two rounding errors stand behind them: a
+     * Number's, 1.1e-16 relative, and that of Flash Player's single-precision Matrix3D, 6e-8 relative.</p>
+     */
+    public final class Tolerances
+    {
+        /**
+         * How far outside of a structure a point may lie and still count as contained, as a fraction of the structure's
+         * largest extent from its middle. Larger: fits may leave more of a model out unnoticed. Below 2e-7: a structure
+         * and a vertex that went through the same single-precision matrix may part.
+         */
+        public static const CONTAINMENT:Number = 1e-6;
+
+        /**
+         * The rounding error that a position is allowed, as a fraction of its coordinates. Extents are widened by it and
+         * contains() grants it. Zero: two structures that touch to the last bit may get extents that do not. Larger:
+         * bins do more work; nothing else changes.
+         */
+        public static const ROUNDING:Number = 1e-14;
+
+        /**
+         * How far a box's axes, or the columns of a rotation, may be from unit length and from right angles, in the
+         * dot products of one with another. Below 5e-7: rotations that come from a single-precision Matrix3D are
+         * refused. Larger: a scaled matrix may pass for a rotation.
+         */
+        public static const ORTHONORMALITY:Number = 1e-5;
+
+        /** Tolerances are constants; there are no instances. */
+        public function Tolerances()
+        {
+        }
+    }
+}

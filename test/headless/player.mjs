@@ -18,7 +18,7 @@ const browserArguments = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--
 	'--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage'];
 
 // A line of the player's log in the browser's console: %cLEVEL%c source:line%c text <the three styles>
-const logLine = /^%c(\w+)%c ([^\s%]+)%c ([^]*?)(?: color: [^;]+; background: #444 color: gray; font-style: italic color: inherit)?$/;
+const logLine = /^%c(\w+)%c ([^\s%]+)%c ([^]*?) ?color: [^;]+; background: #444 color: gray; font-style: italic color: inherit$/;
 const crash = /unreachable|Unable to lock Ruffle core|panicked at|memory access out of bounds|RuntimeError/;
 
 /**

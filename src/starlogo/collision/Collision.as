@@ -26,6 +26,12 @@ package starlogo.collision
         private var _tableIsStale:Boolean = false;
         private var _isUpdating:Boolean = false;
         private var _pairs:Vector.<Agent> = new Vector.<Agent>();
+
+        // The frame under way: the next call, by its pair, its direction and its handler; what was called, and thrown.
+        private var _pair:int;
+        private var _direction:int;
+        private var _handler:int;
+        private var _calls:int;
         private var _firstError:Error;
 
         /**
@@ -103,9 +109,11 @@ package starlogo.collision
             }
             findPairs(agents);
             _firstError = null;
+            _calls = 0;
             _isUpdating = true;
             callHandlers(agents);
             _isUpdating = false;
+            _statistics.handlerCalls = _calls;
             _statistics.frameMs = getTimer() - start;
             if (_firstError != null)
             {
@@ -132,21 +140,58 @@ package starlogo.collision
 
         private function callHandlers(agents:Vector.<Agent>):void
         {
-            var interests:BreedInterests = _table.interests;
             rememberPlaces(agents);
-            var pairs:Vector.<Agent> = _pairs;
-            for (var i:int = 0; i < pairs.length; i += 2)
+            _pair = _direction = _handler = 0;
+            while (_pair < _pairs.length)
             {
-                var a:Agent = pairs[i];
-                var b:Agent = pairs[i + 1];
+                try
+                {
+                    callTheRest(agents);
+                }
+                catch (error:Error)
+                {
+                    _firstError ||= error;
+                }
+            }
+        }
+
+        // Calls handlers from where the fields say. They are one ahead when a handler runs: after one that throws it goes
+        // on with the next.
+        private function callTheRest(agents:Vector.<Agent>):void
+        {
+            var interests:BreedInterests = _table.interests;
+            for (; _pair < _pairs.length; _pair += 2)
+            {
+                var a:Agent = _pairs[_pair];
+                var b:Agent = _pairs[_pair + 1];
                 var breedA:int = interests.breedIndexOf(a);
                 var breedB:int = interests.breedIndexOf(b);
-                if (breedA < 0 || breedB < 0)
+                if (breedA >= 0 && breedB >= 0)
                 {
-                    continue;
+                    if (_direction == 0)
+                    {
+                        callThoseOf(_table.handlersOf(breedA, breedB), a, b, agents);
+                        _direction = 1;
+                        _handler = 0;
+                    }
+                    callThoseOf(_table.handlersOf(breedB, breedA), b, a, agents);
                 }
-                callAll(_table.handlersOf(breedA, breedB), a, b, agents);
-                callAll(_table.handlersOf(breedB, breedA), b, a, agents);
+                _direction = _handler = 0;
+            }
+        }
+
+        private function callThoseOf(handlers:Vector.<Function>, collider:Agent, collidee:Agent, agents:Vector.<Agent>):void
+        {
+            if (handlers == null)
+            {
+                return;
+            }
+            while (_handler < handlers.length && isListed(collider, agents) && isListed(collidee, agents))
+            {
+                var handler:Function = handlers[_handler];
+                _handler++;
+                _calls++;
+                handler(collider, collidee);
             }
         }
 
@@ -156,30 +201,6 @@ package starlogo.collision
             for (var i:int = 0; i < count; i++)
             {
                 agents[i].slot = i;
-            }
-        }
-
-        private function callAll(handlers:Vector.<Function>, collider:Agent, collidee:Agent, agents:Vector.<Agent>):void
-        {
-            if (handlers == null)
-            {
-                return;
-            }
-            for (var i:int = 0; i < handlers.length; i++)
-            {
-                if (!isListed(collider, agents) || !isListed(collidee, agents))
-                {
-                    return;
-                }
-                _statistics.handlerCalls++;
-                try
-                {
-                    handlers[i](collider, collidee);
-                }
-                catch (error:Error)
-                {
-                    _firstError ||= error;
-                }
             }
         }
 

@@ -39,13 +39,13 @@ package timing
 
         private function drawDots(agents:Vector.<Agent>, color:uint):void
         {
-            graphics.beginFill(color);
             for (var i:int = 0; i < agents.length; i++)
             {
                 var agent:Agent = agents[i];
+                graphics.beginFill(color);
                 graphics.drawCircle((agent.x + HALF_WIDTH) * _scale, (HALF_WIDTH - agent.y) * _scale, Math.max(1.5, agent.size * _scale / 2));
+                graphics.endFill();
             }
-            graphics.endFill();
         }
     }
 }

@@ -1,6 +1,5 @@
 package starlogo.collision
 {
-    import flash.utils.Dictionary;
     import starlogo.agents.Agent;
     import starlogo.engine;
 
@@ -11,8 +10,7 @@ package starlogo.collision
      */
     public final class BreedInterests
     {
-        private var _indices:Dictionary = new Dictionary();
-        private var _count:int = 0;
+        private var _breeds:Vector.<String> = new Vector.<String>();
         private var _pairs:Vector.<Boolean> = new Vector.<Boolean>();
 
         // Agents remember what was found under this token; another one makes them ask again.
@@ -26,7 +24,7 @@ package starlogo.collision
         /** How many breeds take part in any pair. */
         public function get breedCount():int
         {
-            return _count;
+            return _breeds.length;
         }
 
         /**
@@ -39,8 +37,8 @@ package starlogo.collision
         {
             var a:int = enter(breed);
             var b:int = enter(otherBreed);
-            _pairs[a * _count + b] = true;
-            _pairs[b * _count + a] = true;
+            _pairs[a * _breeds.length + b] = true;
+            _pairs[b * _breeds.length + a] = true;
         }
 
         /**
@@ -48,8 +46,7 @@ package starlogo.collision
          */
         public function indexOf(breed:String):int
         {
-            // not by [breed] alone: a breed may be called "toString"
-            return _indices.hasOwnProperty(breed) ? _indices[breed] : -1;
+            return _breeds.indexOf(breed);
         }
 
         /**
@@ -57,7 +54,7 @@ package starlogo.collision
          */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            return _pairs[index * _count + otherIndex];
+            return _pairs[index * _breeds.length + otherIndex];
         }
 
         /** The number of an agent's breed, remembered in the agent. */
@@ -76,9 +73,9 @@ package starlogo.collision
             var index:int = indexOf(breed);
             if (index < 0)
             {
-                index = _count;
+                index = _breeds.length;
                 widen();
-                _indices[breed] = index;
+                _breeds.push(breed);
                 _edition = {};
             }
             return index;
@@ -87,16 +84,16 @@ package starlogo.collision
         // One row and one column more.
         private function widen():void
         {
-            var wider:Vector.<Boolean> = new Vector.<Boolean>((_count + 1) * (_count + 1));
-            for (var a:int = 0; a < _count; a++)
+            var count:int = _breeds.length;
+            var wider:Vector.<Boolean> = new Vector.<Boolean>((count + 1) * (count + 1));
+            for (var a:int = 0; a < count; a++)
             {
-                for (var b:int = 0; b < _count; b++)
+                for (var b:int = 0; b < count; b++)
                 {
-                    wider[a * (_count + 1) + b] = _pairs[a * _count + b];
+                    wider[a * (count + 1) + b] = _pairs[a * count + b];
                 }
             }
             _pairs = wider;
-            _count++;
         }
     }
 }

@@ -15,7 +15,8 @@ package starlogo.collision
      * moves or adds counts from the next frame on; an agent that it takes out of the list takes part in no further call
      * of this one. When a handler throws, the others are called all the same; update then throws the first error.</p>
      *
-     * <p>The handlers of a pair run in the order in which they were added.</p>
+     * <p>Of a pair, the handlers of the agent that is first in the list run before those of the other, each in the order
+     * in which they were added.</p>
      */
     public class Collision
     {

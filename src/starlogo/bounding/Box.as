@@ -3,6 +3,7 @@ package starlogo.bounding
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A box of any orientation: the points that are, along each of three axes, no farther from <code>center</code> than
@@ -137,27 +138,83 @@ package starlogo.bounding
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
-            placePoint(center, placement, placed.center);
             if (placement.isUpright)
             {
+                placePoint(center, placement, placed.center);
                 copyVector(axisX, placed.axisX);
                 copyVector(axisY, placed.axisY);
                 copyVector(axisZ, placed.axisZ);
                 return placed;
             }
-            turnTo(axisX, placement, placed.axisX);
-            turnTo(axisY, placement, placed.axisY);
-            turnTo(axisZ, placement, placed.axisZ);
+            var r00:Number = placement.r00;
+            var r01:Number = placement.r01;
+            var r02:Number = placement.r02;
+            var r10:Number = placement.r10;
+            var r11:Number = placement.r11;
+            var r12:Number = placement.r12;
+            var r20:Number = placement.r20;
+            var r21:Number = placement.r21;
+            var r22:Number = placement.r22;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var vector:Vector3D = placed.center;
+            vector.x = r00 * x + r01 * y + r02 * z + placement.x;
+            vector.y = r10 * x + r11 * y + r12 * z + placement.y;
+            vector.z = r20 * x + r21 * y + r22 * z + placement.z;
+            x = axisX.x;
+            y = axisX.y;
+            z = axisX.z;
+            vector = placed.axisX;
+            vector.x = r00 * x + r01 * y + r02 * z;
+            vector.y = r10 * x + r11 * y + r12 * z;
+            vector.z = r20 * x + r21 * y + r22 * z;
+            x = axisY.x;
+            y = axisY.y;
+            z = axisY.z;
+            vector = placed.axisY;
+            vector.x = r00 * x + r01 * y + r02 * z;
+            vector.y = r10 * x + r11 * y + r12 * z;
+            vector.z = r20 * x + r21 * y + r22 * z;
+            x = axisZ.x;
+            y = axisZ.y;
+            z = axisZ.z;
+            vector = placed.axisZ;
+            vector.x = r00 * x + r01 * y + r02 * z;
+            vector.y = r10 * x + r11 * y + r12 * z;
+            vector.z = r20 * x + r21 * y + r22 * z;
             return placed;
         }
 
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var margin:Number = rounding(halfX + halfY + halfZ, center);
-            writeExtent(center.x, halfX * axisX.x, halfY * axisY.x, halfZ * axisZ.x, margin, out, offset);
-            writeExtent(center.y, halfX * axisX.y, halfY * axisY.y, halfZ * axisZ.y, margin, out, offset + 2);
-            writeExtent(center.z, halfX * axisX.z, halfY * axisY.z, halfZ * axisZ.z, margin, out, offset + 4);
+            var x:Number = center.x;
+            var y:Number = center.y;
+            var z:Number = center.z;
+            var sizeX:Number = halfX;
+            var sizeY:Number = halfY;
+            var sizeZ:Number = halfZ;
+            var distance:Number = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
+            var margin:Number = Tolerances.ROUNDING * (sizeX + sizeY + sizeZ + distance);
+            var alongX:Number = sizeX * axisX.x;
+            var alongY:Number = sizeY * axisY.x;
+            var alongZ:Number = sizeZ * axisZ.x;
+            var reach:Number = (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY) + (alongZ < 0 ? -alongZ : alongZ) + margin;
+            out[offset] = x - reach;
+            out[int(offset + 1)] = x + reach;
+            alongX = sizeX * axisX.y;
+            alongY = sizeY * axisY.y;
+            alongZ = sizeZ * axisZ.y;
+            reach = (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY) + (alongZ < 0 ? -alongZ : alongZ) + margin;
+            out[int(offset + 2)] = y - reach;
+            out[int(offset + 3)] = y + reach;
+            alongX = sizeX * axisX.z;
+            alongY = sizeY * axisY.z;
+            alongZ = sizeZ * axisZ.z;
+            reach = (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY) + (alongZ < 0 ? -alongZ : alongZ) + margin;
+            out[int(offset + 4)] = z - reach;
+            out[int(offset + 5)] = z + reach;
         }
 
         private static function isWithin(axis:Vector3D, x:Number, y:Number, z:Number, half:Number):Boolean
@@ -171,24 +228,6 @@ package starlogo.bounding
             out.x = vector.x;
             out.y = vector.y;
             out.z = vector.z;
-        }
-
-        private static function turnTo(vector:Vector3D, placement:Placement, out:Vector3D):void
-        {
-            var x:Number = vector.x;
-            var y:Number = vector.y;
-            var z:Number = vector.z;
-            out.x = placement.r00 * x + placement.r01 * y + placement.r02 * z;
-            out.y = placement.r10 * x + placement.r11 * y + placement.r12 * z;
-            out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z;
-        }
-
-        private static function writeExtent(middle:Number, a:Number, b:Number, c:Number, margin:Number,
-                out:Vector.<Number>, offset:int):void
-        {
-            var reach:Number = (a < 0 ? -a : a) + (b < 0 ? -b : b) + (c < 0 ? -c : c) + margin;
-            out[offset] = middle - reach;
-            out[offset + 1] = middle + reach;
         }
 
         /** Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt). */

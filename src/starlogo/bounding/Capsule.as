@@ -3,6 +3,7 @@ package starlogo.bounding
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A ball swept along a segment: the points no farther than <code>radius</code> from the segment between
@@ -121,13 +122,36 @@ package starlogo.bounding
             var endX:Number = end.x;
             var endY:Number = end.y;
             var endZ:Number = end.z;
-            var reach:Number = radius + rounding(radius, start) + rounding(radius, end);
-            out[offset] = (startX < endX ? startX : endX) - reach;
-            out[int(offset + 1)] = (startX < endX ? endX : startX) + reach;
-            out[int(offset + 2)] = (startY < endY ? startY : endY) - reach;
-            out[int(offset + 3)] = (startY < endY ? endY : startY) + reach;
-            out[int(offset + 4)] = (startZ < endZ ? startZ : endZ) - reach;
-            out[int(offset + 5)] = (startZ < endZ ? endZ : startZ) + reach;
+            var minX:Number = startX;
+            var maxX:Number = endX;
+            if (startX > endX)
+            {
+                minX = endX;
+                maxX = startX;
+            }
+            var minY:Number = startY;
+            var maxY:Number = endY;
+            if (startY > endY)
+            {
+                minY = endY;
+                maxY = startY;
+            }
+            var minZ:Number = startZ;
+            var maxZ:Number = endZ;
+            if (startZ > endZ)
+            {
+                minZ = endZ;
+                maxZ = startZ;
+            }
+            // the farthest coordinates from 0, added up
+            var distance:Number = (-minX > maxX ? -minX : maxX) + (-minY > maxY ? -minY : maxY) + (-minZ > maxZ ? -minZ : maxZ);
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
+            out[offset] = minX - reach;
+            out[int(offset + 1)] = maxX + reach;
+            out[int(offset + 2)] = minY - reach;
+            out[int(offset + 3)] = maxY + reach;
+            out[int(offset + 4)] = minZ - reach;
+            out[int(offset + 5)] = maxZ + reach;
         }
     }
 }

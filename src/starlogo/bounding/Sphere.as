@@ -3,6 +3,7 @@ package starlogo.bounding
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     /**
      * A ball: the points no farther than <code>radius</code> from <code>center</code> (thesis §3.3). A radius of 0 makes
@@ -86,8 +87,22 @@ package starlogo.bounding
                 }
                 placed = new Sphere(center, radius);
             }
-            placePoint(center, placement, placed.center);
-            placed.radius = radius * placement.size;
+            var size:Number = placement.size;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var middle:Vector3D = placed.center;
+            placed.radius = radius * size;
+            if (placement.isUpright)
+            {
+                middle.x = x + placement.x;
+                middle.y = y + placement.y;
+                middle.z = z + placement.z;
+                return placed;
+            }
+            middle.x = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            middle.y = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            middle.z = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
             return placed;
         }
 
@@ -97,7 +112,8 @@ package starlogo.bounding
             var x:Number = center.x;
             var y:Number = center.y;
             var z:Number = center.z;
-            var reach:Number = radius + rounding(radius, center);
+            var distance:Number = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
             out[offset] = x - reach;
             out[int(offset + 1)] = x + reach;
             out[int(offset + 2)] = y - reach;

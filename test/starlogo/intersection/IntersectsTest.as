@@ -100,6 +100,26 @@ package starlogo.intersection
             assertTrue("hits: " + hits + " of " + count, hits > 0.2 * count && hits < 0.8 * count);
         }
 
+        /** Hair-thin capsules that cross at a tiny angle: a hit and a miss are as far apart as rounding lets them. */
+        [Test]
+        public function findsWhereNearlyParallelCapsulesCross():void
+        {
+            var random:SeededRandom = new SeededRandom(23);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var angle:Number = random.logBetween(1e-7, 1e-3);
+                var crossing:Number = random.between(-0.9, 0.9);
+                var radius:Number = 1e-12;
+                var a:Capsule = new Capsule(new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), radius);
+                for each (var gap:Number in [1e-12, 3e-12])
+                {
+                    var start:Vector3D = new Vector3D(-1, -angle * (1 + crossing), gap);
+                    var b:Capsule = new Capsule(start, new Vector3D(1, angle * (1 - crossing), gap), radius);
+                    assertEquals("angle " + angle + ", gap " + gap, gap <= 2 * radius, intersects(a, b));
+                }
+            }
+        }
+
         [Test]
         public function touchingCounts():void
         {

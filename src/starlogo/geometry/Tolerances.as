@@ -64,6 +64,12 @@ package starlogo.geometry
          */
         public static const HULL_THIN:Number = 0.02;
 
+        /**
+         * The fraction by which a box must be smaller to replace one found before. Zero: rounding decides between rotations
+         * that are equally good. Larger: fits get looser by as much.
+         */
+        public static const FIT_TIE:Number = 1e-9;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

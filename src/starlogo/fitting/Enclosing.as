@@ -105,8 +105,8 @@ package starlogo.fitting
             y = (lowY + highY) / 2;
             z = (lowZ + highZ) / 2;
             return new Box(new Vector3D(x * xX + y * yX + z * zX, x * xY + y * yY + z * zY, x * xZ + y * yZ + z * zZ),
-                new Vector3D(xX, xY, xZ), new Vector3D(yX, yY, yZ), new Vector3D(zX, zY, zZ),
-                (highX - lowX) / 2, (highY - lowY) / 2, (highZ - lowZ) / 2);
+                    new Vector3D(xX, xY, xZ), new Vector3D(yX, yY, yZ), new Vector3D(zX, zY, zZ),
+                    (highX - lowX) / 2, (highY - lowY) / 2, (highZ - lowZ) / 2);
         }
 
         /**
@@ -118,13 +118,11 @@ package starlogo.fitting
          * @param low what the segment reaches down to at least, as a distance from the point along the axis
          * @param high what it reaches up to at least; below low if the segment need not be anywhere: then it shrinks to a
          *        point where a shorter one would do
-         * @param radius what the radius is at least; it becomes the largest distance of a vertex from the line if that is
-         *        more
+         * @param radius not less than distanceFromLine()
          */
         public static function capsule(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D, low:Number, high:Number,
-            radius:Number = 0):Capsule
+                radius:Number):Capsule
         {
-            radius = Math.max(radius, distanceFromLine(vertices, point, axis));
             var pointX:Number = point.x;
             var pointY:Number = point.y;
             var pointZ:Number = point.z;
@@ -162,7 +160,7 @@ package starlogo.fitting
                 low = high = (low + high) / 2;
             }
             return new Capsule(new Vector3D(pointX + low * axisX, pointY + low * axisY, pointZ + low * axisZ),
-                new Vector3D(pointX + high * axisX, pointY + high * axisY, pointZ + high * axisZ), radius);
+                    new Vector3D(pointX + high * axisX, pointY + high * axisY, pointZ + high * axisZ), radius);
         }
 
         /**
@@ -176,9 +174,9 @@ package starlogo.fitting
         public static function cylinder(vertices:Vector.<Number>, middle:Vector3D, axis:Vector3D, half:Number):Cylinder
         {
             return new Cylinder(
-                new Vector3D(middle.x - half * axis.x, middle.y - half * axis.y, middle.z - half * axis.z),
-                new Vector3D(middle.x + half * axis.x, middle.y + half * axis.y, middle.z + half * axis.z),
-                distanceFromLine(vertices, middle, axis));
+                    new Vector3D(middle.x - half * axis.x, middle.y - half * axis.y, middle.z - half * axis.z),
+                    new Vector3D(middle.x + half * axis.x, middle.y + half * axis.y, middle.z + half * axis.z),
+                    distanceFromLine(vertices, middle, axis));
         }
 
         /**

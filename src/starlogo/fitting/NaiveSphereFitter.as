@@ -18,7 +18,7 @@ package starlogo.fitting
         {
             var box:Extents = new Extents(session.hull.points);
             return Enclosing.sphere(session.vertices, (box.lowX + box.highX) / 2, (box.lowY + box.highY) / 2,
-                (box.lowZ + box.highZ) / 2);
+                    (box.lowZ + box.highZ) / 2);
         }
     }
 }

@@ -30,6 +30,26 @@ package starlogo.geometry
         public static const ORTHONORMALITY:Number = 1e-5;
 
         /**
+         * A factor on the distance at which structures touch: the rounding error that a test through several steps may
+         * make, 1e-14 relative. 1: structures that touch may, turned, be told apart by the last bit. Larger: structures
+         * with a gap between them collide. Two spheres are compared directly and do not need it.
+         */
+        public static const TOUCHING:Number = 1 + 1e-14;
+
+        /**
+         * The squared sine of the angle below which two directions are nearly parallel, and what depends on their cross
+         * product is computed the slower way, which does not cancel. Smaller: answers lose digits, about 1e-16 over
+         * the sine of the angle. Larger: more pairs go the slower way, with the same answers.
+         */
+        public static const NEARLY_PARALLEL:Number = 1e-6;
+
+        /**
+         * The squared sine of the angle below which two directions count as parallel: rounding alone turns them as far.
+         * Larger than 1e-20: boxes may be told to collide across a gap of that angle times their length.
+         */
+        public static const PARALLEL:Number = 1e-28;
+
+        /**
          * How far a vertex may be outside of a convex hull, as a fraction of the extent of the vertices: what rounding to
          * the hull's grid and HULL_COPLANAR come to, with room to spare. A guarantee, used by tests only.
          */

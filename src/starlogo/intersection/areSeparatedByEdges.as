@@ -1,0 +1,61 @@
+package starlogo.intersection
+{
+    import starlogo.bounding.Box;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Whether the cross product of an edge of a and one of b separates two boxes that their faces do not: for boxes with
+     * nearly parallel edges, where the usual formulas cancel.
+     *
+     * <p>b's axes are taken as they were rounded, and each cross product is an axis like any other: what is projected on
+     * it shrinks with its length, and so do the rounding errors.</p>
+     *
+     * @param tX the way from a's centre to b's, in a's axes
+     * @param cosXX the dot product of a's axisX and b's axisX; the others alike, a's axis first
+     */
+    internal function areSeparatedByEdges(a:Box, b:Box, tX:Number, tY:Number, tZ:Number,
+            cosXX:Number, cosXY:Number, cosXZ:Number, cosYX:Number, cosYY:Number, cosYZ:Number,
+            cosZX:Number, cosZY:Number, cosZZ:Number):Boolean
+    {
+        var xx:Number = cosXX * cosXX;
+        var xy:Number = cosXY * cosXY;
+        var xz:Number = cosXZ * cosXZ;
+        var yx:Number = cosYX * cosYX;
+        var yy:Number = cosYY * cosYY;
+        var yz:Number = cosYZ * cosYZ;
+        var zx:Number = cosZX * cosZX;
+        var zy:Number = cosZY * cosZY;
+        var zz:Number = cosZZ * cosZZ;
+        var limit:Number = Tolerances.PARALLEL;
+        // With one pair of edges parallel, every other cross product is the direction of a face, which has been tried.
+        if (xz + yz <= limit || yx + zx <= limit || xy + zy <= limit
+                || yy + zy <= limit || yz + zz <= limit || xx + zx <= limit || xz + zz <= limit
+                || xx + yx <= limit || xy + yy <= limit)
+        {
+            return false;
+        }
+        var halfX:Number = b.halfX;
+        var halfY:Number = b.halfY;
+        var halfZ:Number = b.halfZ;
+        return isSeparatedBy(a, tX, tY, tZ, cosXX, cosYX, cosZX,
+                halfY * cosXY, halfY * cosYY, halfY * cosZY, halfZ * cosXZ, halfZ * cosYZ, halfZ * cosZZ)
+            || isSeparatedBy(a, tX, tY, tZ, cosXY, cosYY, cosZY,
+                halfZ * cosXZ, halfZ * cosYZ, halfZ * cosZZ, halfX * cosXX, halfX * cosYX, halfX * cosZX)
+            || isSeparatedBy(a, tX, tY, tZ, cosXZ, cosYZ, cosZZ,
+                halfX * cosXX, halfX * cosYX, halfX * cosZX, halfY * cosXY, halfY * cosYY, halfY * cosZY);
+    }
+}
+
+import starlogo.bounding.Box;
+
+/** Whether edge p of the other box, times one of a's, separates; q and r: that box's other half edges; all in a's axes. */
+function isSeparatedBy(a:Box, tX:Number, tY:Number, tZ:Number, pX:Number, pY:Number, pZ:Number,
+        qX:Number, qY:Number, qZ:Number, rX:Number, rY:Number, rZ:Number):Boolean
+{
+    var x:Number = Math.abs(pX);
+    var y:Number = Math.abs(pY);
+    var z:Number = Math.abs(pZ);
+    return Math.abs(tZ * pY - tY * pZ) > a.halfY * z + a.halfZ * y + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ)
+        || Math.abs(tX * pZ - tZ * pX) > a.halfZ * x + a.halfX * z + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX)
+        || Math.abs(tY * pX - tX * pY) > a.halfX * y + a.halfY * x + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY);
+}

@@ -1,0 +1,192 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Whether a capsule and a box meet: the distance from the capsule's segment to the box against the radius.
+     *
+     * <p>The six axes of thesis §3.6.7 answer yes near the box's corners and near the ends of its edges, where nothing
+     * meets. Here the axes of the box only sort out what is far away. Along the segment the squared distance to the box
+     * is convex, and quadratic between the points where the segment crosses the planes of the box's faces; its minimum
+     * follows in closed form. Touching counts, to within Tolerances.TOUCHING. Allocates nothing.</p>
+     *
+     * @param capsule in the space of the box; it may have no length
+     * @param box in the space of the capsule; half-extents may be 0
+     */
+    public function capsuleBox(capsule:Capsule, box:Box):Boolean
+    {
+        var radius:Number = capsule.radius * Tolerances.TOUCHING;
+        var center:Vector3D = box.center;
+        var start:Vector3D = capsule.start;
+        var end:Vector3D = capsule.end;
+        var startX:Number = start.x;
+        var startY:Number = start.y;
+        var startZ:Number = start.z;
+        var x:Number = end.x - startX;
+        var y:Number = end.y - startY;
+        var z:Number = end.z - startZ;
+        startX -= center.x;
+        startY -= center.y;
+        startZ -= center.z;
+
+        // The segment in the box's axes, p + t * d, mirrored so that d points up each axis.
+        var axis:Vector3D = box.axisX;
+        var axisX:Number = axis.x;
+        var axisY:Number = axis.y;
+        var axisZ:Number = axis.z;
+        var px:Number = axisX * startX + axisY * startY + axisZ * startZ;
+        var dx:Number = axisX * x + axisY * y + axisZ * z;
+        var hx:Number = box.halfX;
+        if (dx < 0)
+        {
+            dx = -dx;
+            px = -px;
+        }
+        var reach:Number = hx + radius;
+        if (px > reach || px + dx < -reach)
+        {
+            return false;
+        }
+        axis = box.axisY;
+        axisX = axis.x;
+        axisY = axis.y;
+        axisZ = axis.z;
+        var py:Number = axisX * startX + axisY * startY + axisZ * startZ;
+        var dy:Number = axisX * x + axisY * y + axisZ * z;
+        var hy:Number = box.halfY;
+        if (dy < 0)
+        {
+            dy = -dy;
+            py = -py;
+        }
+        reach = hy + radius;
+        if (py > reach || py + dy < -reach)
+        {
+            return false;
+        }
+        axis = box.axisZ;
+        axisX = axis.x;
+        axisY = axis.y;
+        axisZ = axis.z;
+        var pz:Number = axisX * startX + axisY * startY + axisZ * startZ;
+        var dz:Number = axisX * x + axisY * y + axisZ * z;
+        var hz:Number = box.halfZ;
+        if (dz < 0)
+        {
+            dz = -dz;
+            pz = -pz;
+        }
+        reach = hz + radius;
+        if (pz > reach || pz + dz < -reach)
+        {
+            return false;
+        }
+
+        // Where the segment's line enters and leaves each slab of the box, and all of them.
+        var inX:Number = -Infinity;
+        var outX:Number = Infinity;
+        if (dx > 0)
+        {
+            inX = (-hx - px) / dx;
+            outX = (hx - px) / dx;
+        }
+        var inY:Number = -Infinity;
+        var outY:Number = Infinity;
+        if (dy > 0)
+        {
+            inY = (-hy - py) / dy;
+            outY = (hy - py) / dy;
+        }
+        var inZ:Number = -Infinity;
+        var outZ:Number = Infinity;
+        if (dz > 0)
+        {
+            inZ = (-hz - pz) / dz;
+            outZ = (hz - pz) / dz;
+        }
+        var lastIn:Number = inX > inY ? inX : inY;
+        lastIn = lastIn > inZ ? lastIn : inZ;
+        var firstOut:Number = outX < outY ? outX : outY;
+        firstOut = firstOut < outZ ? firstOut : outZ;
+
+        var t:Number = lastIn;
+        if (lastIn > firstOut)
+        {
+            // The line passes the box by: it has left one slab before it enters another, and comes closest in between.
+            // Those two count; the third does where, at what would be the minimum without it, it is outside as well.
+            var slope:Number = 0;
+            var curvature:Number = 0;
+            if (outX == firstOut)
+            {
+                slope = dx * (px - hx);
+                curvature = dx * dx;
+            }
+            else if (inX == lastIn)
+            {
+                slope = dx * (px + hx);
+                curvature = dx * dx;
+            }
+            if (outY == firstOut)
+            {
+                slope += dy * (py - hy);
+                curvature += dy * dy;
+            }
+            else if (inY == lastIn)
+            {
+                slope += dy * (py + hy);
+                curvature += dy * dy;
+            }
+            if (outZ == firstOut)
+            {
+                slope += dz * (pz - hz);
+                curvature += dz * dz;
+            }
+            else if (inZ == lastIn)
+            {
+                slope += dz * (pz + hz);
+                curvature += dz * dz;
+            }
+            t = -slope / curvature;
+            if (outX != firstOut && inX != lastIn && (t < inX || t > outX))
+            {
+                slope += dx * (t < inX ? px + hx : px - hx);
+                t = -slope / (curvature + dx * dx);
+            }
+            else if (outY != firstOut && inY != lastIn && (t < inY || t > outY))
+            {
+                slope += dy * (t < inY ? py + hy : py - hy);
+                t = -slope / (curvature + dy * dy);
+            }
+            else if (outZ != firstOut && inZ != lastIn && (t < inZ || t > outZ))
+            {
+                slope += dz * (t < inZ ? pz + hz : pz - hz);
+                t = -slope / (curvature + dz * dz);
+            }
+        }
+        t = t > 0 ? (t < 1 ? t : 1) : 0;
+
+        var distanceSquared:Number = 0;
+        var excess:Number = px + t * dx;
+        excess = (excess < 0 ? -excess : excess) - hx;
+        if (excess > 0)
+        {
+            distanceSquared = excess * excess;
+        }
+        excess = py + t * dy;
+        excess = (excess < 0 ? -excess : excess) - hy;
+        if (excess > 0)
+        {
+            distanceSquared += excess * excess;
+        }
+        excess = pz + t * dz;
+        excess = (excess < 0 ? -excess : excess) - hz;
+        if (excess > 0)
+        {
+            distanceSquared += excess * excess;
+        }
+        return distanceSquared <= radius * radius;
+    }
+}

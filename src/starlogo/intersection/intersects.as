@@ -1,0 +1,43 @@
+package starlogo.intersection
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+
+    /**
+     * Whether two structures meet (thesis §3.6); touching counts. Symmetric; allocates nothing. The test of a pair is the
+     * function of that name in this package: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.
+     *
+     * @param a a Sphere, Capsule or Box
+     * @param b likewise, in the same space
+     * @throws ArgumentError when there is no test for the pair: cylinders are fitted, never collided (thesis §3.6.1)
+     * @throws TypeError when one is null
+     */
+    public function intersects(a:BoundingStructure, b:BoundingStructure):Boolean
+    {
+        switch (a.kind << 2 | b.kind)
+        {
+            case 0:
+                return sphereSphere(a as Sphere, b as Sphere);
+            case 1:
+                return sphereCapsule(a as Sphere, b as Capsule);
+            case 2:
+                return sphereBox(a as Sphere, b as Box);
+            case 4:
+                return sphereCapsule(b as Sphere, a as Capsule);
+            case 5:
+                return capsuleCapsule(a as Capsule, b as Capsule);
+            case 6:
+                return capsuleBox(a as Capsule, b as Box);
+            case 8:
+                return sphereBox(b as Sphere, a as Box);
+            case 9:
+                return capsuleBox(b as Capsule, a as Box);
+            case 10:
+                return boxBox(a as Box, b as Box);
+            default:
+                throw new ArgumentError("there is no intersection test for " + a + " and " + b);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Whether a sphere and a box meet: the distance from the sphere's centre to the box, dimension by dimension in the
+     * box's own axes, against the radius (Arvo, "A simple method for box-sphere intersection testing", Graphics Gems,
+     * 1990). Thesis §3.6.6 adds the distances of the dimensions; it is their squares that add. Touching counts, to
+     * within Tolerances.TOUCHING. Allocates nothing.
+     *
+     * @param sphere in the space of the box; a radius of 0 makes it a point
+     * @param box in the space of the sphere; half-extents may be 0
+     */
+    public function sphereBox(sphere:Sphere, box:Box):Boolean
+    {
+        var center:Vector3D = sphere.center;
+        var middle:Vector3D = box.center;
+        var x:Number = center.x - middle.x;
+        var y:Number = center.y - middle.y;
+        var z:Number = center.z - middle.z;
+        var reach:Number = sphere.radius * Tolerances.TOUCHING;
+        var distanceSquared:Number = 0;
+
+        var axis:Vector3D = box.axisX;
+        var along:Number = axis.x * x + axis.y * y + axis.z * z;
+        var excess:Number = (along < 0 ? -along : along) - box.halfX;
+        if (excess > 0)
+        {
+            distanceSquared = excess * excess;
+        }
+        axis = box.axisY;
+        along = axis.x * x + axis.y * y + axis.z * z;
+        excess = (along < 0 ? -along : along) - box.halfY;
+        if (excess > 0)
+        {
+            distanceSquared += excess * excess;
+        }
+        axis = box.axisZ;
+        along = axis.x * x + axis.y * y + axis.z * z;
+        excess = (along < 0 ? -along : along) - box.halfZ;
+        if (excess > 0)
+        {
+            distanceSquared += excess * excess;
+        }
+        return distanceSquared <= reach * reach;
+    }
+}

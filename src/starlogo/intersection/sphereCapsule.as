@@ -1,0 +1,42 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Whether a sphere and a capsule meet: the distance from the sphere's centre to the capsule's segment against the
+     * sum of the radii (thesis §3.6.5; Ericson, "Real-Time Collision Detection", §5.1.2). Touching counts, to within
+     * Tolerances.TOUCHING. Allocates nothing.
+     *
+     * @param sphere in the space of the capsule; a radius of 0 makes it a point
+     * @param capsule in the space of the sphere; it may have no length
+     */
+    public function sphereCapsule(sphere:Sphere, capsule:Capsule):Boolean
+    {
+        var start:Vector3D = capsule.start;
+        var end:Vector3D = capsule.end;
+        var center:Vector3D = sphere.center;
+        var startX:Number = start.x;
+        var startY:Number = start.y;
+        var startZ:Number = start.z;
+        var axisX:Number = end.x - startX;
+        var axisY:Number = end.y - startY;
+        var axisZ:Number = end.z - startZ;
+        var x:Number = center.x - startX;
+        var y:Number = center.y - startY;
+        var z:Number = center.z - startZ;
+        var along:Number = x * axisX + y * axisY + z * axisZ;
+        if (along > 0)
+        {
+            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            var t:Number = along < lengthSquared ? along / lengthSquared : 1;
+            x -= t * axisX;
+            y -= t * axisY;
+            z -= t * axisZ;
+        }
+        var reach:Number = (sphere.radius + capsule.radius) * Tolerances.TOUCHING;
+        return x * x + y * y + z * z <= reach * reach;
+    }
+}

@@ -1,0 +1,23 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
+
+    /**
+     * Whether two spheres meet: the squared distance of their centres against the square of the sum of their radii
+     * (thesis §3.6.2). Touching counts. Exact for the numbers as they are stored; allocates nothing.
+     *
+     * @param a in the space of b; a radius of 0 makes it a point
+     * @param b in the space of a
+     */
+    public function sphereSphere(a:Sphere, b:Sphere):Boolean
+    {
+        var centerA:Vector3D = a.center;
+        var centerB:Vector3D = b.center;
+        var x:Number = centerA.x - centerB.x;
+        var y:Number = centerA.y - centerB.y;
+        var z:Number = centerA.z - centerB.z;
+        var reach:Number = a.radius + b.radius;
+        return x * x + y * y + z * z <= reach * reach;
+    }
+}

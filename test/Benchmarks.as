@@ -1,0 +1,41 @@
+package
+{
+    import benchmark.IntersectionBenchmark;
+    import flash.display.Sprite;
+    import flash.events.Event;
+    import headless.Host;
+
+    /**
+     * The benchmark SWF: runs every benchmark, one a frame, and prints what it returns. A benchmark is a class with a
+     * method <code>run():String</code>; the parameter <code>benchmark</code> picks those whose name contains it.
+     */
+    public class Benchmarks extends Sprite
+    {
+        private static const BENCHMARKS:Array = [IntersectionBenchmark];
+
+        private var _pending:Array;
+
+        public function Benchmarks()
+        {
+            var pattern:String = loaderInfo.parameters["benchmark"] || "";
+            _pending = BENCHMARKS.filter(function(benchmark:Class, index:int, all:Array):Boolean
+                {
+                    return String(benchmark).indexOf(pattern) >= 0;
+                });
+            addEventListener(Event.ENTER_FRAME, onEnterFrame);
+        }
+
+        private function onEnterFrame(event:Event):void
+        {
+            if (_pending.length == 0)
+            {
+                removeEventListener(Event.ENTER_FRAME, onEnterFrame);
+                Host.exit(0);
+                return;
+            }
+            var benchmark:Class = _pending.shift();
+            trace(String(benchmark));
+            trace(new benchmark().run());
+        }
+    }
+}

@@ -22,7 +22,8 @@ package starlogo.fitting
             return new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(),
                     new RitterSphereFitter(RitterSphereFitter.FARTHEST_FROM_FIRST), new CentredRitterSphereFitter(),
                     new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), oriented, new CapsuleFitter(oriented),
-                    new CapsuleFitter(new AxisAlignedBoxFitter()), new CylinderFitter(oriented)];
+                    new CapsuleFitter(new AxisAlignedBoxFitter()), new CylinderFitter(oriented),
+                    new MinimalSphereFitter()];
         }
 
         [Test]

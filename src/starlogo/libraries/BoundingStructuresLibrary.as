@@ -19,6 +19,9 @@ package starlogo.libraries
      */
     public final class BoundingStructuresLibrary
     {
+        // in front of every key: a shape may be called "hasOwnProperty"
+        private static const PREFIX:String = ":";
+
         /**
          * The algorithms whose results are compared when a model is added; to be changed or replaced at any time. At
          * first: the naive sphere, the oriented box, and the capsule of that box (which then is computed once).
@@ -106,14 +109,13 @@ package starlogo.libraries
                 shape.capsule = smallest(found, BoundingStructure.CAPSULE) as Capsule;
                 shape.box = smallest(found, BoundingStructure.BOX) as Box;
             }
-            _shapes[name] = shape;
+            _shapes[PREFIX + name] = shape;
         }
 
         /** Whether there are structures for a shape. */
         public function has(name:String):Boolean
         {
-            // by its type: a name such as "toString" finds something in every object
-            return _shapes[name] is StoredShape;
+            return _shapes[PREFIX + name] is StoredShape;
         }
 
         /**
@@ -159,7 +161,7 @@ package starlogo.libraries
         /** Whether the sphere, the box and the capsule of a shape were all kept. */
         public function hasAll(name:String):Boolean
         {
-            var shape:StoredShape = _shapes[name] as StoredShape;
+            var shape:StoredShape = _shapes[PREFIX + name] as StoredShape;
             return shape != null && shape.sphere != null && shape.capsule != null && shape.box != null;
         }
 
@@ -236,7 +238,7 @@ package starlogo.libraries
 
         private function find(name:String):StoredShape
         {
-            var shape:StoredShape = _shapes[name] as StoredShape;
+            var shape:StoredShape = _shapes[PREFIX + name] as StoredShape;
             if (shape == null)
             {
                 throw new ArgumentError("there is no bounding structure for shape \"" + name

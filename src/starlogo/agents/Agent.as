@@ -1,0 +1,323 @@
+package starlogo.agents
+{
+    import flash.geom.Matrix3D;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
+
+    /**
+     * A character or thing of the game, with the client's built-in traits.
+     *
+     * <p>The world is right-handed with z up; lengths are in patches, angles in degrees. The agent's model is scaled by
+     * <code>size</code>, turned by <code>roll</code> about x, <code>pitch</code> about y and <code>heading</code> about z
+     * (the world's axes), and moved to (x, y, z), all about the model's origin: its centre in x and y and its lowest
+     * point in z (thesis §2.2, §3.5).</p>
+     *
+     * <p>A trait that gets a value that it can't have throws a RangeError that names the agent, and keeps its value.</p>
+     */
+    public class Agent
+    {
+        private static var sCreated:int = 0;
+
+        /** The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. */
+        engine var placement:Placement = new Placement();
+
+        /** Counts the changes of what decides the agent's world shape. */
+        engine var revision:int = 0;
+
+        /** What the collision system in use keeps with the agent from frame to frame. */
+        engine var userData:Object;
+
+        /** Where the agent stood in the list of the last frame: a hint, not a promise. */
+        engine var slot:int = 0;
+
+        /** Who looked up the breed last, and what was found. */
+        engine var breedResolver:Object;
+
+        /** @copy #breedResolver */
+        engine var breedIndex:int;
+
+        /**
+         * Whether a CombinationCollider uses the agent's hierarchy rather than its tightest fit (thesis §5.2). May
+         * change between frames.
+         */
+        public var hierarchical:Boolean = false;
+
+        /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
+        public var color:Number = 0;
+
+        private var _id:int;
+        private var _shape:String;
+        private var _breed:String;
+        private var _heading:Number = 0;
+        private var _pitch:Number = 0;
+        private var _roll:Number = 0;
+        private var _traversalDepth:int = 0;
+        private var _rotationIsStale:Boolean = false;
+        private var _transform:Matrix3D;
+        private var _transformRevision:int = -1;
+        private var _transformData:Vector.<Number>;
+
+        /**
+         * An agent of size 1 at the origin.
+         *
+         * @param shape the name of its model; the colliders' GreatLand must have it
+         * @param breed the name of its breed
+         * @throws ArgumentError if either is null or empty
+         */
+        public function Agent(shape:String, breed:String = "turtles")
+        {
+            _id = ++sCreated;
+            this.shape = shape;
+            this.breed = breed;
+        }
+
+        /** A number that no other agent of this run has; the first is 1. */
+        public function get id():int
+        {
+            return _id;
+        }
+
+        /** The name of the agent's model. */
+        public function get shape():String
+        {
+            return _shape;
+        }
+
+        public function set shape(value:String):void
+        {
+            requireName("shape", value);
+            _shape = value;
+            userData = null;
+            revision++;
+        }
+
+        /** The name of the agent's breed. */
+        public function get breed():String
+        {
+            return _breed;
+        }
+
+        public function set breed(value:String):void
+        {
+            requireName("breed", value);
+            _breed = value;
+            breedResolver = null;
+        }
+
+        /** The position of the model's origin along the world's x axis, finite. */
+        public function get x():Number
+        {
+            return placement.x;
+        }
+
+        public function set x(value:Number):void
+        {
+            requireFinite("x", value);
+            placement.x = value;
+            revision++;
+        }
+
+        /** The position of the model's origin along the world's y axis, finite. */
+        public function get y():Number
+        {
+            return placement.y;
+        }
+
+        public function set y(value:Number):void
+        {
+            requireFinite("y", value);
+            placement.y = value;
+            revision++;
+        }
+
+        /** The height of the model's lowest point over the ground when the agent stands upright, finite. */
+        public function get z():Number
+        {
+            return placement.z;
+        }
+
+        public function set z(value:Number):void
+        {
+            requireFinite("z", value);
+            placement.z = value;
+            revision++;
+        }
+
+        /** The turn about the z axis, counter-clockwise seen from above, in degrees, finite. */
+        public function get heading():Number
+        {
+            return _heading;
+        }
+
+        public function set heading(value:Number):void
+        {
+            requireFinite("heading", value);
+            _heading = value;
+            rotationChanged();
+        }
+
+        /** The turn about the world's y axis, before the heading, in degrees, finite. */
+        public function get pitch():Number
+        {
+            return _pitch;
+        }
+
+        public function set pitch(value:Number):void
+        {
+            requireFinite("pitch", value);
+            _pitch = value;
+            rotationChanged();
+        }
+
+        /** The turn about the world's x axis, before the pitch, in degrees, finite. */
+        public function get roll():Number
+        {
+            return _roll;
+        }
+
+        public function set roll(value:Number):void
+        {
+            requireFinite("roll", value);
+            _roll = value;
+            rotationChanged();
+        }
+
+        /** The uniform scale of the model, positive and finite; 1 leaves it a unit wide. */
+        public function get size():Number
+        {
+            return placement.size;
+        }
+
+        public function set size(value:Number):void
+        {
+            if (!(value > 0 && value < Infinity))
+            {
+                throw new RangeError(this + ": size must be a positive, finite number, not " + value);
+            }
+            placement.size = value;
+            revision++;
+        }
+
+        /**
+         * How many levels of this agent's hierarchy a collision test visits, the root being level 1 (thesis §4.6); 0
+         * leaves it to the collider's maxDepth.
+         *
+         * @throws RangeError if set to a negative number
+         */
+        public function get traversalDepth():int
+        {
+            return _traversalDepth;
+        }
+
+        public function set traversalDepth(value:int):void
+        {
+            if (value < 0)
+            {
+                throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
+            }
+            _traversalDepth = value;
+        }
+
+        /**
+         * Moves the agent: one call instead of three.
+         *
+         * @param x patches, finite
+         * @param y patches, finite
+         * @param z patches, finite
+         * @throws RangeError if one is not finite; the agent then stays where it was
+         */
+        public function moveTo(x:Number, y:Number, z:Number):void
+        {
+            // infinite and NaN differences alike are not 0
+            if (!(x - x + (y - y) + (z - z) == 0))
+            {
+                requireFinite("x", x);
+                requireFinite("y", y);
+                requireFinite("z", z);
+            }
+            placement.x = x;
+            placement.y = y;
+            placement.z = z;
+            revision++;
+        }
+
+        /**
+         * What takes the agent's model to the world, computed when it has changed. It is the agent's own matrix, which
+         * the next change overwrites: clone it to keep it.
+         */
+        public function get transform():Matrix3D
+        {
+            if (_transformRevision != revision)
+            {
+                if (_transform == null)
+                {
+                    _transform = new Matrix3D();
+                    _transformData = _transform.rawData;
+                }
+                writeTransform(worldPlacement());
+                _transform.copyRawDataFrom(_transformData);
+                _transformRevision = revision;
+            }
+            return _transform;
+        }
+
+        /** The class, id, breed and shape: how errors name the agent. */
+        public function toString():String
+        {
+            return "agent " + _id + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
+        }
+
+        /** The agent's place in the world with its rotation up to date. */
+        engine function worldPlacement():Placement
+        {
+            if (_rotationIsStale)
+            {
+                placement.setRotation(_heading, _pitch, _roll);
+                _rotationIsStale = false;
+            }
+            return placement;
+        }
+
+        private function rotationChanged():void
+        {
+            _rotationIsStale = true;
+            revision++;
+        }
+
+        // Column by column, as Matrix3D keeps it.
+        private function writeTransform(placement:Placement):void
+        {
+            var scale:Number = placement.size;
+            _transformData[0] = scale * placement.r00;
+            _transformData[1] = scale * placement.r10;
+            _transformData[2] = scale * placement.r20;
+            _transformData[4] = scale * placement.r01;
+            _transformData[5] = scale * placement.r11;
+            _transformData[6] = scale * placement.r21;
+            _transformData[8] = scale * placement.r02;
+            _transformData[9] = scale * placement.r12;
+            _transformData[10] = scale * placement.r22;
+            _transformData[12] = placement.x;
+            _transformData[13] = placement.y;
+            _transformData[14] = placement.z;
+        }
+
+        private function requireFinite(trait:String, value:Number):void
+        {
+            if (!isFinite(value))
+            {
+                throw new RangeError(this + ": " + trait + " must be a finite number, not " + value);
+            }
+        }
+
+        private function requireName(trait:String, value:String):void
+        {
+            if (value == null || value == "")
+            {
+                throw new ArgumentError(this + ": " + trait + " must be a name, not " + (value == null ? "null" : "\"\""));
+            }
+        }
+    }
+}

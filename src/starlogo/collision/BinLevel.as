@@ -1,0 +1,84 @@
+package starlogo.collision
+{
+    /**
+     * The bins of one width: a hash table of lists, one list a bin or, now and then, a few bins.
+     */
+    internal final class BinLevel
+    {
+        /** How far out a level reaches, in bins. */
+        public static const REACH:Number = 1 << 28;
+
+        // At the reach a position is rounded by 2^-25 of a bin.
+        private static const PADDING:Number = 1 / (1 << 20);
+
+        /** The width of a bin, a power of two, in patches. */
+        public var width:Number;
+
+        /** Bins in a patch. */
+        public var perWidth:Number;
+
+        /** Its bodies are at most this large: half the larger side of the rectangle, a quarter of a bin. */
+        public var largestHalf:Number;
+
+        /** Its bodies are larger than this. */
+        public var tooSmallHalf:Number;
+
+        /**
+         * How far out the level reaches: the square of the distance from the world's origin. Farther out a bin's
+         * number would not fit an int, and rounding would be coarse beside a bin.
+         */
+        public var reachSquared:Number;
+
+        /**
+         * How much wider a body's rectangle is made on each side, in patches: more than rounding comes to anywhere in
+         * the level's reach, so that bodies that just touch share a bin. More makes more entries and candidates.
+         */
+        public var padding:Number;
+
+        /** The first entry of each list, or null. */
+        public var heads:Vector.<BinEntry> = new Vector.<BinEntry>();
+
+        /** The bin at a column and row has its list at <code>(row * stride + column) & mask</code>. */
+        public var mask:int;
+
+        /** @copy #mask */
+        public var stride:int;
+
+        /** The bodies of this level. */
+        public var bodies:Vector.<Body> = new Vector.<Body>();
+
+        /** How many bodies there are in this frame. */
+        public var count:int = 0;
+
+        /**
+         * @param width a power of two
+         */
+        public function BinLevel(width:Number)
+        {
+            this.width = width;
+            perWidth = 1 / width;
+            largestHalf = width / 4;
+            tooSmallHalf = width / 8;
+            padding = width * PADDING;
+            reachSquared = width * width * REACH * REACH;
+        }
+
+        /** Empties the bins, with room for the bodies. */
+        public function clearBins():void
+        {
+            var bits:int = 3;
+            while ((1 << bits) < 2 * count)
+            {
+                bits++;
+            }
+            mask = (1 << bits) - 1;
+            // odd, and about the square root: bins side by side, and a whole compact world, get lists of their own
+            stride = (1 << ((bits + 1) >> 1)) + 1;
+            // the player clears a vector that shrinks and grows natively
+            heads.length = 0;
+            heads.length = 1 << bits;
+            // bodies that have left the game are not held on to
+            bodies.length = count;
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package starlogo.collision
+{
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+
+    /**
+     * What a collider keeps of an agent from frame to frame: its world shape, computed when the agent has changed
+     * (thesis §3.5), and its place in the bins. Plain fields, because the inner loops of a frame read them.
+     */
+    internal final class Body
+    {
+        /** Whose body it is. */
+        public var agent:Agent;
+
+        /** The collider that made it, the only one that uses it. */
+        public var owner:BinCollider;
+
+        /** The agent's revision that the world shape belongs to. */
+        public var revision:int = -1;
+
+        /** The structure in the model's space. */
+        public var structure:BoundingStructure;
+
+        /** The structure in the world. */
+        public var world:BoundingStructure;
+
+        /** The middle of the world shape's extents. */
+        public var x:Number;
+
+        /** @copy #x */
+        public var y:Number;
+
+        /** @copy #x */
+        public var z:Number;
+
+        /** Half the extent along x; a sphere's radius. */
+        public var halfX:Number;
+
+        /** Half the extent along y. */
+        public var halfY:Number;
+
+        /** Half the extent along z. */
+        public var halfZ:Number;
+
+        /** Whether the world shape is the sphere in these numbers: spares the most common test a call. */
+        public var isSphere:Boolean;
+
+        /** The ground rectangle while the body is in the bins, padded: the least x. */
+        public var left:Number;
+
+        /** The largest x. */
+        public var right:Number;
+
+        /** The least y. */
+        public var front:Number;
+
+        /** The largest y. */
+        public var back:Number;
+
+        /** The level of the bins that the body is entered in. */
+        public var level:BinLevel;
+
+        /** The column of its first bin on that level. */
+        public var column:int;
+
+        /** The row of its first bin on that level. */
+        public var row:int;
+
+        /** Its entries in at most four bins, in a ring. */
+        public var entry:BinEntry;
+
+        /** The agent's index in this frame's list. */
+        public var index:int;
+
+        /** The agent's breed in this frame's interests. */
+        public var breed:int;
+
+        /** The frame that last counted it: finds an agent that is listed twice. */
+        public var frame:int = 0;
+
+        /**
+         * @param agent whose body it is
+         * @param owner the collider that makes it
+         */
+        public function Body(agent:Agent, owner:BinCollider)
+        {
+            this.agent = agent;
+            this.owner = owner;
+            entry = BinEntry.ring(this, 4);
+        }
+    }
+}

@@ -1,0 +1,23 @@
+package starlogo.collision
+{
+    /** What the agents of a breed do when they collide with those of another. */
+    internal final class CollisionHandler
+    {
+        /** The breed of the collider. */
+        public var breed:String;
+
+        /** The breed of the collidee. */
+        public var otherBreed:String;
+
+        /** function(collider:Agent, collidee:Agent):void */
+        public var handler:Function;
+
+        /** A handler of a pair of breeds. */
+        public function CollisionHandler(breed:String, otherBreed:String, handler:Function)
+        {
+            this.breed = breed;
+            this.otherBreed = otherBreed;
+            this.handler = handler;
+        }
+    }
+}

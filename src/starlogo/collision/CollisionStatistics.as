@@ -1,0 +1,90 @@
+package starlogo.collision
+{
+    /**
+     * What one frame of collision detection did and cost. Whoever fills it overwrites it with the next frame; copy the
+     * numbers to keep them.
+     */
+    public final class CollisionStatistics
+    {
+        /** Agents in the list. */
+        public var agents:int;
+
+        /** Agents that take part in no pair that anybody cares about, and were passed over. */
+        public var agentsPassedOver:int;
+
+        /** Entries of agents in bins: an agent that reaches into four bins counts four times. */
+        public var binEntries:int;
+
+        /** Pairs of agents that share a bin and overlap on the ground plane. */
+        public var candidatePairs:int;
+
+        /** Sphere-sphere tests. */
+        public var sphereSphereTests:int;
+
+        /** Sphere-capsule tests. */
+        public var sphereCapsuleTests:int;
+
+        /** Sphere-box tests. */
+        public var sphereBoxTests:int;
+
+        /** Capsule-capsule tests. */
+        public var capsuleCapsuleTests:int;
+
+        /** Capsule-box tests. */
+        public var capsuleBoxTests:int;
+
+        /** Box-box tests. */
+        public var boxBoxTests:int;
+
+        /** Pairs of agents that collide. */
+        public var collisions:int;
+
+        /** Calls of handlers. */
+        public var handlerCalls:int;
+
+        /** Milliseconds to find the collisions. */
+        public var findMs:int;
+
+        /** Milliseconds of the whole frame, handlers included. */
+        public var frameMs:int;
+
+        /** All zero. */
+        public function CollisionStatistics()
+        {
+        }
+
+        /** Intersection tests of all kinds. */
+        public function get tests():int
+        {
+            return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests;
+        }
+
+        /** Sets every number to 0. */
+        public function reset():void
+        {
+            agents = agentsPassedOver = binEntries = candidatePairs = 0;
+            sphereSphereTests = sphereCapsuleTests = sphereBoxTests = 0;
+            capsuleCapsuleTests = capsuleBoxTests = boxBoxTests = 0;
+            collisions = handlerCalls = findMs = frameMs = 0;
+        }
+
+        /** Takes over every number of another frame. */
+        public function copyFrom(other:CollisionStatistics):void
+        {
+            agents = other.agents;
+            agentsPassedOver = other.agentsPassedOver;
+            binEntries = other.binEntries;
+            candidatePairs = other.candidatePairs;
+            sphereSphereTests = other.sphereSphereTests;
+            sphereCapsuleTests = other.sphereCapsuleTests;
+            sphereBoxTests = other.sphereBoxTests;
+            capsuleCapsuleTests = other.capsuleCapsuleTests;
+            capsuleBoxTests = other.capsuleBoxTests;
+            boxBoxTests = other.boxBoxTests;
+            collisions = other.collisions;
+            handlerCalls = other.handlerCalls;
+            findMs = other.findMs;
+            frameMs = other.frameMs;
+        }
+    }
+}

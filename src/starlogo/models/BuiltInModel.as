@@ -1,0 +1,135 @@
+package starlogo.models
+{
+    /**
+     * The shapes that the client has without a file: a sphere, a cube and a cylinder, with the vertex counts of the
+     * thesis (Figure 6-2). Their triangles are closed surfaces, counter-clockwise seen from outside.
+     */
+    public final class BuiltInModel extends Model
+    {
+        private static const SPHERE_SEGMENTS:int = 16;
+        private static const SPHERE_RINGS:int = 13;
+        private static const CYLINDER_SEGMENTS:int = 32;
+        private static const CYLINDER_SIDE_RINGS:int = 8;
+        private static const CYLINDER_HEIGHT:Number = 1.131;
+
+        // the corners of a square, in this order, are counter-clockwise seen against the axis that they are given
+        private static const SQUARE_U:Vector.<Number> = new <Number>[-0.5, 0.5, 0.5, -0.5];
+        private static const SQUARE_V:Vector.<Number> = new <Number>[-0.5, -0.5, 0.5, 0.5];
+
+        /**
+         * The shapes come from <code>sphere()</code>, <code>cube()</code> and <code>cylinder()</code>; the
+         * constructor serves them.
+         *
+         * @copy Model#Model()
+         */
+        public function BuiltInModel(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        {
+            super(name, vertices, triangles);
+        }
+
+        /**
+         * A sphere of diameter 1, named "sphere": two poles and 13 rings of 17 vertices (16 segments, the vertex at the
+         * seam repeated), 223 in all, and 416 triangles.
+         */
+        public static function sphere():Model
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            vertices.push(0, 0, 0);
+            for (var ring:int = 1; ring <= SPHERE_RINGS; ring++)
+            {
+                var angle:Number = Math.PI * ring / (SPHERE_RINGS + 1);
+                addRing(vertices, SPHERE_SEGMENTS, Math.sin(angle) / 2, (1 - Math.cos(angle)) / 2);
+                vertices.push(vertices[int(vertices.length - 3 * SPHERE_SEGMENTS)], 0, (1 - Math.cos(angle)) / 2);
+            }
+            vertices.push(0, 0, 1);
+
+            var ringSize:int = SPHERE_SEGMENTS + 1;
+            var lastRing:int = 1 + (SPHERE_RINGS - 1) * ringSize;
+            var topPole:int = lastRing + ringSize;
+            for (var segment:int = 0; segment < SPHERE_SEGMENTS; segment++)
+            {
+                triangles.push(0, segment + 2, segment + 1);
+                triangles.push(topPole, lastRing + segment, lastRing + segment + 1);
+            }
+            for (var below:int = 1; below < lastRing; below += ringSize)
+            {
+                for (segment = below; segment < below + SPHERE_SEGMENTS; segment++)
+                {
+                    addQuad(triangles, segment, segment + 1, segment + ringSize + 1, segment + ringSize);
+                }
+            }
+            return new BuiltInModel("sphere", vertices, triangles);
+        }
+
+        /** A cube of edge 1, named "cube": each of its 6 faces has 4 vertices of its own, 24 in all, and 2 triangles. */
+        public static function cube():Model
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>(72);
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var face:int = 0; face < 6; face++)
+            {
+                var axis:int = face >> 1;
+                var positive:Boolean = (face & 1) == 0;
+                for (var corner:int = 0; corner < 4; corner++)
+                {
+                    var start:int = 3 * (4 * face + corner);
+                    vertices[start + axis] = positive ? 0.5 : -0.5;
+                    vertices[start + (axis + 1) % 3] = SQUARE_U[positive ? corner : 3 - corner];
+                    vertices[start + (axis + 2) % 3] = SQUARE_V[positive ? corner : 3 - corner];
+                }
+                addQuad(triangles, 4 * face, 4 * face + 1, 4 * face + 2, 4 * face + 3);
+            }
+            return new BuiltInModel("cube", vertices, triangles);
+        }
+
+        /**
+         * An upright cylinder of diameter 1 and height 1.131, named "cylinder": 10 rings of 32 vertices, 8 on the side
+         * and one round each cap, 320 in all, and 508 triangles.
+         */
+        public static function cylinder():Model
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            addRing(vertices, CYLINDER_SEGMENTS, 0.5, 0);
+            for (var ring:int = 0; ring < CYLINDER_SIDE_RINGS; ring++)
+            {
+                addRing(vertices, CYLINDER_SEGMENTS, 0.5, CYLINDER_HEIGHT * ring / (CYLINDER_SIDE_RINGS - 1));
+            }
+            addRing(vertices, CYLINDER_SEGMENTS, 0.5, CYLINDER_HEIGHT);
+
+            var topCap:int = CYLINDER_SEGMENTS * (CYLINDER_SIDE_RINGS + 1);
+            for (var segment:int = 1; segment < CYLINDER_SEGMENTS - 1; segment++)
+            {
+                triangles.push(0, segment + 1, segment);
+                triangles.push(topCap, topCap + segment, topCap + segment + 1);
+            }
+            for (ring = 1; ring < CYLINDER_SIDE_RINGS; ring++)
+            {
+                var below:int = ring * CYLINDER_SEGMENTS;
+                var above:int = below + CYLINDER_SEGMENTS;
+                for (segment = 0; segment < CYLINDER_SEGMENTS; segment++)
+                {
+                    var next:int = (segment + 1) % CYLINDER_SEGMENTS;
+                    addQuad(triangles, below + segment, below + next, above + next, above + segment);
+                }
+            }
+            return new BuiltInModel("cylinder", vertices, triangles);
+        }
+
+        /** A horizontal circle of vertices about the z axis, counter-clockwise seen from above, the first at +x. */
+        private static function addRing(vertices:Vector.<Number>, segments:int, radius:Number, z:Number):void
+        {
+            for (var segment:int = 0; segment < segments; segment++)
+            {
+                var angle:Number = 2 * Math.PI * segment / segments;
+                vertices.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+            }
+        }
+
+        private static function addQuad(triangles:Vector.<uint>, a:int, b:int, c:int, d:int):void
+        {
+            triangles.push(a, b, c, a, c, d);
+        }
+    }
+}

@@ -1,0 +1,273 @@
+package starlogo.bounding
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNotNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.geometry.Placement;
+    import support.SeededRandom;
+    import support.Structures;
+
+    /** What every bounding structure promises. */
+    public class BoundingStructureTest
+    {
+        [Test]
+        public function knowsItsKind():void
+        {
+            var samples:Vector.<BoundingStructure> = Structures.samples();
+            assertEquals(BoundingStructure.SPHERE, samples[0].kind);
+            assertEquals(BoundingStructure.CAPSULE, samples[1].kind);
+            assertEquals(BoundingStructure.BOX, samples[2].kind);
+            assertEquals(BoundingStructure.CYLINDER, samples[3].kind);
+        }
+
+        [Test]
+        public function transformsInPlaceAndChains():void
+        {
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                var volume:Number = structure.volume;
+                var result:BoundingStructure = structure.scale(2).rotate(turn(30, 40, 50)).translate(new Vector3D(1, 2, 3));
+                assertStrictlyEquals(structure, result);
+                assertNear(String(structure), 8 * volume, structure.volume, 1e-5 * volume);
+            }
+        }
+
+        [Test]
+        public function clonesShareNothing():void
+        {
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                var before:String = String(Structures.numbersOf(structure));
+                var copy:BoundingStructure = structure.clone();
+                assertEquals(before, String(Structures.numbersOf(copy)));
+                copy.scale(3).rotate(turn(10, 20, 30)).translate(new Vector3D(4, 5, 6));
+                assertEquals(before, String(Structures.numbersOf(structure)));
+                assertFalse(before == String(Structures.numbersOf(copy)));
+            }
+        }
+
+        [Test]
+        public function constructorsCopyTheirVectors():void
+        {
+            var point:Vector3D = new Vector3D(1, 2, 3);
+            var other:Vector3D = new Vector3D(3, 2, 1);
+            var sphere:Sphere = new Sphere(point, 1);
+            var capsule:Capsule = new Capsule(point, other, 1);
+            var cylinder:Cylinder = new Cylinder(point, other, 1);
+            point.x = other.x = 9;
+            assertEquals(1, sphere.center.x);
+            assertEquals(1, capsule.start.x);
+            assertEquals(3, capsule.end.x);
+            assertEquals(1, cylinder.start.x);
+            assertEquals(3, cylinder.end.x);
+        }
+
+        [Test]
+        public function refusedCallsChangeNothing():void
+        {
+            var sheared:Matrix3D = new Matrix3D(Vector.<Number>([1, 0, 0, 0, 0.1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]));
+            var scaled:Matrix3D = new Matrix3D();
+            scaled.appendScale(2, 2, 2);
+            var moved:Matrix3D = new Matrix3D();
+            moved.appendTranslation(0, 0, 1);
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                var before:String = String(Structures.numbersOf(structure));
+                for each (var factor:Number in [0, -1, NaN, Infinity])
+                {
+                    assertNotNull("scale " + factor, rangeErrorOf(structure.scale, factor));
+                }
+                assertTrue(rangeErrorOf(structure.scale, -3).message.indexOf("-3") >= 0);
+                for each (var matrix:Matrix3D in [null, sheared, scaled, moved])
+                {
+                    assertNotNull("rotate " + matrix, argumentErrorOf(structure.rotate, matrix));
+                }
+                assertNotNull(argumentErrorOf(structure.translate, null));
+                assertNotNull(rangeErrorOf(structure.translate, new Vector3D(0, NaN, 0)));
+                assertNotNull(rangeErrorOf(structure.translate, new Vector3D(0, 0, -Infinity)));
+                assertEquals(before, String(Structures.numbersOf(structure)));
+            }
+        }
+
+        [Test]
+        public function containsItsSurfaceAndNothingBeyond():void
+        {
+            var random:SeededRandom = new SeededRandom(5);
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                for (var i:int = 0; i < 300; i++)
+                {
+                    assertTrue(structure + " " + i, structure.contains(Structures.pointOf(structure, random, random.next())));
+                    assertTrue(structure + " " + i, structure.contains(Structures.pointOf(structure, random, 1)));
+                }
+                var far:Vector3D = Structures.pointOf(structure, random, 1);
+                far.x += 20;
+                assertFalse(structure.contains(far));
+            }
+        }
+
+        [Test]
+        public function placesLikeItsTransformsOneByOne():void
+        {
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                for each (var angles:Array in [[0, 0, 0], [90, 0, 0], [35, 0, 0], [-120, 40, 200]])
+                {
+                    var placement:Placement = standing(2.5, angles, 3, -4, 5);
+                    var expected:BoundingStructure = structure.clone();
+                    expected.scale(2.5).rotate(turn(angles[0], angles[1], angles[2])).translate(new Vector3D(3, -4, 5));
+                    assertSame(expected, structure.place(placement), 1e-5);
+                }
+            }
+        }
+
+        [Test]
+        public function placesIntoAnExistingStructure():void
+        {
+            var placement:Placement = standing(0.5, [20, 30, 40], 1, 2, 3);
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                var before:String = String(Structures.numbersOf(structure));
+                var expected:BoundingStructure = structure.place(placement);
+                var out:BoundingStructure = structure.clone().scale(7);
+                assertStrictlyEquals(out, structure.place(placement, out));
+                assertSame(expected, out, 0);
+                assertEquals(before, String(Structures.numbersOf(structure)));
+                assertStrictlyEquals(structure, structure.place(placement, structure));
+                assertSame(expected, structure, 0);
+            }
+        }
+
+        [Test]
+        public function refusesToPlaceIntoAnotherKind():void
+        {
+            var samples:Vector.<BoundingStructure> = Structures.samples();
+            for (var i:int = 0; i < samples.length; i++)
+            {
+                var other:BoundingStructure = samples[(i + 1) % samples.length];
+                var before:String = String(Structures.numbersOf(other));
+                assertNotNull(argumentErrorOf(samples[i].place, new Placement(), other));
+                assertEquals(before, String(Structures.numbersOf(other)));
+            }
+        }
+
+        [Test]
+        public function extentsAreTight():void
+        {
+            var random:SeededRandom = new SeededRandom(9);
+            var extents:Vector.<Number> = new Vector.<Number>(8, true);
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                structure.rotate(turn(random.between(0, 360), random.between(0, 360), random.between(0, 360)));
+                extents[0] = extents[7] = 77;
+                structure.extentsInto(extents, 1);
+                assertEquals(77, extents[0]);
+                assertEquals(77, extents[7]);
+                var reached:Array = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
+                for (var i:int = 0; i < 4000; i++)
+                {
+                    var point:Vector3D = Structures.pointOf(structure, random, 1);
+                    reached = [Math.min(reached[0], point.x), Math.max(reached[1], point.x), Math.min(reached[2], point.y),
+                            Math.max(reached[3], point.y), Math.min(reached[4], point.z), Math.max(reached[5], point.z)];
+                }
+                for (i = 0; i < 6; i++)
+                {
+                    var missing:Number = i % 2 == 0 ? reached[i] - extents[i + 1] : extents[i + 1] - reached[i];
+                    assertTrue(structure + " extent " + i + ": " + missing, missing >= 0 && missing < 0.05);
+                }
+            }
+        }
+
+        [Test]
+        public function stillContainsWhatWentThroughTheSameSinglePrecisionMatrix():void
+        {
+            var random:SeededRandom = new SeededRandom(21);
+            for each (var sample:BoundingStructure in Structures.samples())
+            {
+                for (var i:int = 0; i < 50; i++)
+                {
+                    var rotation:Matrix3D = turn(random.between(0, 360), random.between(0, 360), random.between(0, 360));
+                    rotation = Structures.inSinglePrecision(rotation);
+                    var structure:BoundingStructure = sample.clone().rotate(rotation);
+                    for (var j:int = 0; j < 20; j++)
+                    {
+                        var point:Vector3D = rotation.transformVector(Structures.pointOf(sample, random, 1));
+                        point = Structures.vectorInSinglePrecision(point);
+                        assertTrue(structure + ", rotation " + i + ", point " + j, structure.contains(point));
+                    }
+                }
+            }
+        }
+
+        [Test(expects="flash.errors.IllegalOperationError")]
+        public function isAbstract():void
+        {
+            new BoundingStructure(BoundingStructure.SPHERE).scale(2);
+        }
+
+        private static function turn(heading:Number, pitch:Number, roll:Number):Matrix3D
+        {
+            var matrix:Matrix3D = new Matrix3D();
+            matrix.appendRotation(roll, Vector3D.X_AXIS);
+            matrix.appendRotation(pitch, Vector3D.Y_AXIS);
+            matrix.appendRotation(heading, Vector3D.Z_AXIS);
+            return matrix;
+        }
+
+        private static function standing(size:Number, angles:Array, x:Number, y:Number, z:Number):Placement
+        {
+            var placement:Placement = new Placement();
+            placement.size = size;
+            placement.setRotation(angles[0], angles[1], angles[2]);
+            placement.x = x;
+            placement.y = y;
+            placement.z = z;
+            return placement;
+        }
+
+        private static function assertSame(expected:BoundingStructure, actual:BoundingStructure, tolerance:Number):void
+        {
+            var expectedNumbers:Array = Structures.numbersOf(expected);
+            var actualNumbers:Array = Structures.numbersOf(actual);
+            for (var i:int = 0; i < expectedNumbers.length; i++)
+            {
+                assertNear(expected + " number " + i, expectedNumbers[i], actualNumbers[i], tolerance);
+            }
+        }
+
+        private static function assertNear(what:String, expected:Number, actual:Number, tolerance:Number):void
+        {
+            assertTrue(what + ": " + actual + " instead of " + expected, Math.abs(actual - expected) <= tolerance);
+        }
+
+        private static function argumentErrorOf(method:Function, ...args):ArgumentError
+        {
+            try
+            {
+                method.apply(null, args);
+            }
+            catch (error:ArgumentError)
+            {
+                return error;
+            }
+            return null;
+        }
+
+        private static function rangeErrorOf(method:Function, ...args):RangeError
+        {
+            try
+            {
+                method.apply(null, args);
+            }
+            catch (error:RangeError)
+            {
+                return error;
+            }
+            return null;
+        }
+    }
+}

@@ -1,0 +1,337 @@
+package starlogo.collision
+{
+    import flash.errors.IllegalOperationError;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.BruteForce;
+    import support.RandomWorlds;
+    import support.SeededRandom;
+    import support.assertThrows;
+
+    public class BinColliderTest
+    {
+        private static const WORLDS_A_KIND:int = 150;
+
+        private var _greatLand:GreatLand;
+        private var _collider:BinCollider;
+
+        [Before]
+        public function makeCollider():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.cube());
+            _collider = new BinCollider(_greatLand);
+        }
+
+        [Test]
+        public function isAUnitSphereOnTheGround():void
+        {
+            var a:Agent = agentAt(0, 0, 0);
+            assertTrue("touching along x", _collider.areColliding(a, agentAt(1, 0, 0)));
+            assertFalse("just apart along x", _collider.areColliding(a, agentAt(1.000001, 0, 0)));
+            assertTrue("touching along z", _collider.areColliding(a, agentAt(0, 0, -1)));
+            assertFalse("corner of the cube, outside of the sphere", _collider.areColliding(a, agentAt(0.8, 0.8, 0)));
+        }
+
+        [Test]
+        public function scalesTheSphereAboutTheModelsOrigin():void
+        {
+            var small:Agent = agentAt(0, 0, 0);
+            var large:Agent = agentAt(0, 0, 1);
+            large.size = 3;
+            assertTrue("the large one still begins at its feet", _collider.areColliding(small, large));
+            large.z = 1.01;
+            assertFalse(_collider.areColliding(small, large));
+            large.moveTo(Math.sqrt(3), 0, 0);
+            assertTrue("centres 2 apart: 1 up, sqrt 3 along", _collider.areColliding(small, large));
+            large.x += 1e-9;
+            assertFalse(_collider.areColliding(small, large));
+        }
+
+        [Test]
+        public function ignoresRotation():void
+        {
+            var a:Agent = agentAt(0, 0, 0);
+            var b:Agent = agentAt(0.99, 0, 0);
+            a.pitch = 90;
+            b.roll = 45;
+            assertTrue(_collider.areColliding(a, b));
+        }
+
+        [Test]
+        public function binsAreThoseOfTheThesis():void
+        {
+            assertEquals("(1, 1) falls into one bin", 1, entriesOf(1, 1));
+            assertEquals("so does (-1, 3)", 1, entriesOf(-1, 3));
+            assertEquals("(2, 1) falls into two", 2, entriesOf(2, 1));
+            assertEquals("the origin falls into four", 4, entriesOf(0, 0));
+        }
+
+        [Test]
+        public function anAgentIsInAtMostFourBinsWhateverItsSize():void
+        {
+            for each (var size:Number in [1e-4, 0.37, 1, 5, 1e3, 1e6])
+            {
+                var agent:Agent = agentAt(0, 0, 0);
+                agent.size = size;
+                assertEquals("size " + size, 4, entriesOfAgent(agent));
+            }
+        }
+
+        [Test]
+        public function scatteredWorldsAreLikeBruteForce():void
+        {
+            compareWithBruteForce("scattered", 101);
+        }
+
+        [Test]
+        public function mixedSizesAreLikeBruteForce():void
+        {
+            compareWithBruteForce("mixed sizes", 102);
+        }
+
+        [Test]
+        public function farOutIsLikeBruteForce():void
+        {
+            compareWithBruteForce("far out", 103);
+        }
+
+        [Test]
+        public function clustersAreLikeBruteForce():void
+        {
+            compareWithBruteForce("clusters", 104);
+        }
+
+        [Test]
+        public function bordersAreLikeBruteForce():void
+        {
+            compareWithBruteForce("on borders", 105);
+        }
+
+        [Test]
+        public function onePlaceIsLikeBruteForce():void
+        {
+            compareWithBruteForce("one place", 106);
+        }
+
+        [Test]
+        public function aRowIsLikeBruteForce():void
+        {
+            compareWithBruteForce("in a row", 107);
+        }
+
+        [Test]
+        public function wideAndSparseWorldsAreLikeBruteForce():void
+        {
+            compareWithBruteForce("wide and sparse", 108);
+        }
+
+        [Test]
+        public function worldsThatChangeFromFrameToFrameAreLikeBruteForce():void
+        {
+            var random:SeededRandom = new SeededRandom(109);
+            var agents:Vector.<Agent> = RandomWorlds.make("scattered", 150, "cube", random);
+            var out:Vector.<Agent> = new Vector.<Agent>();
+            for (var frame:int = 0; frame < 60; frame++)
+            {
+                for each (var agent:Agent in agents)
+                {
+                    if (random.chance(0.3))
+                    {
+                        agent.moveTo(agent.x + random.normal(), agent.y + random.normal(), agent.z + random.normal() * 0.1);
+                    }
+                    if (random.chance(0.05))
+                    {
+                        agent.size = random.logBetween(0.2, 6);
+                    }
+                }
+                if (random.chance(0.5))
+                {
+                    agents.splice(random.integer(0, agents.length - 1), 1);
+                }
+                assertEquals("frame " + frame, "", BruteForce.difference(BruteForce.spheres(agents), _collider.findCollisions(agents, out)));
+            }
+        }
+
+        [Test]
+        public function spheresThatTouchExactlyCollideEverywhere():void
+        {
+            var random:SeededRandom = new SeededRandom(110);
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var scale:Number = Math.pow(2, random.integer(-20, 20));
+                var a:Agent = agentAt(random.integer(-1e6, 1e6) * scale, random.integer(-1e6, 1e6) * scale, 0);
+                var b:Agent = agentAt(a.x + scale, a.y, 0);
+                a.size = b.size = scale;
+                var pair:Vector.<Agent> = new <Agent>[a, b];
+                assertEquals(a.x + ", " + a.y + " of size " + scale, 2, _collider.findCollisions(pair).length);
+            }
+        }
+
+        [Test]
+        public function extremePositionsAndSizesAreLikeBruteForce():void
+        {
+            var random:SeededRandom = new SeededRandom(111);
+            for (var i:int = 0; i < 300; i++)
+            {
+                var agents:Vector.<Agent> = new Vector.<Agent>();
+                var spread:Number = random.logBetween(1e-100, 1e100);
+                for (var k:int = 0; k < 12; k++)
+                {
+                    var agent:Agent = agentAt(random.normal() * spread, random.normal() * spread, random.normal() * spread);
+                    agent.size = spread * random.logBetween(1e-12, 10);
+                    agents.push(agent);
+                }
+                assertEquals("spread " + spread, "", BruteForce.difference(BruteForce.spheres(agents), _collider.findCollisions(agents)));
+            }
+        }
+
+        [Test]
+        public function aCrowdNeedsNoMoreMemoryThanItsPairs():void
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 1000; i++)
+            {
+                agents.push(agentAt(7.5, -3.25, i * 1.5));
+            }
+            assertEquals("stacked, nobody touches", 0, _collider.findCollisions(agents).length);
+            assertEquals(1000 * 999 / 2, _collider.statistics.candidatePairs);
+            for each (var agent:Agent in agents)
+            {
+                agent.z /= 1.5;
+            }
+            assertEquals("each touches the next", 2 * 999, _collider.findCollisions(agents).length);
+        }
+
+        [Test]
+        public function givesPairsInTheOrderOfTheList():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt(0.5, 0, 0), agentAt(0, 0, 0)];
+            agents[1].size = 8;
+            var pairs:Vector.<Agent> = _collider.findCollisions(agents);
+            assertTrue(pairs[0] === agents[0]);
+            assertTrue(pairs[1] === agents[1]);
+        }
+
+        [Test]
+        public function overwritesAndReturnsOut():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0.5, 0, 0)];
+            var out:Vector.<Agent> = new <Agent>[agents[0], agents[0], agents[0], agents[0], agents[0]];
+            assertTrue(_collider.findCollisions(agents, out) === out);
+            assertEquals(2, out.length);
+            agents.pop();
+            _collider.findCollisions(agents, out);
+            assertEquals(0, out.length);
+        }
+
+        [Test]
+        public function findsNothingAmongNoneOrOne():void
+        {
+            assertEquals(0, _collider.findCollisions(new Vector.<Agent>()).length);
+            assertEquals(0, _collider.findCollisions(new <Agent>[agentAt(0, 0, 0)]).length);
+        }
+
+        [Test]
+        public function badAgentsAreNamedAndChangeNothing():void
+        {
+            var a:Agent = agentAt(0, 0, 0);
+            var b:Agent = agentAt(0.5, 0, 0);
+            var out:Vector.<Agent> = new <Agent>[a];
+            var unknown:Agent = new Agent("unicorn", "horses");
+            assertThrows(ArgumentError, /agents\[1\] is null/, _collider.findCollisions, new <Agent>[a, null], out);
+            assertThrows(ArgumentError, /agent \d+ .*listed twice.*agents\[0\].*agents\[2\]/, _collider.findCollisions, new <Agent>[a, b, a], out);
+            assertThrows(ArgumentError, /horses.*unicorn.*add it/, _collider.findCollisions, new <Agent>[a, unknown, b], out);
+            assertThrows(ArgumentError, /null/, _collider.findCollisions, null, out);
+            assertEquals("out is as it was", 1, out.length);
+            assertThrows(ArgumentError, /null/, _collider.areColliding, a, null);
+            assertThrows(ArgumentError, /unicorn/, _collider.areColliding, a, unknown);
+            assertThrows(ArgumentError, /no pair with itself/, _collider.areColliding, a, a);
+            assertEquals("and the collider still works", 2, _collider.findCollisions(new <Agent>[a, b], out).length);
+        }
+
+        [Test]
+        public function aModelThatComesLaterIsFound():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), new Agent("sphere")];
+            assertThrows(ArgumentError, /sphere/, _collider.findCollisions, agents);
+            _greatLand.addModel(BuiltInModel.sphere());
+            assertEquals(2, _collider.findCollisions(agents).length);
+        }
+
+        [Test]
+        public function twoCollidersShareAgents():void
+        {
+            var other:BinCollider = new BinCollider(_greatLand);
+            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(3, 0, 0)];
+            for (var frame:int = 0; frame < 6; frame++)
+            {
+                agents[1].x -= 0.5;
+                var expected:int = agents[1].x <= 1 ? 2 : 0;
+                assertEquals(expected, _collider.findCollisions(agents).length);
+                assertEquals(expected, other.findCollisions(agents).length);
+            }
+        }
+
+        [Test]
+        public function countsWhatItDoes():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt(1, 1, 0), agentAt(1.2, 1, 0), agentAt(1, 1, 4), agentAt(9, 9, 0)];
+            _collider.findCollisions(agents);
+            var statistics:CollisionStatistics = _collider.statistics;
+            assertEquals(4, statistics.agents);
+            assertEquals(0, statistics.agentsPassedOver);
+            assertEquals(4, statistics.binEntries);
+            assertEquals(3, statistics.candidatePairs);
+            assertEquals(3, statistics.sphereSphereTests);
+            assertEquals(3, statistics.tests);
+            assertEquals(1, statistics.collisions);
+        }
+
+        private function compareWithBruteForce(kind:String, seed:uint):void
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var out:Vector.<Agent> = new Vector.<Agent>();
+            var collisions:int = 0;
+            var possible:int = 0;
+            var tested:int = 0;
+            for (var world:int = 0; world < WORLDS_A_KIND; world++)
+            {
+                var count:int = random.logBetween(2, 501);
+                var agents:Vector.<Agent> = RandomWorlds.make(kind, count, "cube", random);
+                var expected:Vector.<Agent> = BruteForce.spheres(agents);
+                assertEquals(kind + ", world " + world, "", BruteForce.difference(expected, _collider.findCollisions(agents, out)));
+                collisions += expected.length / 2;
+                possible += count * (count - 1) / 2;
+                tested += _collider.statistics.candidatePairs;
+            }
+            trace("  " + kind + ": " + WORLDS_A_KIND + " worlds, " + possible + " pairs, " + tested + " tested, " + collisions + " collide");
+            assertTrue("some collide, some don't", collisions > 50 && collisions < possible);
+        }
+
+        private function entriesOf(x:Number, y:Number):int
+        {
+            return entriesOfAgent(agentAt(x, y, 0));
+        }
+
+        private function entriesOfAgent(agent:Agent):int
+        {
+            // another one far away: bins of a single agent are not worth making
+            var far:Agent = agentAt(1e4 + 1, 1, 0);
+            _collider.findCollisions(new <Agent>[agent, far]);
+            return _collider.statistics.binEntries - 1;
+        }
+
+        private static function agentAt(x:Number, y:Number, z:Number):Agent
+        {
+            var agent:Agent = new Agent("cube");
+            agent.moveTo(x, y, z);
+            return agent;
+        }
+    }
+}

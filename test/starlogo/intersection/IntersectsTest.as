@@ -1,0 +1,121 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import support.RandomStructures;
+    import support.SeededRandom;
+
+    public class IntersectsTest
+    {
+        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
+
+        [Test]
+        public function findsEveryPairInBothOrders():void
+        {
+            var random:RandomStructures = new RandomStructures(new SeededRandom(3));
+            for each (var kindA:int in KINDS)
+            {
+                for each (var kindB:int in KINDS)
+                {
+                    var a:BoundingStructure = random.ofKind(kindA, 1, 0);
+                    var b:BoundingStructure = random.ofKind(kindB, 1, 0);
+                    assertTrue(a + " and " + b, intersects(a, b));
+                    b.translate(new Vector3D(5, 0, 0));
+                    assertFalse(a + " and far " + b, intersects(a, b));
+                }
+            }
+        }
+
+        [Test]
+        public function refusesCylinders():void
+        {
+            var cylinder:Cylinder = new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1);
+            var sphere:Sphere = new Sphere(new Vector3D(), 1);
+            for each (var pair:Array in [[cylinder, sphere], [sphere, cylinder], [cylinder, cylinder]])
+            {
+                try
+                {
+                    intersects(pair[0], pair[1]);
+                }
+                catch (error:ArgumentError)
+                {
+                    assertTrue(error.message, error.message.indexOf("Cylinder") >= 0);
+                    continue;
+                }
+                fail("no error for " + pair);
+            }
+        }
+
+        [Test(expects="TypeError")]
+        public function refusesNullAsFirst():void
+        {
+            intersects(null, new Sphere(new Vector3D(), 1));
+        }
+
+        [Test(expects="TypeError")]
+        public function refusesNullAsSecond():void
+        {
+            intersects(new Sphere(new Vector3D(), 1), null);
+        }
+
+        /** Where rounding decides, it decides alike for (a, b) and (b, a). */
+        [Test]
+        public function givesTheSameAnswerForBothOrdersAtContact():void
+        {
+            var random:SeededRandom = new SeededRandom(17);
+            var structures:RandomStructures = new RandomStructures(random);
+            var hits:int = 0;
+            var count:int = 0;
+            for each (var kind:int in KINDS)
+            {
+                for (var i:int = 0; i < 60; i++)
+                {
+                    var a:BoundingStructure = structures.ofKind(kind, 1, 0);
+                    var b:BoundingStructure = structures.ofKind(kind, 1, 0);
+                    var inside:Number = 0;
+                    var outside:Number = 5;
+                    var direction:Vector3D = structures.direction();
+                    for (var step:int = 0; step < 60; step++)
+                    {
+                        var distance:Number = (inside + outside) / 2;
+                        var moved:BoundingStructure = b.clone();
+                        moved.translate(new Vector3D(direction.x * distance, direction.y * distance, direction.z * distance));
+                        var isHit:Boolean = intersects(a, moved);
+                        assertEquals("kind " + kind + ", pair " + i + ", step " + step, isHit, intersects(moved, a));
+                        inside = isHit ? distance : inside;
+                        outside = isHit ? outside : distance;
+                        hits += isHit ? 1 : 0;
+                        count++;
+                    }
+                }
+            }
+            assertTrue("hits: " + hits + " of " + count, hits > 0.2 * count && hits < 0.8 * count);
+        }
+
+        [Test]
+        public function touchingCounts():void
+        {
+            var sphere:Sphere = new Sphere(new Vector3D(0, 0, 0), 0.5);
+            var capsule:Capsule = new Capsule(new Vector3D(1, 0, 0), new Vector3D(2, 0, 0), 0.5);
+            var x:Vector3D = new Vector3D(1, 0, 0);
+            var y:Vector3D = new Vector3D(0, 1, 0);
+            var z:Vector3D = new Vector3D(0, 0, 1);
+            var box:Box = new Box(new Vector3D(-1, 0, 0), x, y, z, 0.5, 2, 2);
+            var upper:Box = new Box(new Vector3D(-1, 0, 3), x, y, z, 0.5, 2, 1);
+            assertTrue(intersects(sphere, new Sphere(new Vector3D(0, 1, 0), 0.5)));
+            assertTrue(intersects(sphere, capsule));
+            assertTrue(intersects(sphere, box));
+            assertTrue(intersects(capsule, new Capsule(new Vector3D(1, 1, 0), new Vector3D(2, 1, 0), 0.5)));
+            assertTrue(intersects(new Capsule(new Vector3D(0, 3, 0), new Vector3D(0, -3, 0), 0.5), box));
+            assertTrue(intersects(box, upper));
+        }
+    }
+}

@@ -1,0 +1,126 @@
+package starlogo.models
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import support.Failures;
+    import support.SeededRandom;
+    import support.Surfaces;
+
+    public class ModelTest
+    {
+        [Test]
+        public function normalisesToTheUnitFrame():void
+        {
+            var model:Model = new Model("bar", new <Number>[10, 20, 30, 14, 22, 38]);
+            assertEquals("-0.5,-0.25,0,0.5,0.25,2", model.vertices.join());
+            assertEquals("bar", model.name);
+            assertNull(model.triangles);
+        }
+
+        [Test]
+        public function copiesWhatItIsGiven():void
+        {
+            var vertices:Vector.<Number> = new <Number>[0, 0, 0, 2, 0, 0, 0, 2, 0];
+            var triangles:Vector.<uint> = new <uint>[0, 1, 2];
+            var model:Model = new Model("triangle", vertices, triangles);
+            vertices[0] = 7;
+            triangles[0] = 2;
+            assertEquals("-0.5,-0.5,0,0.5,-0.5,0,-0.5,0.5,0", model.vertices.join());
+            assertEquals("0,1,2", model.triangles.join());
+        }
+
+        [Test]
+        public function keepsFlatGround():void
+        {
+            assertEquals("-0.5,-0.5,0,0.5,0.5,0", new Model("ground", new <Number>[0, 0, 5, 8, 8, 5]).vertices.join());
+        }
+
+        [Test]
+        public function scalesAVerticalLineToUnitHeight():void
+        {
+            assertEquals("0,0,0,0,0,1", new Model("line", new <Number>[3, 3, 1, 3, 3, 5]).vertices.join());
+            var askew:Model = new Model("line", new <Number>[3, 3, 1, 3.0000000001, 3, 5]);
+            assertEquals(1, askew.vertices[5]);
+        }
+
+        [Test]
+        public function onlyMovesASinglePoint():void
+        {
+            assertEquals("0,0,0", new Model("point", new <Number>[1e300, -1e300, 1e-300]).vertices.join());
+            assertEquals("0,0,0,0,0,0", new Model("point", new <Number>[7, 7, 7, 7, 7, 7]).vertices.join());
+        }
+
+        [Test]
+        public function takesTheSmallestAndLargestNumbers():void
+        {
+            assertEquals("-0.5,0,0,0.5,0,0", new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0, 0]).vertices.join());
+            assertEquals("-0.5,0,0,0.5,0,0", new Model("large", new <Number>[0, 0, 0, 1.7e308, 0, 0]).vertices.join());
+        }
+
+        [Test]
+        public function endsInTheSameFrameHoweverItWasPlaced():void
+        {
+            var random:SeededRandom = new SeededRandom(5);
+            for (var run:int = 0; run < 200; run++)
+            {
+                var vertices:Vector.<Number> = cloud(random, 30);
+                var expected:Vector.<Number> = new Model("a", vertices).vertices;
+                var scale:Number = random.logBetween(1e-3, 1e3);
+                var offset:Vector.<Number> = new <Number>[random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)];
+                for (var i:int = 0; i < vertices.length; i++)
+                {
+                    vertices[i] = (vertices[i] + offset[i % 3]) * scale;
+                }
+                assertUnitFrame(new Model("b", vertices), expected);
+            }
+        }
+
+        [Test]
+        public function refusesWhatIsNoModel():void
+        {
+            refuses("needs a name", "", new <Number>[0, 0, 0]);
+            refuses("needs a name", null, new <Number>[0, 0, 0]);
+            refuses("no vertices", "a", null);
+            refuses("no vertices", "a", new Vector.<Number>());
+            refuses("three coordinates", "a", new <Number>[1, 2]);
+            refuses("vertex 1: the y", "a", new <Number>[1, 2, 3, 4, NaN, 6]);
+            refuses("vertex 0: the z", "a", new <Number>[1, 2, Infinity]);
+            refuses("too large", "a", new <Number>[1e308, 0, 0, -1e308, 0, 0]);
+            refuses("three vertices", "a", new <Number>[1, 2, 3], new <uint>[0, 0]);
+            refuses("triangle 1: there is no vertex 1", "a", new <Number>[1, 2, 3], new <uint>[0, 0, 0, 0, 0, 1]);
+        }
+
+        private static function refuses(words:String, name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
+        {
+            var error:ModelError = Failures.of(function():void
+                {
+                    new Model(name, vertices, triangles);
+                });
+            assertTrue(error.message, error.message.indexOf(words) >= 0);
+        }
+
+        private static function cloud(random:SeededRandom, count:int):Vector.<Number>
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 3 * count; i++)
+            {
+                vertices.push(random.between(-1, 1));
+            }
+            return vertices;
+        }
+
+        private static function assertUnitFrame(model:Model, expected:Vector.<Number>):void
+        {
+            var bounds:Vector.<Number> = Surfaces.bounds(model.vertices);
+            assertEquals(1, Math.max(bounds[3] - bounds[0], bounds[4] - bounds[1]));
+            assertEquals(0, bounds[0] + bounds[3]);
+            assertEquals(0, bounds[1] + bounds[4]);
+            assertEquals(0, bounds[2]);
+            for (var i:int = 0; i < expected.length; i++)
+            {
+                assertTrue(Math.abs(model.vertices[i] - expected[i]) < 1e-12);
+            }
+        }
+    }
+}

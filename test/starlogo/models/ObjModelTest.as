@@ -1,0 +1,138 @@
+package starlogo.models
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import support.Failures;
+    import support.Surfaces;
+
+    public class ObjModelTest
+    {
+        private static const SQUARE:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+        [Test]
+        public function readsTriangles():void
+        {
+            var model:ObjModel = new ObjModel("square", SQUARE + "f 1 2 3\nf 1 3 4\n");
+            assertEquals("square", model.name);
+            assertEquals("-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0,-0.5,0.5,0", model.vertices.join());
+            assertEquals("0,1,2,0,2,3", model.triangles.join());
+        }
+
+        [Test]
+        public function readsEveryFormOfCorner():void
+        {
+            for each (var face:String in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/9/1 2/9/1 3/9/1", "f -4 -3 -2",
+                        "f -4/-1 2//-1 3", "f 1/ 2/ 3/"])
+            {
+                assertEquals(face, "0,1,2", new ObjModel("a", SQUARE + face).triangles.join());
+            }
+        }
+
+        [Test]
+        public function countsNegativeIndicesFromTheLatestVertex():void
+        {
+            var model:ObjModel = new ObjModel("a", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf -3 -2 -1");
+            assertEquals("0,1,2,3,4,5", model.triangles.join());
+        }
+
+        [Test]
+        public function takesAnyLayout():void
+        {
+            const LAYOUTS:Array = [
+                    "v\t0 0  0\r\nv 1\t0 0 \r\n  v 1 1 0\r\nf 1  2 3  \r\n",
+                    "v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3",
+                    "\uFEFFv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 ",
+                    "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\n",
+                    "# a # \\\nv 0 0 0 # one\nv 1 0 0 #two\nv 1 1 0\n#f 1 2 2\nf 1 2 3 # f",
+                    "v 0 \\\n 0 0\nv 1 0 0\\\n\nv 1 1 0\nf 1 \\\n2 \\\r\n3",
+                    "g one\no two\ns off\nmtllib a.mtl\nv 0 0 0 1\nv 1 0 0 0.5\nusemtl f\nvt 1 2\nvn 1 2 3\nv 1 1 0 1 0.5 0\nf 1 2 3\nl 1 2\np 1",
+                    "v 0. .0 -0\nv +1.0 0e5 0E-2\nv 1e0 10.e-1 0e+0\nf 1 2 3\nf 1 2\nf"];
+            for each (var text:String in LAYOUTS)
+            {
+                var model:ObjModel = new ObjModel("a", text);
+                assertEquals(text, "-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
+                assertEquals(text, "0,1,2", model.triangles.join());
+            }
+        }
+
+        [Test]
+        public function cutsPolygons():void
+        {
+            assertArea("quad", 1, SQUARE + "f 1 2 3 4");
+            assertArea("quad, cut from its second corner", 0.25, "v 0 0 0\nv 1 0 0\nv 0.25 0.25 0\nv 0 1 0\nf 1 2 3 4");
+            assertArea("quad, cut from its first corner", 0.25, "v 0.25 0.25 0\nv 0 1 0\nv 0 0 0\nv 1 0 0\nf 1 2 3 4");
+            assertArea("L before its vertices", 0.75,
+                    "f 1 2 3 4 5 6\nv 0 0 0\nv 1 0 0\nv 1 0.5 0\nv 0.5 0.5 0\nv 0.5 1 0\nv 0 1 0\n");
+            assertArea("U", 0.75, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv .75 1 0\nv .75 .5 0\nv .25 .5 0\nv .25 1 0\nv 0 1 0\nf 1 2 3 4 5 6 7 8");
+        }
+
+        [Test]
+        public function turnsTheUpAxis():void
+        {
+            const TEXT:String = "v 0 0 0\nv 2 4 8\n";
+            assertEquals("-0.25,-0.5,0,0.25,0.5,2", new ObjModel("a", TEXT).vertices.join());
+            assertEquals("-0.125,0.5,0,0.125,-0.5,0.5", new ObjModel("a", TEXT, "y").vertices.join());
+            assertEquals("0.25,0.5,0,-0.25,-0.5,0.25", new ObjModel("a", TEXT, "x").vertices.join());
+            Failures.assertFails("", "up axis", function():void
+                {
+                    new ObjModel("a", TEXT, "w");
+                });
+        }
+
+        [Test]
+        public function keepsTheVerticesThatFacesUse():void
+        {
+            var model:ObjModel = new ObjModel("a", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 8 8 8\nv 1 1 0\nf 2 3 5\n");
+            assertEquals("-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
+            assertEquals("0,1,2", model.triangles.join());
+            assertNull(new ObjModel("a", SQUARE).triangles);
+            assertEquals(12, new ObjModel("a", SQUARE + "l 1 2").vertices.length);
+        }
+
+        [Test]
+        public function saysWhatIsWrongAndWhere():void
+        {
+            fails("", "no vertices", "");
+            fails("", "no vertices", "f 1 2 3");
+            fails("", "no vertices", "hello\nworld");
+            fails("", "binary", "\u0089PNG\r\n\u001a\n\u0000\u0000");
+            fails("line 1", "three finite numbers", "v 1 2");
+            fails("line 2", "\"v 1 nan 2\"", "v 0 0 0\nv 1 nan 2");
+            fails("line 1", "three finite numbers", "v 1e999 0 0");
+            fails("line 1", "three finite numbers", "v 1,5 0 0");
+            fails("line 1", "three finite numbers", "v 1 2 # 3");
+            fails("line 5", "no vertex 5", SQUARE + "f 1 2 5\nf 1 2 3");
+            fails("line 5", "counts back", SQUARE + "f 1 2 -5");
+            fails("line 5", "not 0", SQUARE + "f 1 2 0");
+            fails("line 6", "\"2x\"", SQUARE + "f 1 2 3\nf 1 2x 3");
+            fails("line 5", "1.5", SQUARE + "f 1 2 1.5");
+            fails("line 5", "/1", SQUARE + "f 1 2 /1");
+            fails("line 6", "1e9", SQUARE + "\nf 1 2 3 1e9x");
+            fails("line 5", "no vertex 1000000000", SQUARE + "f 1 2 3 1e9");
+            Failures.assertFails("", "no text", function():void
+                {
+                    new ObjModel("a", null);
+                });
+            Failures.assertFails("", "name", function():void
+                {
+                    new ObjModel("", SQUARE);
+                });
+        }
+
+        private static function fails(place:String, words:String, text:String):void
+        {
+            Failures.assertFails(place, words, function():void
+                {
+                    new ObjModel("a", text);
+                });
+        }
+
+        private static function assertArea(what:String, expected:Number, text:String):void
+        {
+            var model:ObjModel = new ObjModel(what, text);
+            var area:Number = Surfaces.area(model.vertices, model.triangles);
+            assertTrue(what + ": " + area, Math.abs(area - expected) < 1e-12);
+        }
+    }
+}

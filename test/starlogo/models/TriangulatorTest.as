@@ -1,0 +1,155 @@
+package starlogo.models
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import support.SeededRandom;
+    import support.Surfaces;
+
+    public class TriangulatorTest
+    {
+        private static const SQUARE:Array = [[0, 0], [4, 0], [4, 4], [0, 4]];
+
+        [Test]
+        public function cutsConvexAndConcavePolygons():void
+        {
+            check("pentagon", 14, [[[0, 0], [4, 0], [4, 3], [2, 4], [0, 3]]]);
+            check("arrow", 9, [[[0, 0], [4, 0], [4, 4], [2, 2], [1, 1.5], [0, 1]]], false);
+            check("comb", 11, [[[0, 0], [5, 0], [5, 3], [4, 3], [4, 1], [3, 1], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]]]);
+            check("spiral", 24, [[[0, 0], [7, 0], [7, 6], [1, 6], [1, 2], [5, 2], [5, 4], [4, 4], [4, 3], [2, 3], [2, 5], [6, 5], [6, 1], [0, 1]]], false);
+        }
+
+        [Test]
+        public function leavesHolesOpen():void
+        {
+            check("one hole", 15, [SQUARE, [[1, 1], [2, 1], [2, 2], [1, 2]]]);
+            check("a hole turning the other way", 15, [SQUARE, [[1, 1], [1, 2], [2, 2], [2, 1]]]);
+            check("four holes", 12, [SQUARE, hole(0.5, 0.5), hole(2.5, 0.5), hole(2.5, 2.5), hole(0.5, 2.5)]);
+            check("holes in a row", 13, [SQUARE, hole(0.5, 1), hole(1.75, 1), hole(2.9, 1)]);
+            check("a hole behind a dent", 13.625, [[[0, 0], [4, 0], [4, 1.5], [2.5, 1.75], [4, 2], [4, 4], [0, 4]], hole(0.5, 1), hole(0.5, 2.5)], false);
+            check("a hole outside is no hole", 16, [SQUARE, hole(9, 1)]);
+        }
+
+        [Test]
+        public function survivesDegenerateOutlines():void
+        {
+            check("repeated corners", 16, [[[0, 0], [0, 0], [4, 0], [4, 4], [4, 4], [0, 4]]]);
+            check("corners in line", 16, [[[0, 0], [2, 0], [4, 0], [4, 2], [4, 4], [2, 4], [0, 4], [0, 2]]]);
+            check("a spike", 16, [[[0, 0], [4, 0], [4, 4], [8, 4], [4, 4], [0, 4]]]);
+            check("a line", 0, [[[0, 0], [1, 0], [2, 0], [3, 0], [2, 0]]]);
+            check("a point", 0, [[[1, 1], [1, 1], [1, 1], [1, 1], [1, 1]]]);
+            check("two corners", 0, [[[1, 1], [2, 1]]]);
+            run([[[0, 0], [4, 4], [4, 0], [0, 4], [2, 7]]], new Matrix3D());
+            run([[[0, 3], [2, -3], [4, 3], [-1, -1], [5, -1]]], new Matrix3D());
+        }
+
+        [Test]
+        public function coversRandomStars():void
+        {
+            var random:SeededRandom = new SeededRandom(21);
+            for (var i:int = 0; i < 300; i++)
+            {
+                var star:Array = [];
+                var inner:Array = [];
+                var corners:int = random.integer(5, 40);
+                for (var corner:int = 0; corner < corners; corner++)
+                {
+                    var angle:Number = 2 * Math.PI * corner / corners;
+                    var radius:Number = random.between(1, 3);
+                    star.push([radius * Math.cos(angle), radius * Math.sin(angle)]);
+                    radius = random.between(0.1, 0.9) * Math.cos(Math.PI / corners);
+                    inner.push([radius * Math.cos(angle), radius * Math.sin(angle)]);
+                }
+                check("star " + i, area(star), [star]);
+                check("star with a hole " + i, area(star) - area(inner), [star, inner]);
+            }
+        }
+
+        [Test]
+        public function endsOnPolygonsOfManyCorners():void
+        {
+            var gear:Array = [];
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var radius:Number = (i & 2) == 0 ? 1 : 0.9;
+                gear.push([radius * Math.cos(Math.PI * i / 1000), radius * Math.sin(Math.PI * i / 1000)]);
+            }
+            check("gear", area(gear), [gear], false);
+            var random:SeededRandom = new SeededRandom(3);
+            var tangle:Array = [];
+            for (i = 0; i < 3000; i++)
+            {
+                tangle.push([random.next(), random.next()]);
+            }
+            run([tangle], new Matrix3D());
+        }
+
+        private static function hole(x:Number, y:Number):Array
+        {
+            return [[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]];
+        }
+
+        /** Cuts the polygon as it lies, from every corner and in several places in space. */
+        private static function check(what:String, expected:Number, loops:Array, fromEveryCorner:Boolean = true):void
+        {
+            var placement:Matrix3D = new Matrix3D();
+            var turns:int = fromEveryCorner ? Math.min(loops[0].length, 8) : 1;
+            for (var i:int = 0; i < turns; i++)
+            {
+                var found:Number = run(loops, placement);
+                assertTrue(what + ", turn " + i + ": area " + found + ", not " + expected, Math.abs(found - expected) < 1e-5);
+                placement.appendRotation(77, new Vector3D(1, 2, 3));
+                placement.appendTranslation(1, -2, 0.5);
+                loops[0].push(loops[0].shift());
+            }
+        }
+
+        /** The sum of the triangles' areas, all of which have to turn like the outline. */
+        private static function run(loops:Array, placement:Matrix3D):Number
+        {
+            var flat:Vector.<Number> = new Vector.<Number>();
+            var indices:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            for each (var loop:Array in loops)
+            {
+                var corners:Vector.<uint> = new Vector.<uint>();
+                for each (var corner:Array in loop)
+                {
+                    corners.push(flat.length / 3);
+                    flat.push(corner[0], corner[1], 0);
+                }
+                indices.push(corners);
+            }
+            var vertices:Vector.<Number> = new Vector.<Number>(flat.length);
+            placement.transformVectors(flat, vertices);
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            new Triangulator(vertices, triangles).addPolygon(indices);
+            assertEquals(0, triangles.length % 3);
+            var side:Number = area(loops[0]) < 0 ? -1 : 1;
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                var a:Array = at(flat, triangles[i]);
+                var b:Array = at(flat, triangles[i + 1]);
+                var c:Array = at(flat, triangles[i + 2]);
+                assertTrue("turns like the outline", ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) * side > -1e-9);
+            }
+            return Surfaces.area(vertices, triangles);
+        }
+
+        private static function at(flat:Vector.<Number>, vertex:int):Array
+        {
+            return [flat[3 * vertex], flat[3 * vertex + 1]];
+        }
+
+        private static function area(loop:Array):Number
+        {
+            var sum:Number = 0;
+            for (var i:int = 0; i < loop.length; i++)
+            {
+                var next:Array = loop[(i + 1) % loop.length];
+                sum += loop[i][0] * next[1] - loop[i][1] * next[0];
+            }
+            return sum / 2;
+        }
+    }
+}

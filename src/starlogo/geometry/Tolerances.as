@@ -49,6 +49,47 @@ package starlogo.geometry
          */
         public static const PARALLEL:Number = 1e-28;
 
+        /**
+         * How far a vertex may be outside of a convex hull, as a fraction of the extent of the vertices: what rounding to
+         * the hull's grid and HULL_COPLANAR come to, with room to spare. A guarantee, used by tests only.
+         */
+        public static const HULL:Number = 2e-7;
+
+        /**
+         * How close to a triangle of the hull a vertex above it is taken for a part of it, in steps of the hull's grid (3e-8
+         * of the vertices' extent). Rounding to the grid moves both by up to 0.87 steps: below 1.8 a flat side that is
+         * turned against the axes keeps dozens of vertices that are no corners. Larger: hulls get coarser.
+         */
+        public static const HULL_COPLANAR:Number = 2;
+
+        /**
+         * A distance from a plane beyond which its sign is right in spite of rounding, in steps of the hull's grid. Below
+         * 1e-7: hulls may come out wrong. Larger: more decisions take the slower, exact way.
+         */
+        public static const HULL_CERTAIN:Number = 1e-6;
+
+        /**
+         * Up to which thickness vertices count as lying in a plane, on a line or in a point, as a fraction of their extent.
+         * Larger: boxes around thin models get looser. Smaller: the rounding of a flat model is taken for its shape.
+         */
+        public static const HULL_FLAT:Number = 1e-12;
+
+        /** The same as a fraction of the largest coordinate, which is what rounding depends on. */
+        public static const HULL_ROUNDING:Number = 1e-14;
+
+        /**
+         * When the hull's grid is turned along the vertices: when they fill less than this share of their axis-aligned box.
+         * Smaller: thin models that are turned lose precision. Larger: models with flat sides along the axes, whose
+         * vertices stay exactly coplanar on a grid that is not turned, may be put on one that is.
+         */
+        public static const HULL_THIN:Number = 0.02;
+
+        /**
+         * The fraction by which a box must be smaller to replace one found before. Zero: rounding decides between rotations
+         * that are equally good. Larger: fits get looser by as much.
+         */
+        public static const FIT_TIE:Number = 1e-9;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

@@ -1,0 +1,19 @@
+package starlogo.fitting
+{
+    import starlogo.bounding.BoundingStructure;
+
+    /** The box with axes along x, y and z (thesis §3.4.2): the smallest such box. One pass over the vertices. */
+    public final class AxisAlignedBoxFitter extends Fitter
+    {
+        /** A fitter of axis-aligned boxes. */
+        public function AxisAlignedBoxFitter()
+        {
+        }
+
+        /** @inheritDoc */
+        override public function fitTo(session:FitSession):BoundingStructure
+        {
+            return Enclosing.box(session.vertices, new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1]);
+        }
+    }
+}

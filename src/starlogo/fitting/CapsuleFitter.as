@@ -1,0 +1,52 @@
+package starlogo.fitting
+{
+    import starlogo.bounding.BoundingStructure;
+
+    /**
+     * The capsule along the longest axis of a box (thesis §3.4.4). Its radius is the largest distance of a vertex from the line
+     * through the box's centre along that axis. Its segment starts as what makes the capsule fit into the box's length, a
+     * point where the radius leaves nothing; then its ends move outwards just far enough for each vertex.
+     *
+     * <p>The thesis does not say how far the ends move at once; with the radius fixed there is one least distance for each
+     * vertex, so the order of the vertices does not matter.</p>
+     *
+     * <p>The box's fitter decides how the capsule lies: an oriented box gives an oriented capsule. Cost beside the box: two
+     * passes over the vertices. Where two of the box's sides are equally long, the first counts.</p>
+     */
+    public final class CapsuleFitter extends Fitter
+    {
+        private var _boxFitter:Fitter;
+
+        /**
+         * @param boxFitter finds the box; a library whose list has the same object computes the box once
+         * @throws ArgumentError if it is null
+         */
+        public function CapsuleFitter(boxFitter:Fitter)
+        {
+            if (boxFitter == null)
+            {
+                throw new ArgumentError("the box's fitter must not be null");
+            }
+            _boxFitter = boxFitter;
+        }
+
+        /** What finds the box. */
+        public function get boxFitter():Fitter
+        {
+            return _boxFitter;
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @throws ArgumentError if the fitter that was given for the box finds something else
+         */
+        override public function fitTo(session:FitSession):BoundingStructure
+        {
+            var spine:BoxSpine = new BoxSpine(session, _boxFitter);
+            var radius:Number = Enclosing.distanceFromLine(session.vertices, spine.center, spine.axis);
+            var half:Number = Math.max(0, spine.half - radius);
+            return Enclosing.capsule(session.vertices, spine.center, spine.axis, -half, half, radius);
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package starlogo.fitting
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.geometry.ConvexHull;
+
+    /**
+     * The smallest box of all (beyond the thesis), by O'Rourke's theorem ("Finding Minimal Enclosing Boxes", International Journal
+     * of Computer and Information Sciences 14(3), 1985): some smallest box has two adjacent sides that each contain an edge of
+     * the hull. The normal of such a side is perpendicular to that edge, between the normals of the two triangles that meet
+     * there, and given one normal the best box is known exactly (see BoxAlongAxis). What is left is a search along
+     * one arc of directions for each edge of the hull.
+     *
+     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples slides along arcs,
+     * from one to the next, with steps that shrink until nothing is gained. It is not a proof; against certified minima
+     * on the models and sets of the project's tests it is within 0.01 %.</p>
+     *
+     * <p>A set in a plane gets the smallest rectangle; one on a line or in a point its segment or point. Cost: about a second
+     * per thousand corners of the hull in a player that compiles to WebAssembly, up to a few seconds.</p>
+     */
+    public final class MinimalBoxFitter extends Fitter
+    {
+        // samples at most; many corners get a coarser net of directions instead of more samples
+        private static const SAMPLES:int = 2500;
+        // from how many of the best samples to go on
+        private static const STARTS:int = 12;
+        // directions closer than this (radians) count as one start
+        private static const APART:Number = 0.06;
+        // arcs are sampled at most this far apart (radians)
+        private static const ARC_STEP:Number = 0.06;
+
+        /** A fitter of smallest boxes. */
+        public function MinimalBoxFitter()
+        {
+        }
+
+        /** @inheritDoc */
+        override public function fitTo(session:FitSession):BoundingStructure
+        {
+            return Enclosing.box(session.vertices, smallestAxes(session.hull));
+        }
+
+        private static function smallestAxes(hull:ConvexHull):Vector.<Number>
+        {
+            if (hull.dimension < 2)
+            {
+                return hull.axes;
+            }
+            var slide:BoxSlide = new BoxSlide(hull);
+            if (hull.dimension == 2)
+            {
+                slide.start(hull.axes[6], hull.axes[7], hull.axes[8]);
+                return slide.axes;
+            }
+            var best:Vector.<Number> = null;
+            var least:Number = Infinity;
+            var samples:Vector.<BoxSample> = sample(hull);
+            for each (var start:BoxSample in startsOf(samples))
+            {
+                slide.start(start.x, start.y, start.z);
+                slide.descend();
+                if (slide.volume < least)
+                {
+                    least = slide.volume;
+                    best = slide.axes;
+                }
+            }
+            return best;
+        }
+
+        // Measures the normals of the hull and directions on the arcs between them.
+        private static function sample(hull:ConvexHull):Vector.<BoxSample>
+        {
+            var net:DirectionNet = directionsOf(hull);
+            var box:BoxAlongAxis = new BoxAlongAxis(hull);
+            var samples:Vector.<BoxSample> = new Vector.<BoxSample>();
+            var directions:Vector.<Number> = net.directions;
+            var least:Number = Infinity;
+            for (var i:int = 0; i < directions.length; i += 3)
+            {
+                var volume:Number = box.measure(directions[i], directions[i + 1], directions[i + 2], 2 * least);
+                least = Math.min(least, volume);
+                samples.push(new BoxSample(directions[i], directions[i + 1], directions[i + 2], volume));
+            }
+            return samples;
+        }
+
+        private static function directionsOf(hull:ConvexHull):DirectionNet
+        {
+            var spacing:Number = 1e-7;
+            var net:DirectionNet;
+            do
+            {
+                net = new DirectionNet(spacing);
+                addDirections(hull, net);
+                spacing = Math.max(0.01, 1.4 * spacing);
+            }
+            while (net.directions.length > 3 * SAMPLES);
+            return net;
+        }
+
+        private static function addDirections(hull:ConvexHull, net:DirectionNet):void
+        {
+            net.add(1, 0, 0);
+            net.add(0, 1, 0);
+            net.add(0, 0, 1);
+            var normals:Vector.<Number> = normalsOf(hull);
+            var i:int;
+            for (i = 0; i < normals.length; i += 3)
+            {
+                net.add(normals[i], normals[i + 1], normals[i + 2]);
+            }
+            var across:Vector.<int> = facesAcross(hull);
+            for (i = 0; i < across.length; i++)
+            {
+                var a:int = i / 3;
+                var b:int = across[i];
+                if (a < b)
+                {
+                    addArc(normals, 3 * a, 3 * b, net);
+                }
+            }
+        }
+
+        private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DirectionNet):void
+        {
+            var cosine:Number = normals[a] * normals[b] + normals[a + 1] * normals[b + 1] + normals[a + 2] * normals[b + 2];
+            var angle:Number = Math.acos(Math.max(-1, Math.min(1, cosine)));
+            var pieces:int = Math.ceil(angle / ARC_STEP);
+            for (var i:int = 1; i < pieces; i++)
+            {
+                var toA:Number = Math.sin(angle * (pieces - i) / pieces);
+                var toB:Number = Math.sin(angle * i / pieces);
+                net.add(toA * normals[a] + toB * normals[b], toA * normals[a + 1] + toB * normals[b + 1],
+                    toA * normals[a + 2] + toB * normals[b + 2]);
+            }
+        }
+
+        private static function normalsOf(hull:ConvexHull):Vector.<Number>
+        {
+            var p:Vector.<Number> = hull.points;
+            var t:Vector.<int> = hull.triangles;
+            var normals:Vector.<Number> = new Vector.<Number>(t.length);
+            for (var i:int = 0; i < t.length; i += 3)
+            {
+                var a:int = 3 * t[i];
+                var b:int = 3 * t[i + 1];
+                var c:int = 3 * t[i + 2];
+                var x:Number = (p[b + 1] - p[a + 1]) * (p[c + 2] - p[a + 2]) - (p[b + 2] - p[a + 2]) * (p[c + 1] - p[a + 1]);
+                var y:Number = (p[b + 2] - p[a + 2]) * (p[c] - p[a]) - (p[b] - p[a]) * (p[c + 2] - p[a + 2]);
+                var z:Number = (p[b] - p[a]) * (p[c + 1] - p[a + 1]) - (p[b + 1] - p[a + 1]) * (p[c] - p[a]);
+                var length:Number = Math.sqrt(x * x + y * y + z * z);
+                normals[i] = length > 0 ? x / length : 0;
+                normals[i + 1] = length > 0 ? y / length : 0;
+                normals[i + 2] = length > 0 ? z / length : 1;
+            }
+            return normals;
+        }
+
+        // For each side of each triangle the number of the triangle on its other side.
+        private static function facesAcross(hull:ConvexHull):Vector.<int>
+        {
+            var t:Vector.<int> = hull.triangles;
+            var corners:int = hull.indices.length;
+            var faceOf:Object = {};
+            var i:int;
+            for (i = 0; i < t.length; i++)
+            {
+                faceOf[t[i] * corners + t[i % 3 == 2 ? i - 2 : i + 1]] = int(i / 3);
+            }
+            var across:Vector.<int> = new Vector.<int>(t.length);
+            for (i = 0; i < t.length; i++)
+            {
+                across[i] = faceOf[t[i % 3 == 2 ? i - 2 : i + 1] * corners + t[i]];
+            }
+            return across;
+        }
+
+        // The best samples, none close to a better one.
+        private static function startsOf(samples:Vector.<BoxSample>):Vector.<BoxSample>
+        {
+            samples.sort(BoxSample.compare);
+            var starts:Vector.<BoxSample> = new Vector.<BoxSample>();
+            for (var i:int = 0; i < samples.length && starts.length < STARTS; i++)
+            {
+                var isNew:Boolean = true;
+                for (var k:int = 0; k < starts.length && isNew; k++)
+                {
+                    isNew = !samples[i].isNear(starts[k], APART);
+                }
+                if (isNew)
+                {
+                    starts.push(samples[i]);
+                }
+            }
+            return starts;
+        }
+    }
+}

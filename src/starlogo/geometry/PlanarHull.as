@@ -1,0 +1,69 @@
+package starlogo.geometry
+{
+    /**
+     * The convex hull of points in a plane (Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions",
+     * Information Processing Letters 9(5), 1979).
+     */
+    public final class PlanarHull
+    {
+        /** There are no instances. */
+        public function PlanarHull()
+        {
+        }
+
+        /**
+         * The hull's corners, as indices of points, counter-clockwise from the one with the least x. On a line: its two ends;
+         * in a point: that point.
+         *
+         * @param points x, y of each: whole numbers from 0 to QuickHull.GRID, with which every decision is exact
+         */
+        public static function corners(points:Vector.<Number>):Vector.<int>
+        {
+            var order:Array = sortedByXThenY(points);
+            var hull:Vector.<int> = new Vector.<int>();
+            extend(hull, points, order, 0);
+            order.reverse();
+            extend(hull, points, order, hull.length - 1);
+            if (hull.length > 1)
+            {
+                hull.length--;
+            }
+            return hull;
+        }
+
+        private static function sortedByXThenY(points:Vector.<Number>):Array
+        {
+            var keys:Array = new Array(points.length / 2);
+            for (var i:int = 0; i < keys.length; i++)
+            {
+                keys[i] = points[2 * i] * (2 * QuickHull.GRID) + points[2 * i + 1];
+            }
+            return keys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY) as Array;
+        }
+
+        // Adds half the hull: only left turns stay. What is below keep belongs to the other half.
+        private static function extend(hull:Vector.<int>, points:Vector.<Number>, order:Array, keep:int):void
+        {
+            for (var i:int = keep == 0 ? 0 : 1; i < order.length; i++)
+            {
+                var point:int = order[i];
+                while (hull.length > keep + 1 && !turnsLeft(points, hull[hull.length - 2], hull[hull.length - 1], point))
+                {
+                    hull.pop();
+                }
+                var last:int = hull.length == 0 ? -1 : hull[hull.length - 1];
+                if (last < 0 || points[2 * last] != points[2 * point] || points[2 * last + 1] != points[2 * point + 1])
+                {
+                    hull.push(point);
+                }
+            }
+        }
+
+        private static function turnsLeft(points:Vector.<Number>, a:int, b:int, c:int):Boolean
+        {
+            var x:Number = points[2 * a];
+            var y:Number = points[2 * a + 1];
+            return (points[2 * b] - x) * (points[2 * c + 1] - y) > (points[2 * b + 1] - y) * (points[2 * c] - x);
+        }
+    }
+}

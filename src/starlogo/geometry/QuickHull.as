@@ -1,0 +1,397 @@
+package starlogo.geometry
+{
+    /**
+     * The convex hull of points on a grid of whole numbers, by quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull
+     * Algorithm for Convex Hulls", ACM Transactions on Mathematical Software 22(4), 1996) without its merging of facets.
+     *
+     * <p>Merging is what makes quickhull over rounded numbers survive coplanar points. Here no decision is ever rounded:
+     * coordinates are whole numbers up to 2^25, so a face's normal is exact in a double, and the side of the
+     * face on which a point lies is exact in two. Coplanar, collinear and duplicate points therefore need no special case:
+     * a point in a face's plane does not see that face.</p>
+     *
+     * <p>Cost: about n log n for n points; the worst case, which no model comes near, is quadratic.</p>
+     */
+    public final class QuickHull
+    {
+        /** The largest coordinate of the grid: with it a normal stays below 2^51, and its halves' products below 2^53. */
+        public static const GRID:Number = 33554432;
+
+        private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
+        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
+
+        // Where a normal's components are split for exact products.
+        private static const SPLIT:Number = 67108864;
+
+        private var _points:Vector.<Number>;
+        private var _nextOutside:Vector.<int>;
+        private var _faceFrom:Vector.<HullFace>;
+        private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
+        private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
+        private var _horizon:Vector.<HullFace> = new Vector.<HullFace>();
+        private var _created:Vector.<HullFace> = new Vector.<HullFace>();
+
+        /**
+         * @param points x, y, z of every point: whole numbers from 0 to GRID
+         */
+        public function QuickHull(points:Vector.<Number>)
+        {
+            _points = points;
+        }
+
+        /**
+         * The hull's faces, triangles all, each vertex a corner of it (no vertex inside an edge or a flat side).
+         *
+         * @param a index of a point; the four span a tetrahedron
+         * @param b index of a point
+         * @param c index of a point
+         * @param d index of a point
+         */
+        public function build(a:int, b:int, c:int, d:int):Vector.<HullFace>
+        {
+            start(a, b, c, d, null);
+            var faces:Vector.<HullFace> = grow();
+            var corners:Vector.<int> = cornersOf(faces);
+            if (corners == null)
+            {
+                return faces;
+            }
+            // Some vertex was taken that later ones have left in the middle of a flat side: again with the others alone.
+            restart(corners);
+            return grow();
+        }
+
+        private function start(a:int, b:int, c:int, d:int, among:Vector.<int>):void
+        {
+            var count:int = _points.length / 3;
+            _nextOutside = new Vector.<int>(count);
+            _faceFrom = new Vector.<HullFace>(count);
+            _pending.length = 0;
+            if (side(new HullFace(_points, a, b, c), d) > 0)
+            {
+                var swap:int = b;
+                b = c;
+                c = swap;
+            }
+            var base:HullFace = new HullFace(_points, a, b, c);
+            var sideAB:HullFace = new HullFace(_points, b, a, d);
+            var sideBC:HullFace = new HullFace(_points, c, b, d);
+            var sideCA:HullFace = new HullFace(_points, a, c, d);
+            base.acrossAB = sideAB;
+            base.acrossBC = sideBC;
+            base.acrossCA = sideCA;
+            sideAB.acrossAB = sideBC.acrossAB = sideCA.acrossAB = base;
+            sideAB.acrossBC = sideCA;
+            sideCA.acrossCA = sideAB;
+            sideCA.acrossBC = sideBC;
+            sideBC.acrossCA = sideCA;
+            sideBC.acrossBC = sideAB;
+            sideAB.acrossCA = sideBC;
+            _created.length = 0;
+            _created.push(base, sideAB, sideBC, sideCA);
+            var i:int;
+            if (among == null)
+            {
+                for (i = 0; i < count; i++)
+                {
+                    assign(i);
+                }
+            }
+            else
+            {
+                for (i = 0; i < among.length; i++)
+                {
+                    assign(among[i]);
+                }
+            }
+        }
+
+        private function restart(corners:Vector.<int>):void
+        {
+            var a:int = corners[0];
+            var b:int = corners[1];
+            var i:int = 2;
+            while (areCollinear(a, b, corners[i]))
+            {
+                i++;
+            }
+            var base:HullFace = new HullFace(_points, a, b, corners[i]);
+            var j:int = 2;
+            while (side(base, corners[j]) == 0)
+            {
+                j++;
+            }
+            start(a, b, corners[i], corners[j], corners);
+        }
+
+        private function areCollinear(a:int, b:int, c:int):Boolean
+        {
+            var face:HullFace = new HullFace(_points, a, b, c);
+            return face.exactX == 0 && face.exactY == 0 && face.exactZ == 0;
+        }
+
+        private function grow():Vector.<HullFace>
+        {
+            var last:HullFace = _created[0];
+            while (_pending.length > 0)
+            {
+                var face:HullFace = _pending.pop();
+                if (!face.isBuried && face.farthest >= 0)
+                {
+                    addVertex(face.farthest, face);
+                    last = _created[0];
+                }
+            }
+            return facesFrom(last);
+        }
+
+        private function addVertex(eye:int, face:HullFace):void
+        {
+            findHorizon(eye, face);
+            buildCone(eye);
+            for (var i:int = 0; i < _seen.length; i++)
+            {
+                var point:int = _seen[i].firstOutside;
+                while (point >= 0)
+                {
+                    var next:int = _nextOutside[point];
+                    if (point != eye)
+                    {
+                        assign(point);
+                    }
+                    point = next;
+                }
+            }
+        }
+
+        // Fills _seen with the faces that the eye sees, and _horizon with pairs: a seen face, its unseen neighbour.
+        private function findHorizon(eye:int, face:HullFace):void
+        {
+            _seen.length = 0;
+            _horizon.length = 0;
+            face.isBuried = true;
+            _seen.push(face);
+            for (var i:int = 0; i < _seen.length; i++)
+            {
+                face = _seen[i];
+                look(eye, face, face.acrossAB);
+                look(eye, face, face.acrossBC);
+                look(eye, face, face.acrossCA);
+            }
+        }
+
+        private function look(eye:int, face:HullFace, neighbor:HullFace):void
+        {
+            if (neighbor.isBuried)
+            {
+                return;
+            }
+            if (side(neighbor, eye) > 0)
+            {
+                neighbor.isBuried = true;
+                _seen.push(neighbor);
+            }
+            else
+            {
+                _horizon.push(face, neighbor);
+            }
+        }
+
+        private function buildCone(eye:int):void
+        {
+            _created.length = 0;
+            var i:int;
+            var created:HullFace;
+            for (i = 0; i < _horizon.length; i += 2)
+            {
+                var seen:HullFace = _horizon[i];
+                var unseen:HullFace = _horizon[i + 1];
+                var from:int = seen.a;
+                var to:int = seen.b;
+                if (seen.acrossBC == unseen)
+                {
+                    from = seen.b;
+                    to = seen.c;
+                }
+                else if (seen.acrossCA == unseen)
+                {
+                    from = seen.c;
+                    to = seen.a;
+                }
+                created = new HullFace(_points, from, to, eye);
+                created.acrossAB = unseen;
+                unseen.setNeighbor(to, from, created);
+                _faceFrom[from] = created;
+                _created.push(created);
+            }
+            for (i = 0; i < _created.length; i++)
+            {
+                created = _created[i];
+                var next:HullFace = _faceFrom[created.b];
+                created.acrossBC = next;
+                next.acrossCA = created;
+            }
+        }
+
+        // Puts the point on the list of a new face that it lies beyond; one that lies beyond none is inside for good.
+        private function assign(point:int):void
+        {
+            var x:Number = _points[3 * point];
+            var y:Number = _points[3 * point + 1];
+            var z:Number = _points[3 * point + 2];
+            var count:int = _created.length;
+            var nearFace:HullFace = null;
+            var near:Number = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var face:HullFace = _created[i];
+                var distance:Number = face.normalX * x + face.normalY * y + face.normalZ * z - face.offset;
+                if (distance > COPLANAR)
+                {
+                    put(point, face, distance);
+                    return;
+                }
+                if (distance > CERTAIN)
+                {
+                    if (isAbove(face, x, y, z))
+                    {
+                        return;
+                    }
+                    nearFace = face;
+                    near = distance;
+                }
+            }
+            if (nearFace != null)
+            {
+                put(point, nearFace, near);
+            }
+        }
+
+        private function put(point:int, face:HullFace, distance:Number):void
+        {
+            if (face.firstOutside < 0)
+            {
+                _pending.push(face);
+            }
+            _nextOutside[point] = face.firstOutside;
+            face.firstOutside = point;
+            if (distance > face.farthestDistance)
+            {
+                face.farthestDistance = distance;
+                face.farthest = point;
+            }
+        }
+
+        // Whether the point is over the triangle, not just over its plane.
+        private function isAbove(face:HullFace, x:Number, y:Number, z:Number):Boolean
+        {
+            return isLeftOf(face, face.a, face.b, x, y, z) && isLeftOf(face, face.b, face.c, x, y, z)
+                && isLeftOf(face, face.c, face.a, x, y, z);
+        }
+
+        private function isLeftOf(face:HullFace, from:int, to:int, x:Number, y:Number, z:Number):Boolean
+        {
+            var fromX:Number = _points[3 * from];
+            var fromY:Number = _points[3 * from + 1];
+            var fromZ:Number = _points[3 * from + 2];
+            var edgeX:Number = _points[3 * to] - fromX;
+            var edgeY:Number = _points[3 * to + 1] - fromY;
+            var edgeZ:Number = _points[3 * to + 2] - fromZ;
+            x -= fromX;
+            y -= fromY;
+            z -= fromZ;
+            return face.normalX * (edgeY * z - edgeZ * y) + face.normalY * (edgeZ * x - edgeX * z)
+                + face.normalZ * (edgeX * y - edgeY * x) >= 0;
+        }
+
+        // Positive beyond the face, negative behind it, 0 exactly in its plane.
+        private function side(face:HullFace, point:int):Number
+        {
+            var x:Number = _points[3 * point];
+            var y:Number = _points[3 * point + 1];
+            var z:Number = _points[3 * point + 2];
+            var distance:Number = face.normalX * x + face.normalY * y + face.normalZ * z - face.offset;
+            if (distance > CERTAIN || distance < -CERTAIN)
+            {
+                return distance;
+            }
+            x -= _points[3 * face.a];
+            y -= _points[3 * face.a + 1];
+            z -= _points[3 * face.a + 2];
+            var highX:Number = Math.floor(face.exactX / SPLIT);
+            var highY:Number = Math.floor(face.exactY / SPLIT);
+            var highZ:Number = Math.floor(face.exactZ / SPLIT);
+            var high:Number = highX * x + highY * y + highZ * z;
+            var low:Number = (face.exactX - highX * SPLIT) * x + (face.exactY - highY * SPLIT) * y
+                + (face.exactZ - highZ * SPLIT) * z;
+            return high * SPLIT + low;
+        }
+
+        private function facesFrom(face:HullFace):Vector.<HullFace>
+        {
+            var faces:Vector.<HullFace> = new <HullFace>[face];
+            face.isVisited = true;
+            for (var i:int = 0; i < faces.length; i++)
+            {
+                face = faces[i];
+                visit(face.acrossAB, faces);
+                visit(face.acrossBC, faces);
+                visit(face.acrossCA, faces);
+            }
+            return faces;
+        }
+
+        private static function visit(face:HullFace, faces:Vector.<HullFace>):void
+        {
+            if (!face.isVisited)
+            {
+                face.isVisited = true;
+                faces.push(face);
+            }
+        }
+
+        // The vertices where at least three edges that are none of a flat side meet; null when that is all of them.
+        private function cornersOf(faces:Vector.<HullFace>):Vector.<int>
+        {
+            var edgeEnds:Vector.<int> = new Vector.<int>(_points.length / 3);
+            var i:int;
+            for (i = 0; i < edgeEnds.length; i++)
+            {
+                edgeEnds[i] = -1;
+            }
+            for (i = 0; i < faces.length; i++)
+            {
+                edgeEnds[faces[i].a] = edgeEnds[faces[i].b] = edgeEnds[faces[i].c] = 0;
+            }
+            for (i = 0; i < faces.length; i++)
+            {
+                var face:HullFace = faces[i];
+                countEdge(edgeEnds, face, face.acrossAB, face.a);
+                countEdge(edgeEnds, face, face.acrossBC, face.b);
+                countEdge(edgeEnds, face, face.acrossCA, face.c);
+            }
+            var corners:Vector.<int> = new Vector.<int>();
+            var areAll:Boolean = true;
+            for (i = 0; i < edgeEnds.length; i++)
+            {
+                if (edgeEnds[i] >= 3)
+                {
+                    corners.push(i);
+                }
+                else if (edgeEnds[i] >= 0)
+                {
+                    areAll = false;
+                }
+            }
+            return areAll ? null : corners;
+        }
+
+        // Each edge is met twice, once from either end.
+        private function countEdge(edgeEnds:Vector.<int>, face:HullFace, neighbor:HullFace, from:int):void
+        {
+            if (side(face, neighbor.a) != 0 || side(face, neighbor.b) != 0 || side(face, neighbor.c) != 0)
+            {
+                edgeEnds[from]++;
+            }
+        }
+    }
+}

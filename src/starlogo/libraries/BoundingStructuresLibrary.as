@@ -1,0 +1,286 @@
+package starlogo.libraries
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.fitting.CapsuleFitter;
+    import starlogo.fitting.FitSession;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.NaiveSphereFitter;
+    import starlogo.fitting.OrientedBoxFitter;
+
+    /**
+     * The tightest fitting bounding structure of each model, by the name of its shape (thesis §3.7). A model's structures are
+     * computed when it is added; what is set here later counts for models added from then on.
+     *
+     * <p>The structures that it hands out are its own, shared by every agent of the shape, so that looking one up costs nothing:
+     * read them, and <code>clone()</code> before changing one.</p>
+     */
+    public final class BoundingStructuresLibrary
+    {
+        // in front of every key: a shape may be called "hasOwnProperty"
+        private static const PREFIX:String = ":";
+
+        /**
+         * The algorithms whose results are compared when a model is added; to be changed or replaced at any time. At
+         * first: the naive sphere, the oriented box, and the capsule of that box (which then is computed once).
+         */
+        public var fitters:Vector.<Fitter>;
+
+        /**
+         * Whether the smallest sphere, box and capsule found are kept beside the tightest fit
+         * (loadAllBoundingStructures, thesis §3.8).
+         */
+        public var keepAll:Boolean = false;
+
+        private var _cheaperTestsFactor:Number = 1;
+        private var _orientedBoxFitter:OrientedBoxFitter;
+        private var _shapes:Object = {};
+
+        /**
+         * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
+         * @throws ArgumentError if that is not a positive, finite number
+         */
+        public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10)
+        {
+            _orientedBoxFitter = new OrientedBoxFitter(orientedBoxDegIncrement);
+            fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
+        }
+
+        /**
+         * The degrees between the rotations that the first list's oriented box tries (thesis §3.8); a list of other fitters
+         * brings its own.
+         *
+         * @throws ArgumentError if it is set to what is not a positive, finite number
+         */
+        public function get orientedBoxDegIncrement():Number
+        {
+            return _orientedBoxFitter.degIncrement;
+        }
+
+        public function set orientedBoxDegIncrement(value:Number):void
+        {
+            _orientedBoxFitter.degIncrement = value;
+        }
+
+        /**
+         * How many times the smallest volume a structure may have to be preferred for its cheaper intersection tests, a sphere
+         * over a capsule over a box (thesis §7.4). 1, the default, takes the smallest; of equal ones the cheapest.
+         *
+         * @throws ArgumentError if it is set to less than 1, or to what is not a finite number
+         */
+        public function get cheaperTestsFactor():Number
+        {
+            return _cheaperTestsFactor;
+        }
+
+        public function set cheaperTestsFactor(value:Number):void
+        {
+            if (!(value >= 1 && value < Infinity))
+            {
+                throw new ArgumentError("the factor must be 1 (off) or more: " + value);
+            }
+            _cheaperTestsFactor = value;
+        }
+
+        /**
+         * Finds and stores the structures of a model; those stored under the name before are replaced. If it throws,
+         * nothing has changed.
+         *
+         * @param name the shape's name
+         * @param vertices x, y, z of each of the model's vertices, in the model's space; neither kept nor changed
+         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, their number of coordinates is
+         *         no multiple of 3, or one is not finite; if the list of fitters is empty or has one whose structures cannot be
+         *         collided
+         */
+        public function add(name:String, vertices:Vector.<Number>):void
+        {
+            if (name == null || name == "")
+            {
+                throw new ArgumentError("a shape must have a name: " + name);
+            }
+            var found:Vector.<BoundingStructure> = fitAll(name, vertices);
+            var shape:StoredShape = new StoredShape();
+            shape.tightest = choose(found);
+            if (keepAll)
+            {
+                shape.sphere = smallest(found, BoundingStructure.SPHERE) as Sphere;
+                shape.capsule = smallest(found, BoundingStructure.CAPSULE) as Capsule;
+                shape.box = smallest(found, BoundingStructure.BOX) as Box;
+            }
+            _shapes[PREFIX + name] = shape;
+        }
+
+        /** Whether there are structures for a shape. */
+        public function has(name:String):Boolean
+        {
+            return _shapes[PREFIX + name] is StoredShape;
+        }
+
+        /**
+         * The tightest fit of a shape: the library's own, to be read only.
+         *
+         * @throws ArgumentError if no model of this name was added
+         */
+        public function tightestFit(name:String):BoundingStructure
+        {
+            return find(name).tightest;
+        }
+
+        /**
+         * The smallest sphere found for a shape: the library's own, to be read only.
+         *
+         * @throws ArgumentError if no model of this name was added, or no sphere kept for it
+         */
+        public function sphere(name:String):Sphere
+        {
+            return Sphere(kept(find(name).sphere, name, "sphere"));
+        }
+
+        /**
+         * The smallest box found for a shape: the library's own, to be read only.
+         *
+         * @throws ArgumentError if no model of this name was added, or no box kept for it
+         */
+        public function box(name:String):Box
+        {
+            return Box(kept(find(name).box, name, "box"));
+        }
+
+        /**
+         * The smallest capsule found for a shape: the library's own, to be read only.
+         *
+         * @throws ArgumentError if no model of this name was added, or no capsule kept for it
+         */
+        public function capsule(name:String):Capsule
+        {
+            return Capsule(kept(find(name).capsule, name, "capsule"));
+        }
+
+        /** Whether the sphere, the box and the capsule of a shape were all kept. */
+        public function hasAll(name:String):Boolean
+        {
+            var shape:StoredShape = _shapes[PREFIX + name] as StoredShape;
+            return shape != null && shape.sphere != null && shape.capsule != null && shape.box != null;
+        }
+
+        private function fitAll(name:String, vertices:Vector.<Number>):Vector.<BoundingStructure>
+        {
+            if (fitters == null || fitters.length == 0)
+            {
+                throw new ArgumentError("shape \"" + name + "\": the library's list of fitters is empty");
+            }
+            var session:FitSession = startSession(name, vertices);
+            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            for each (var fitter:Fitter in fitters)
+            {
+                var structure:BoundingStructure = session.fit(fitter);
+                if (structure == null || structure.kind == BoundingStructure.CYLINDER)
+                {
+                    throw new ArgumentError("shape \"" + name + "\": the library needs fitters of spheres, capsules or boxes, but "
+                            + fitter + " found " + structure);
+                }
+                found.push(structure);
+            }
+            return found;
+        }
+
+        private static function startSession(name:String, vertices:Vector.<Number>):FitSession
+        {
+            try
+            {
+                var session:FitSession = new FitSession(vertices);
+            }
+            catch (error:ArgumentError)
+            {
+                throw new ArgumentError("shape \"" + name + "\": " + error.message);
+            }
+            return session;
+        }
+
+        private function choose(found:Vector.<BoundingStructure>):BoundingStructure
+        {
+            var least:Number = Infinity;
+            for each (var structure:BoundingStructure in found)
+            {
+                least = Math.min(least, structure.volume);
+            }
+            var chosen:BoundingStructure = null;
+            for each (structure in found)
+            {
+                if (structure.volume <= least * _cheaperTestsFactor && (chosen == null || isCheaper(structure, chosen)))
+                {
+                    chosen = structure;
+                }
+            }
+            return chosen;
+        }
+
+        // The kinds are numbered by the cost of their tests.
+        private static function isCheaper(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return a.kind == b.kind ? a.volume < b.volume : a.kind < b.kind;
+        }
+
+        private static function smallest(found:Vector.<BoundingStructure>, kind:int):BoundingStructure
+        {
+            var best:BoundingStructure = null;
+            for each (var structure:BoundingStructure in found)
+            {
+                if (structure.kind == kind && (best == null || structure.volume < best.volume))
+                {
+                    best = structure;
+                }
+            }
+            return best;
+        }
+
+        private function find(name:String):StoredShape
+        {
+            var shape:StoredShape = _shapes[PREFIX + name] as StoredShape;
+            if (shape == null)
+            {
+                throw new ArgumentError("there is no bounding structure for shape \"" + name
+                        + "\": add its model first, with loadTightestFit set");
+            }
+            return shape;
+        }
+
+        private static function kept(structure:BoundingStructure, name:String, kind:String):BoundingStructure
+        {
+            if (structure == null)
+            {
+                throw new ArgumentError("shape \"" + name + "\" has no " + kind + " of its own: set loadAllBoundingStructures (keepAll)"
+                        + " before the model is added, and have a fitter that finds one in the list");
+            }
+            return structure;
+        }
+    }
+}
+
+import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Box;
+import starlogo.bounding.Capsule;
+import starlogo.bounding.Sphere;
+
+/** What the library keeps of one shape. */
+final class StoredShape
+{
+    /** What has the least volume, or the cheapest tests within the factor. */
+    public var tightest:BoundingStructure;
+
+    /** The smallest one found, or null. */
+    public var sphere:Sphere;
+
+    /** The smallest one found, or null. */
+    public var capsule:Capsule;
+
+    /** The smallest one found, or null. */
+    public var box:Box;
+
+    /** Filled by the library. */
+    public function StoredShape()
+    {
+    }
+}

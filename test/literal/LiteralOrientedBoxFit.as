@@ -1,0 +1,72 @@
+package literal
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+
+    /**
+     * The oriented box of thesis §3.4.2, to the letter: every vertex is rotated by every rotation, an axis-aligned box is
+     * found for the rotated vertices, and the smallest stays.
+     */
+    public final class LiteralOrientedBoxFit
+    {
+        /** The volume of the smallest box. */
+        public var volume:Number = Number.MAX_VALUE;
+
+        /** The smallest box's centre. */
+        public var center:Vector3D;
+
+        /** What turns the axes of the world into those of the smallest box. */
+        public var rotation:Matrix3D;
+
+        /** The smallest box's half-extents along its axes. */
+        public var halfExtents:Vector3D;
+
+        /**
+         * @param vertices x, y, z each
+         * @param degIncrement step of the rotations about each axis, in degrees
+         */
+        public function LiteralOrientedBoxFit(vertices:Vector.<Number>, degIncrement:Number)
+        {
+            for (var x:Number = 0; x < 90; x += degIncrement)
+            {
+                for (var y:Number = 0; y < 90; y += degIncrement)
+                {
+                    for (var z:Number = 0; z < 90; z += degIncrement)
+                    {
+                        tryRotation(vertices, x, y, z);
+                    }
+                }
+            }
+        }
+
+        private function tryRotation(vertices:Vector.<Number>, x:Number, y:Number, z:Number):void
+        {
+            var matrix:Matrix3D = new Matrix3D();
+            matrix.appendRotation(x, Vector3D.X_AXIS);
+            matrix.appendRotation(y, Vector3D.Y_AXIS);
+            matrix.appendRotation(z, Vector3D.Z_AXIS);
+            var rotated:Vector.<Number> = new Vector.<Number>(vertices.length);
+            matrix.transformVectors(vertices, rotated);
+            var min:Vector3D = new Vector3D(Number.MAX_VALUE, Number.MAX_VALUE, Number.MAX_VALUE);
+            var max:Vector3D = new Vector3D(-Number.MAX_VALUE, -Number.MAX_VALUE, -Number.MAX_VALUE);
+            for (var i:int = 0; i < rotated.length; i += 3)
+            {
+                min.x = Math.min(min.x, rotated[i]);
+                min.y = Math.min(min.y, rotated[i + 1]);
+                min.z = Math.min(min.z, rotated[i + 2]);
+                max.x = Math.max(max.x, rotated[i]);
+                max.y = Math.max(max.y, rotated[i + 1]);
+                max.z = Math.max(max.z, rotated[i + 2]);
+            }
+            var size:Vector3D = max.subtract(min);
+            if (size.x * size.y * size.z < volume)
+            {
+                volume = size.x * size.y * size.z;
+                halfExtents = new Vector3D(size.x / 2, size.y / 2, size.z / 2);
+                matrix.invert();
+                rotation = matrix;
+                center = matrix.transformVector(new Vector3D((min.x + max.x) / 2, (min.y + max.y) / 2, (min.z + max.z) / 2));
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+package starlogo.geometry
+{
+    import flash.utils.getTimer;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
+    import support.PointSets;
+    import support.SeededRandom;
+
+    public class ConvexHullTest
+    {
+        [Test]
+        public function everyVertexIsInside():void
+        {
+            for (var seed:int = 1; seed <= 5; seed++)
+            {
+                var sets:Array = PointSets.hard(new SeededRandom(seed));
+                for (var i:int = 0; i < sets.length; i += 2)
+                {
+                    checkEnclosure(sets[i] + ", seed " + seed, new ConvexHull(sets[i + 1]));
+                }
+            }
+        }
+
+        [Test]
+        public function everyHullIsClosed():void
+        {
+            var sets:Array = PointSets.hard(new SeededRandom(17));
+            for (var i:int = 0; i < sets.length; i += 2)
+            {
+                checkMesh(sets[i], new ConvexHull(sets[i + 1]));
+            }
+        }
+
+        [Test]
+        public function climbsToEverySupport():void
+        {
+            var random:SeededRandom = new SeededRandom(23);
+            var sets:Array = PointSets.hard(random);
+            for (var i:int = 0; i < sets.length; i += 2)
+            {
+                checkSupports(sets[i], new ConvexHull(sets[i + 1]), random);
+            }
+        }
+
+        [Test]
+        public function flatSidesHaveCornersOnly():void
+        {
+            var random:SeededRandom = new SeededRandom(3);
+            var cube:Vector.<Number> = PointSets.box(0.5, 0.5, 0.5, 12);
+            assertEquals(8, new ConvexHull(cube).indices.length);
+            for (var i:int = 0; i < 20; i++)
+            {
+                assertEquals(8, new ConvexHull(PointSets.shuffled(cube, random)).indices.length);
+            }
+            var turned:ConvexHull = new ConvexHull(PointSets.turned(cube, random));
+            assertTrue("turned: " + turned.indices.length, turned.indices.length < 30);
+            assertEquals(48, new ConvexHull(PointSets.cylinder(0.5, 1, 24, 9)).indices.length);
+        }
+
+        [Test]
+        public function knowsItsDimension():void
+        {
+            var random:SeededRandom = new SeededRandom(5);
+            assertEquals(0, new ConvexHull(new <Number>[1, 2, 3, 1, 2, 3]).dimension);
+            assertEquals(1, new ConvexHull(PointSets.turned(PointSets.cloud(random, 9, 1, 0, 0), random)).dimension);
+            assertEquals(2, new ConvexHull(PointSets.turned(PointSets.cloud(random, 9, 1, 1, 0), random)).dimension);
+            assertEquals(3, new ConvexHull(PointSets.cloud(random, 9, 1, 1, 1e-6)).dimension);
+        }
+
+        [Test]
+        public function cornersAreThoseOfTheFigure():void
+        {
+            var square:ConvexHull = new ConvexHull(new <Number>[0, 0, 0, 2, 0, 0, 1, 1, 0, 2, 2, 0, 1, 0, 0, 0, 2, 0]);
+            assertEquals("0,1,3,5", square.indices.join());
+            assertEquals("0,0,0,2,0,0,2,2,0,0,2,0", square.points.join());
+            var segment:ConvexHull = new ConvexHull(new <Number>[1, 0, 0, 3, 0, 0, 2, 0, 0]);
+            assertEquals("0,1", segment.indices.join());
+        }
+
+        [Test]
+        public function measuresItsVolume():void
+        {
+            assertNear(1, new ConvexHull(PointSets.box(0.5, 0.5, 0.5, 3)).volume, 1e-12);
+            assertNear(1 / 6, new ConvexHull(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]).volume, 1e-12);
+            assertEquals(0, new ConvexHull(PointSets.box(1, 1, 0)).volume);
+        }
+
+        [Test]
+        public function hundredThousandVertices():void
+        {
+            var random:SeededRandom = new SeededRandom(7);
+            var start:int = getTimer();
+            var cloud:Vector.<Number> = PointSets.cloud(random, 100000);
+            var made:int = getTimer();
+            var hull:ConvexHull = new ConvexHull(cloud);
+            trace("hull of 100000 in a cube: " + (getTimer() - made) + " ms, " + hull.indices.length + " corners");
+            checkMesh("a cloud of 100000", hull);
+            checkSupports("a cloud of 100000", hull, random);
+        }
+
+        [Test]
+        public function manyCorners():void
+        {
+            var shell:Vector.<Number> = PointSets.shell(new SeededRandom(9), 3000);
+            var start:int = getTimer();
+            var hull:ConvexHull = new ConvexHull(shell);
+            trace("hull of 3000 on a sphere: " + (getTimer() - start) + " ms, " + hull.indices.length + " corners");
+            assertEquals(3000, hull.indices.length);
+            checkMesh("a shell of 3000", hull);
+        }
+
+        [Test]
+        public function refusesWhatAreNoVertices():void
+        {
+            assertRefused(null, "null");
+            assertRefused(new Vector.<Number>(), "0");
+            assertRefused(new <Number>[1, 2, 3, 4], "4");
+            assertRefused(new <Number>[1, 2, 3, 4, NaN, 6], "vertex 1");
+            assertRefused(new <Number>[1, 2, Infinity], "Infinity");
+        }
+
+        private static function assertRefused(vertices:Vector.<Number>, expected:String):void
+        {
+            try
+            {
+                new ConvexHull(vertices);
+            }
+            catch (error:ArgumentError)
+            {
+                assertTrue(error.message, error.message.indexOf(expected) >= 0);
+                return;
+            }
+            fail("accepted: " + vertices);
+        }
+
+        private static function assertNear(expected:Number, actual:Number, tolerance:Number):void
+        {
+            assertTrue(actual + " instead of " + expected, Math.abs(actual - expected) <= tolerance);
+        }
+
+        // Every vertex behind every plane of the hull, by brute force.
+        private static function checkEnclosure(name:String, hull:ConvexHull):void
+        {
+            var p:Vector.<Number> = hull.points;
+            var t:Vector.<int> = hull.triangles;
+            var v:Vector.<Number> = hull.vertices;
+            var allowed:Number = Tolerances.HULL * hull.extent;
+            for (var i:int = 0; i < t.length; i += 3)
+            {
+                var a:int = 3 * t[i];
+                var b:int = 3 * t[i + 1];
+                var c:int = 3 * t[i + 2];
+                var x:Number = (p[b + 1] - p[a + 1]) * (p[c + 2] - p[a + 2]) - (p[b + 2] - p[a + 2]) * (p[c + 1] - p[a + 1]);
+                var y:Number = (p[b + 2] - p[a + 2]) * (p[c] - p[a]) - (p[b] - p[a]) * (p[c + 2] - p[a + 2]);
+                var z:Number = (p[b] - p[a]) * (p[c + 1] - p[a + 1]) - (p[b + 1] - p[a + 1]) * (p[c] - p[a]);
+                var area:Number = Math.sqrt(x * x + y * y + z * z);
+                var longest:Number = 0;
+                for (var e:int = 0; e < 3; e++)
+                {
+                    var from:int = 3 * t[i + e];
+                    var to:int = 3 * t[i + (e + 1) % 3];
+                    longest = Math.max(longest, Math.sqrt(Math.pow(p[to] - p[from], 2) + Math.pow(p[to + 1] - p[from + 1], 2)
+                                + Math.pow(p[to + 2] - p[from + 2], 2)));
+                }
+                // the plane of a narrow triangle says little about what is far from it
+                if (area < 1e-3 * hull.extent * longest)
+                {
+                    continue;
+                }
+                for (var k:int = 0; k < v.length; k += 3)
+                {
+                    var distance:Number = ((v[k] - p[a]) * x + (v[k + 1] - p[a + 1]) * y + (v[k + 2] - p[a + 2]) * z) / area;
+                    if (distance > 50 * allowed)
+                    {
+                        fail(name + ": vertex " + k / 3 + " is outside by " + distance);
+                    }
+                }
+            }
+        }
+
+        private static function checkMesh(name:String, hull:ConvexHull):void
+        {
+            var corners:int = hull.indices.length;
+            var i:int;
+            assertEquals(name, 3 * corners, hull.points.length);
+            assertEquals(name, corners + 1, hull.firstNeighbor.length);
+            assertEquals(name, hull.neighbors.length, hull.firstNeighbor[corners]);
+            for (i = 0; i < corners; i++)
+            {
+                assertTrue(name + ": ascending", i == 0 || hull.indices[i] > hull.indices[i - 1]);
+                assertEquals(name, hull.vertices[3 * hull.indices[i] + 1], hull.points[3 * i + 1]);
+            }
+            var expected:int = hull.dimension == 3 ? 6 * corners - 12 : (corners > 2 ? 2 * corners : 2 * corners - 2);
+            assertEquals(name + ": neighbours", expected, hull.neighbors.length);
+            assertEquals(name + ": triangles", hull.dimension == 3 ? 2 * corners - 4 : 0, hull.triangles.length / 3);
+            for (i = 0; i < corners; i++)
+            {
+                for (var k:int = hull.firstNeighbor[i]; k < hull.firstNeighbor[i + 1]; k++)
+                {
+                    var other:int = hull.neighbors[k];
+                    var back:int = hull.neighbors.indexOf(i, hull.firstNeighbor[other]);
+                    assertTrue(name + ": joined both ways", back >= 0 && back < hull.firstNeighbor[other + 1]);
+                }
+            }
+        }
+
+        // The farthest vertex in a direction is where climbing from neighbour to neighbour ends.
+        private static function checkSupports(name:String, hull:ConvexHull, random:SeededRandom):void
+        {
+            var p:Vector.<Number> = hull.points;
+            for (var trial:int = 0; trial < 30; trial++)
+            {
+                var x:Number = random.normal();
+                var y:Number = random.normal();
+                var z:Number = random.normal();
+                var length:Number = Math.sqrt(x * x + y * y + z * z);
+                var farthest:Number = -Infinity;
+                for (var i:int = 0; i < hull.vertices.length; i += 3)
+                {
+                    farthest = Math.max(farthest, hull.vertices[i] * x + hull.vertices[i + 1] * y + hull.vertices[i + 2] * z);
+                }
+                var at:int = 0;
+                var best:Number = p[0] * x + p[1] * y + p[2] * z;
+                for (var k:int = hull.firstNeighbor[0]; k < hull.firstNeighbor[at + 1]; k++)
+                {
+                    var n:int = hull.neighbors[k];
+                    var t:Number = p[3 * n] * x + p[3 * n + 1] * y + p[3 * n + 2] * z;
+                    if (t > best)
+                    {
+                        best = t;
+                        at = n;
+                        k = hull.firstNeighbor[at] - 1;
+                    }
+                }
+                var missing:Number = (farthest - best) / length;
+                assertTrue(name + ": short by " + missing, missing <= Tolerances.HULL * hull.extent);
+            }
+        }
+    }
+}

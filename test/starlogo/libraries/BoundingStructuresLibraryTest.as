@@ -1,0 +1,218 @@
+package starlogo.libraries
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.fitting.AxisAlignedBoxFitter;
+    import starlogo.fitting.CapsuleFitter;
+    import starlogo.fitting.CylinderFitter;
+    import starlogo.fitting.FitSession;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.NaiveSphereFitter;
+    import starlogo.fitting.ZAlignedBoxFitter;
+    import support.PointSets;
+    import support.SeededRandom;
+
+    public class BoundingStructuresLibraryTest
+    {
+        private var _library:BoundingStructuresLibrary;
+        private var _cube:Vector.<Number>;
+        private var _ball:Vector.<Number>;
+        private var _stick:Vector.<Number>;
+
+        [Before]
+        public function setUp():void
+        {
+            _library = new BoundingStructuresLibrary();
+            _cube = PointSets.box(0.5, 0.5, 0.5);
+            _ball = PointSets.sphere(0.5, 16, 9);
+            // a capsule of radius 0.2 and length 2
+            _stick = PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, -1).concat(
+                    PointSets.placed(PointSets.sphere(0.2, 16, 9), 1, 0, 0, 1));
+        }
+
+        [Test]
+        public function keepsTheSmallest():void
+        {
+            _library.add("cube", _cube);
+            _library.add("ball", _ball);
+            _library.add("stick", _stick);
+            assertTrue(_library.tightestFit("cube") is Box);
+            assertTrue(_library.tightestFit("ball") is Sphere);
+            assertTrue(_library.tightestFit("stick") is Capsule);
+            assertEquals(1, _library.tightestFit("cube").volume);
+        }
+
+        [Test]
+        public function prefersCheaperTestsWithinTheFactor():void
+        {
+            _library.cheaperTestsFactor = 2.8;
+            _library.add("cube", _cube);
+            assertTrue("2.721", _library.tightestFit("cube") is Sphere);
+            _library.cheaperTestsFactor = 2.7;
+            _library.add("cube", _cube);
+            assertTrue(_library.tightestFit("cube") is Box);
+            _library.fitters = new <Fitter>[new AxisAlignedBoxFitter(), new CapsuleFitter(new AxisAlignedBoxFitter())];
+            _library.cheaperTestsFactor = 3.06;
+            _library.add("cube", _cube);
+            assertTrue(_library.tightestFit("cube") is Capsule);
+        }
+
+        [Test]
+        public function atEqualVolumeTheCheapestWins():void
+        {
+            _library.add("point", new <Number>[1, 2, 3]);
+            assertTrue(_library.tightestFit("point") is Sphere);
+        }
+
+        [Test]
+        public function keepsAllWhenAsked():void
+        {
+            _library.keepAll = true;
+            _library.add("cube", _cube);
+            assertTrue(_library.hasAll("cube"));
+            assertEquals(1, _library.box("cube").volume);
+            assertTrue(Math.abs(_library.sphere("cube").volume - 2.721) < 0.001);
+            assertTrue(Math.abs(_library.capsule("cube").volume - 3.052) < 0.001);
+            _library.keepAll = false;
+            _library.add("cube", _cube);
+            assertFalse(_library.hasAll("cube"));
+            assertRefused(_library.box, ["cube"], "loadAllBoundingStructures");
+        }
+
+        [Test]
+        public function aKindThatNobodyFindsIsNotKept():void
+        {
+            _library.keepAll = true;
+            _library.fitters = new <Fitter>[new NaiveSphereFitter()];
+            _library.add("cube", _cube);
+            assertTrue(_library.sphere("cube") is Sphere);
+            assertFalse(_library.hasAll("cube"));
+            assertRefused(_library.capsule, ["cube"], "no capsule");
+        }
+
+        [Test]
+        public function fittersMayChangeAtAnyTime():void
+        {
+            _library.fitters.splice(1, 2, new ZAlignedBoxFitter(10));
+            _library.add("cube", _cube);
+            assertEquals(1, Box(_library.tightestFit("cube")).axisZ.z);
+            _library.fitters.length = 1;
+            _library.add("cube", _cube);
+            assertTrue(_library.tightestFit("cube") is Sphere);
+        }
+
+        [Test]
+        public function theIncrementReachesTheDefaultBox():void
+        {
+            var random:SeededRandom = new SeededRandom(3);
+            var turned:Vector.<Number> = PointSets.turned(PointSets.box(0.5, 0.2, 0.1), random);
+            _library.add("coarse", turned);
+            _library.orientedBoxDegIncrement = 5;
+            assertEquals(5, _library.orientedBoxDegIncrement);
+            _library.add("fine", turned);
+            assertTrue(_library.tightestFit("fine").volume < _library.tightestFit("coarse").volume);
+            assertEquals(30, new BoundingStructuresLibrary(30).orientedBoxDegIncrement);
+        }
+
+        [Test]
+        public function namesAreJustNames():void
+        {
+            for each (var name:String in ["toString", "hasOwnProperty", "constructor", "__proto__", "null", " "])
+            {
+                assertFalse(name, _library.has(name));
+                assertRefused(_library.tightestFit, [name], name);
+                assertRefused(_library.sphere, [name], name);
+                _library.add(name, _cube);
+                assertTrue(name, _library.has(name));
+                assertEquals(name, 1, _library.tightestFit(name).volume);
+            }
+        }
+
+        [Test]
+        public function unknownShapesAreNamed():void
+        {
+            assertFalse(_library.has("unicorn"));
+            assertFalse(_library.has(null));
+            assertRefused(_library.tightestFit, ["unicorn"], "unicorn");
+            assertRefused(_library.box, ["unicorn"], "unicorn");
+            assertRefused(_library.tightestFit, [null], "null");
+        }
+
+        [Test]
+        public function aFailedAddChangesNothing():void
+        {
+            _library.keepAll = true;
+            _library.add("cube", _cube);
+            var before:BoundingStructure = _library.tightestFit("cube");
+            assertRefused(_library.add, ["cube", new <Number>[1, 2, NaN]], "cube");
+            assertRefused(_library.add, ["cube", new <Number>[1, 2]], "cube");
+            assertRefused(_library.add, ["cube", null], "cube");
+            assertRefused(_library.add, ["other", new Vector.<Number>()], "other");
+            _library.fitters = new <Fitter>[new NaiveSphereFitter(), new CylinderFitter(new AxisAlignedBoxFitter())];
+            assertRefused(_library.add, ["cube", _cube], "Cylinder");
+            _library.fitters = new Vector.<Fitter>();
+            assertRefused(_library.add, ["cube", _cube], "fitters");
+            _library.fitters = new <Fitter>[new FailingFitter()];
+            assertRefused(_library.add, ["cube", _cube], "failed");
+            assertEquals(before, _library.tightestFit("cube"));
+            assertTrue(_library.hasAll("cube"));
+            assertFalse(_library.has("other"));
+        }
+
+        [Test]
+        public function optionsAreChecked():void
+        {
+            for each (var factor:Number in [0.99, 0, -1, NaN, Infinity])
+            {
+                assertRefused(setFactor, [factor], "factor");
+            }
+            assertRefused(setIncrement, [0], "increment");
+            assertRefused(_library.add, [null, _cube], "name");
+            assertRefused(_library.add, ["", _cube], "name");
+            assertEquals(1, _library.cheaperTestsFactor);
+            assertEquals(10, _library.orientedBoxDegIncrement);
+        }
+
+        private function setFactor(value:Number):void
+        {
+            _library.cheaperTestsFactor = value;
+        }
+
+        private function setIncrement(value:Number):void
+        {
+            _library.orientedBoxDegIncrement = value;
+        }
+
+        private static function assertRefused(call:Function, values:Array, expected:String):void
+        {
+            try
+            {
+                call.apply(null, values);
+            }
+            catch (error:ArgumentError)
+            {
+                assertTrue(error.message, error.message.indexOf(expected) >= 0);
+                return;
+            }
+            fail("accepted: " + values);
+        }
+    }
+}
+
+import starlogo.bounding.BoundingStructure;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
+
+class FailingFitter extends Fitter
+{
+    override public function fitTo(session:FitSession):BoundingStructure
+    {
+        throw new ArgumentError("failed");
+    }
+}

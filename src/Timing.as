@@ -16,6 +16,8 @@ package
     import scenes.ScatteredScene;
     import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
     import timing.GroundView;
@@ -84,14 +86,20 @@ package
         {
             _greatLand.addModel(BuiltInModel.sphere());
             _greatLand.addModel(BuiltInModel.cube());
-            var bins:BinCollider = new BinCollider(_greatLand);
-            _runs.push(new Run(new CrowdScene(100, "sphere"), bins, "BinCollider", 100, "30"));
-            _runs.push(new Run(new CrowdScene(100, "bear"), bins, "BinCollider", 100, "30"));
-            _runs.push(new Run(new ScatteredScene(1000, "bear", "sphere", "cube"), bins, "BinCollider", 100));
-            _runs.push(new Run(new ScatteredScene(5000, "bear", "sphere", "cube"), bins, "BinCollider", 60));
+            plan(new BinCollider(_greatLand), "BinCollider", "30", "30");
+            plan(new TightestFitCollider(_greatLand), "TightestFitCollider", "78", "1300");
             trace("Collision detection in a running game: " + _runs.length + " runs");
             _lastProgress = getTimer();
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
+        }
+
+        // The thesis's set-up with spheres and with bears, and games of a thousand agents and of five thousand.
+        private function plan(collider:CollisionSystem, name:String, thesisSpheresMs:String, thesisBearsMs:String):void
+        {
+            _runs.push(new Run(new CrowdScene(100, "sphere"), collider, name, 100, thesisSpheresMs));
+            _runs.push(new Run(new CrowdScene(100, "bear"), collider, name, 100, thesisBearsMs));
+            _runs.push(new Run(new ScatteredScene(1000, "bear", "sphere", "cube"), collider, name, 100));
+            _runs.push(new Run(new ScatteredScene(5000, "bear", "sphere", "cube"), collider, name, 40));
         }
 
         private function onEnterFrame(event:Event):void

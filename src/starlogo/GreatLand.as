@@ -1,27 +1,77 @@
 package starlogo
 {
     import starlogo.agents.Agent;
+    import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.models.Model;
 
     use namespace engine;
 
     /**
-     * What a game has loaded: its models.
+     * What a game has loaded, and how it is to be loaded: the flags of the thesis (§3.8, §4.8), its models, and what was
+     * computed for them.
+     *
+     * <p>The flags count for the models that are added from then on.</p>
      */
     public class GreatLand
     {
+        // in front of every key: a model may be called "hasOwnProperty"
+        private static const PREFIX:String = ":";
+
+        /** Whether a model's tightest fitting structure is computed: the TightestFitCollider needs it. */
+        public var loadTightestFit:Boolean = true;
+
+        /** Counts the models that replaced another one of their name: what was kept of those is void. */
+        engine var edition:int = 0;
+
         private var _models:Object = {};
+        private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
 
         /** A game without models. */
         public function GreatLand()
         {
         }
 
+        /** The tightest fitting structure of each model. */
+        public function get boundingStructures():BoundingStructuresLibrary
+        {
+            return _boundingStructures;
+        }
+
         /**
-         * Adds a model, or replaces the one of its name.
+         * Whether the best sphere, box and capsule of a model are kept, and not just the tightest fit (§3.8). With all
+         * of them at hand, the TightestFitCollider tries spheres before boxes (§7.5).
+         */
+        public function get loadAllBoundingStructures():Boolean
+        {
+            return _boundingStructures.keepAll;
+        }
+
+        public function set loadAllBoundingStructures(value:Boolean):void
+        {
+            _boundingStructures.keepAll = value;
+        }
+
+        /**
+         * The degrees between the rotations that the search for an oriented box tries (§3.8).
+         *
+         * @throws ArgumentError if it is set to what is not a positive, finite number
+         */
+        public function get orientedBoxDegIncrement():Number
+        {
+            return _boundingStructures.orientedBoxDegIncrement;
+        }
+
+        public function set orientedBoxDegIncrement(value:Number):void
+        {
+            _boundingStructures.orientedBoxDegIncrement = value;
+        }
+
+        /**
+         * Adds a model, and what the flags ask for; replaces the model of its name, if there is one. When it throws,
+         * nothing has changed. Cost: that of the fits, up to a few hundred milliseconds for thousands of vertices.
          *
          * @param model has the name that agents have as their shape
-         * @throws ArgumentError if it is null
+         * @throws ArgumentError if it is null, or as BoundingStructuresLibrary.add does
          */
         public function addModel(model:Model):void
         {
@@ -29,18 +79,24 @@ package starlogo
             {
                 throw new ArgumentError("model must not be null");
             }
-            _models[model.name] = model;
+            if (loadTightestFit)
+            {
+                _boundingStructures.add(model.name, model.vertices);
+            }
+            if (hasModel(model.name))
+            {
+                edition++;
+            }
+            _models[PREFIX + model.name] = model;
         }
 
         /** Whether a model of this name was added. */
         public function hasModel(name:String):Boolean
         {
-            return _models.hasOwnProperty(name);
+            return _models.hasOwnProperty(PREFIX + name);
         }
 
-        /**
-         * @private
-         */
+        /** Throws an ArgumentError if the agent's model was not added. */
         engine function requireModel(agent:Agent):void
         {
             if (!hasModel(agent.shape))

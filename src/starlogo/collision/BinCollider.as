@@ -29,6 +29,10 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _bins:Bins = new Bins();
 
+        // The mark of its bodies. Another one makes it forget them: when a model was replaced.
+        private var _mark:Object = {};
+        private var _edition:int = 0;
+
         // The search under way.
         private var _interests:BreedInterests;
         private var _found:Vector.<Agent>;
@@ -67,6 +71,7 @@ package starlogo.collision
             {
                 throw new ArgumentError(a + " is no pair with itself");
             }
+            checkEdition();
             var bodyA:Body = bodyOf(a);
             var bodyB:Body = bodyOf(b);
             return meet(bodyA, bodyB);
@@ -92,14 +97,15 @@ package starlogo.collision
             _found = out;
             _foundLength = 0;
             _passedOver = 0;
+            resetCounts();
             _bins.findPairs(this);
             _found = null;
             out.length = _foundLength;
             _statistics.agents = agents.length;
             _statistics.agentsPassedOver = agents.length - _bins.count;
             _statistics.binEntries = _bins.entryCount;
-            _statistics.sphereSphereTests = _bins.pairCount - _passedOver;
             _statistics.candidatePairs = _bins.pairCount - _passedOver;
+            countTests(_statistics);
             _statistics.collisions = _foundLength >> 1;
             _statistics.findMs = getTimer() - start;
             return out;
@@ -135,6 +141,21 @@ package starlogo.collision
             body.y = placement.y;
             body.z = placement.z + radius;
             body.halfX = body.halfY = body.halfZ = radius;
+        }
+
+        /**
+         * Begins to count the tests of a search.
+         */
+        internal function resetCounts():void
+        {
+        }
+
+        /**
+         * Counts the tests of the search by their kinds; the candidate pairs are counted already.
+         */
+        internal function countTests(statistics:CollisionStatistics):void
+        {
+            statistics.sphereSphereTests = statistics.candidatePairs;
         }
 
         /**
@@ -193,6 +214,7 @@ package starlogo.collision
 
         private function enterIntoBins(agents:Vector.<Agent>, interests:BreedInterests):void
         {
+            checkEdition();
             var frame:int = ++sFrame;
             var count:int = agents.length;
             _bins.clear();
@@ -204,7 +226,7 @@ package starlogo.collision
                     throw new ArgumentError("agents[" + i + "] is null");
                 }
                 var body:Body = agent.userData as Body;
-                if (body == null || body.owner !== this)
+                if (body == null || body.owner !== _mark)
                 {
                     body = adoptAgent(agent);
                 }
@@ -230,11 +252,20 @@ package starlogo.collision
             }
         }
 
+        private function checkEdition():void
+        {
+            if (_greatLand.edition != _edition)
+            {
+                _edition = _greatLand.edition;
+                _mark = {};
+            }
+        }
+
         // The agent's body, up to date.
         private function bodyOf(agent:Agent):Body
         {
             var body:Body = agent.userData as Body;
-            if (body == null || body.owner !== this)
+            if (body == null || body.owner !== _mark)
             {
                 body = adoptAgent(agent);
             }
@@ -247,7 +278,7 @@ package starlogo.collision
 
         private function adoptAgent(agent:Agent):Body
         {
-            var body:Body = new Body(agent, this);
+            var body:Body = new Body(agent, _mark);
             adopt(body);
             agent.userData = body;
             return body;
@@ -265,19 +296,7 @@ package starlogo.collision
             var x:Number = body.x;
             var y:Number = body.y;
             var level:BinLevel = body.level;
-            if (level == null)
-            {
-                _bins.assignLevel(body);
-            }
-            else if (half > level.largestHalf)
-            {
-                _bins.assignLevel(body);
-            }
-            else if (half <= level.tooSmallHalf)
-            {
-                _bins.assignLevel(body);
-            }
-            else if (x * x + y * y >= level.reachSquared)
+            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || x * x + y * y >= level.reachSquared)
             {
                 _bins.assignLevel(body);
             }

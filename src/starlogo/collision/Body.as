@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
 
     /**
      * What a collider keeps of an agent from frame to frame: its world shape, computed when the agent has changed
@@ -12,17 +13,23 @@ package starlogo.collision
         /** Whose body it is. */
         public var agent:Agent;
 
-        /** The collider that made it, the only one that uses it. */
-        public var owner:BinCollider;
+        /** What the collider that made it gave it for a mark; to a collider whose mark is another it is void. */
+        public var owner:Object;
 
         /** The agent's revision that the world shape belongs to. */
         public var revision:int = -1;
 
-        /** The structure in the model's space. */
+        /** What stands for the model, in the model's space; null where the numbers below say it all. */
         public var structure:BoundingStructure;
 
-        /** The structure in the world. */
+        /** The same in the world. */
         public var world:BoundingStructure;
+
+        /** A sphere around the structure that is tried first, in the model's space, or null. */
+        public var outerSphere:Sphere;
+
+        /** The same in the world. */
+        public var worldOuterSphere:Sphere;
 
         /** The middle of the world shape's extents. */
         public var x:Number;
@@ -80,9 +87,9 @@ package starlogo.collision
 
         /**
          * @param agent whose body it is
-         * @param owner the collider that makes it
+         * @param owner the mark of the collider that makes it
          */
-        public function Body(agent:Agent, owner:BinCollider)
+        public function Body(agent:Agent, owner:Object)
         {
             this.agent = agent;
             this.owner = owner;

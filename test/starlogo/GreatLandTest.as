@@ -1,0 +1,85 @@
+package starlogo
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.Fitter;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.assertThrows;
+
+    public class GreatLandTest
+    {
+        private var _greatLand:GreatLand;
+
+        [Before]
+        public function make():void
+        {
+            _greatLand = new GreatLand();
+        }
+
+        [Test]
+        public function flagsAreTheThesiss():void
+        {
+            assertTrue(_greatLand.loadTightestFit);
+            assertFalse(_greatLand.loadAllBoundingStructures);
+            assertEquals(10, _greatLand.orientedBoxDegIncrement);
+        }
+
+        [Test]
+        public function addsWhatTheFlagsAskFor():void
+        {
+            _greatLand.addModel(BuiltInModel.cube());
+            assertTrue(_greatLand.hasModel("cube"));
+            assertEquals(BoundingStructure.BOX, _greatLand.boundingStructures.tightestFit("cube").kind);
+            assertThrows(ArgumentError, /loadAllBoundingStructures/, _greatLand.boundingStructures.sphere, "cube");
+
+            _greatLand.loadAllBoundingStructures = true;
+            _greatLand.addModel(BuiltInModel.sphere());
+            assertTrue(_greatLand.boundingStructures.hasAll("sphere"));
+
+            _greatLand.loadTightestFit = false;
+            _greatLand.addModel(BuiltInModel.cylinder());
+            assertTrue(_greatLand.hasModel("cylinder"));
+            assertFalse(_greatLand.boundingStructures.has("cylinder"));
+        }
+
+        [Test]
+        public function theDegreeIncrementReachesTheFitter():void
+        {
+            // a cube on its edge: 45 degrees about x
+            var turned:Vector.<Number> = new <Number>[0, 0, 0, 0, 1, 1, 0, -1, 1, 0, 0, 2, 1.4, 0, 0, 1.4, 1, 1, 1.4, -1, 1, 1.4, 0, 2];
+            _greatLand.orientedBoxDegIncrement = 20;
+            _greatLand.addModel(new Model("coarse", turned));
+            _greatLand.orientedBoxDegIncrement = 45;
+            _greatLand.addModel(new Model("right", turned));
+            assertTrue(_greatLand.boundingStructures.tightestFit("right").volume < 0.9 * _greatLand.boundingStructures.tightestFit("coarse").volume);
+            assertThrows(ArgumentError, /0/, function():void
+                {
+                    _greatLand.orientedBoxDegIncrement = 0;
+                });
+        }
+
+        [Test]
+        public function aFailedLoadLeavesNothing():void
+        {
+            assertThrows(ArgumentError, /null/, _greatLand.addModel, null);
+            _greatLand.boundingStructures.fitters = new Vector.<Fitter>();
+            assertThrows(ArgumentError, /cube.*fitters/, _greatLand.addModel, BuiltInModel.cube());
+            assertFalse(_greatLand.hasModel("cube"));
+            assertFalse(_greatLand.boundingStructures.has("cube"));
+        }
+
+        [Test]
+        public function anyNameWillDo():void
+        {
+            for each (var name:String in ["toString", "hasOwnProperty", "constructor", "__proto__", ":"])
+            {
+                assertFalse(name, _greatLand.hasModel(name));
+                _greatLand.addModel(new Model(name, BuiltInModel.cube().vertices));
+                assertTrue(name, _greatLand.hasModel(name));
+            }
+        }
+    }
+}

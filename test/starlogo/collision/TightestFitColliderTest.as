@@ -1,0 +1,272 @@
+package starlogo.collision
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.intersects;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.BruteForce;
+    import support.RandomWorlds;
+    import support.SeededRandom;
+    import support.assertThrows;
+
+    public class TightestFitColliderTest
+    {
+        private static const SHAPES:Array = ["ball", "wall", "pole", "brick"];
+
+        private static var sGreatLand:GreatLand;
+        private static var sThorough:GreatLand;
+
+        [BeforeClass]
+        public static function load():void
+        {
+            sGreatLand = new GreatLand();
+            sThorough = new GreatLand();
+            sThorough.loadAllBoundingStructures = true;
+            for each (var greatLand:GreatLand in [sGreatLand, sThorough])
+            {
+                greatLand.addModel(new Model("ball", BuiltInModel.sphere().vertices));
+                greatLand.addModel(box("wall", 1, 0.05, 2));
+                greatLand.addModel(pole());
+                greatLand.addModel(box("brick", 1, 0.6, 0.4));
+            }
+        }
+
+        [Test]
+        public function eachKindIsTheTightestFitOfSomeModel():void
+        {
+            assertEquals(BoundingStructure.SPHERE, sGreatLand.boundingStructures.tightestFit("ball").kind);
+            assertEquals(BoundingStructure.BOX, sGreatLand.boundingStructures.tightestFit("wall").kind);
+            assertEquals(BoundingStructure.CAPSULE, sGreatLand.boundingStructures.tightestFit("pole").kind);
+        }
+
+        [Test]
+        public function aBoxReachesWhereTheUnitSphereDoesNot():void
+        {
+            var wall:Agent = agentAt("wall", 0, 0, 0);
+            var ball:Agent = agentAt("ball", 0, 0.6, 0);
+            ball.size = 0.2;
+            assertFalse("beside the wall", new TightestFitCollider(sGreatLand).areColliding(wall, ball));
+            ball.moveTo(0.45, 0, 1.7);
+            assertTrue("at its upper corner", new TightestFitCollider(sGreatLand).areColliding(wall, ball));
+            assertFalse("where the unit sphere has long ended", new BinCollider(sGreatLand).areColliding(wall, ball));
+        }
+
+        [Test]
+        public function structuresTurnWithTheirAgents():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
+            var wall:Agent = agentAt("wall", 0, 0, 0);
+            var ball:Agent = agentAt("ball", 0, 0.5, 0.5);
+            ball.size = 0.2;
+            assertFalse(collider.areColliding(wall, ball));
+            wall.heading = 90;
+            assertTrue("along y now", collider.areColliding(wall, ball));
+            wall.heading = 0;
+            wall.roll = -90;
+            ball.moveTo(0, 1.9, 0);
+            assertTrue("lying along y", collider.areColliding(wall, ball));
+            wall.size = 0.5;
+            assertFalse("half as long", collider.areColliding(wall, ball));
+        }
+
+        [Test]
+        public function aChangedShapeIsNoticed():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
+            var a:Agent = agentAt("wall", 0, 0, 0);
+            var b:Agent = agentAt("ball", 0, 0.6, 0);
+            var agents:Vector.<Agent> = new <Agent>[a, b];
+            assertEquals(0, collider.findCollisions(agents).length);
+            a.shape = "ball";
+            assertEquals(2, collider.findCollisions(agents).length);
+        }
+
+        [Test]
+        public function aReplacedModelIsNoticed():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(box("thing", 1, 0.05, 1));
+            var collider:TightestFitCollider = new TightestFitCollider(greatLand);
+            var agents:Vector.<Agent> = new <Agent>[agentAt("thing", 0, 0, 0), agentAt("thing", 0, 0.5, 0)];
+            assertEquals(0, collider.findCollisions(agents).length);
+            greatLand.addModel(box("thing", 1, 1, 1));
+            assertEquals(2, collider.findCollisions(agents).length);
+        }
+
+        [Test]
+        public function scatteredWorldsAreLikeBruteForce():void
+        {
+            compareWithBruteForce(sGreatLand, "scattered", 201);
+        }
+
+        [Test]
+        public function mixedSizesAreLikeBruteForce():void
+        {
+            compareWithBruteForce(sGreatLand, "mixed sizes", 202);
+        }
+
+        [Test]
+        public function farOutIsLikeBruteForce():void
+        {
+            compareWithBruteForce(sGreatLand, "far out", 203);
+        }
+
+        [Test]
+        public function bordersAreLikeBruteForce():void
+        {
+            compareWithBruteForce(sGreatLand, "on borders", 205);
+        }
+
+        [Test]
+        public function wideAndSparseWorldsAreLikeBruteForce():void
+        {
+            compareWithBruteForce(sGreatLand, "wide and sparse", 208);
+        }
+
+        [Test]
+        public function preliminarySpheresChangeNoAnswer():void
+        {
+            compareWithBruteForce(sThorough, "scattered", 209);
+            var collider:TightestFitCollider = new TightestFitCollider(sThorough);
+            // a pole across the corner of a wall's extents: the extents overlap, the spheres don't
+            var walls:Vector.<Agent> = new <Agent>[agentAt("wall", 0, 0, 0), agentAt("wall", 1.7, 1.7, 0)];
+            walls[0].heading = walls[1].heading = -45;
+            walls[0].size = walls[1].size = 3;
+            collider.findCollisions(walls);
+            assertEquals(1, collider.statistics.sphereSphereTests);
+        }
+
+        [Test]
+        public function countsTestsByTheirKinds():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt("ball", 0, 0, 0), agentAt("ball", 0.1, 0, 0), agentAt("wall", 0, 0.04, 0), agentAt("pole", 0, 0, 0.1), agentAt("wall", 0, 0, 0)];
+            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
+            collider.areColliding(agents[2], agents[4]);
+            collider.findCollisions(agents);
+            var statistics:CollisionStatistics = collider.statistics;
+            assertEquals("1 2 4 0 2 1", [statistics.sphereSphereTests, statistics.sphereCapsuleTests, statistics.sphereBoxTests, statistics.capsuleCapsuleTests, statistics.capsuleBoxTests, statistics.boxBoxTests].join(" "));
+            assertEquals(10, statistics.tests);
+        }
+
+        [Test]
+        public function withoutTheFlagTheErrorSaysWhatToDo():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.loadTightestFit = false;
+            greatLand.addModel(BuiltInModel.cube());
+            var agents:Vector.<Agent> = new <Agent>[agentAt("cube", 0, 0, 0), agentAt("cube", 0, 0, 0)];
+            assertThrows(ArgumentError, /agent \d+ .*cube.*loadTightestFit.*again/, new TightestFitCollider(greatLand).findCollisions, agents);
+            assertEquals("the BinCollider needs no flag", 2, new BinCollider(greatLand).findCollisions(agents).length);
+            greatLand.loadTightestFit = true;
+            greatLand.addModel(BuiltInModel.cube());
+            assertEquals(2, new TightestFitCollider(greatLand).findCollisions(agents).length);
+        }
+
+        // The reference puts clones through scale, rotate and translate, one pair at a time, and has no bins.
+        private function compareWithBruteForce(greatLand:GreatLand, kind:String, seed:uint):void
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var collider:TightestFitCollider = new TightestFitCollider(greatLand);
+            var collisions:int = 0;
+            var possible:int = 0;
+            var boxTests:int = 0;
+            for (var world:int = 0; world < 60; world++)
+            {
+                var count:int = random.logBetween(2, 101);
+                var agents:Vector.<Agent> = RandomWorlds.make(kind, count, "ball", random);
+                var structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+                for each (var agent:Agent in agents)
+                {
+                    agent.shape = random.pick(SHAPES);
+                    agent.heading = random.pick([0, 45, 90, random.between(0, 360)]);
+                    agent.pitch = random.pick([0, 0, random.between(-90, 90)]);
+                    agent.roll = random.pick([0, 0, random.between(-90, 90)]);
+                    structures.push(worldStructure(greatLand, agent));
+                }
+                var expected:Vector.<Agent> = new Vector.<Agent>();
+                for (var i:int = 0; i < count; i++)
+                {
+                    for (var j:int = i + 1; j < count; j++)
+                    {
+                        if (intersects(structures[i], structures[j]))
+                        {
+                            expected.push(agents[i], agents[j]);
+                        }
+                    }
+                }
+                assertEquals(kind + ", world " + world, "", BruteForce.difference(expected, collider.findCollisions(agents)));
+                assertEquals(kind + ", asked by pair", "", BruteForce.difference(expected, BruteForce.ask(collider, agents)));
+                collisions += expected.length / 2;
+                possible += count * (count - 1) / 2;
+                boxTests += collider.statistics.boxBoxTests;
+            }
+            trace("  " + kind + ": " + possible + " pairs, " + collisions + " collide, " + boxTests + " tests of boxes");
+            assertTrue("some collide, some don't", collisions > 10 && collisions < possible);
+        }
+
+        private static function worldStructure(greatLand:GreatLand, agent:Agent):BoundingStructure
+        {
+            var structure:BoundingStructure = greatLand.boundingStructures.tightestFit(agent.shape).clone();
+            structure.place(placementOf(agent), structure);
+            return structure;
+        }
+
+        private static function agentAt(shape:String, x:Number, y:Number, z:Number):Agent
+        {
+            var agent:Agent = new Agent(shape);
+            agent.moveTo(x, y, z);
+            return agent;
+        }
+
+        private static function box(name:String, x:Number, y:Number, z:Number):Model
+        {
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 8; i++)
+            {
+                corners.push(i & 1 ? x : 0, i & 2 ? y : 0, i & 4 ? z : 0);
+            }
+            return new Model(name, corners);
+        }
+
+        // A rod with round ends: what a capsule fits best.
+        private static function pole():Model
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            for (var ring:int = 0; ring <= 8; ring++)
+            {
+                var angle:Number = Math.PI / 2 * ring / 8;
+                for (var i:int = 0; i < 24; i++)
+                {
+                    var x:Number = Math.cos(angle) * Math.cos(i * Math.PI / 12);
+                    var y:Number = Math.cos(angle) * Math.sin(i * Math.PI / 12);
+                    vertices.push(x, y, 2 + Math.sin(angle), x, y, -2 - Math.sin(angle));
+                }
+            }
+            return new Model("pole", vertices);
+        }
+    }
+}
+
+import starlogo.agents.Agent;
+import starlogo.geometry.Placement;
+
+/** The agent's placement from its traits alone. */
+function placementOf(agent:Agent):Placement
+{
+    var placement:Placement = new Placement();
+    placement.x = agent.x;
+    placement.y = agent.y;
+    placement.z = agent.z;
+    placement.size = agent.size;
+    placement.setRotation(agent.heading, agent.pitch, agent.roll);
+    return placement;
+}

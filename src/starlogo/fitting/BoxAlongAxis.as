@@ -17,6 +17,9 @@ package starlogo.fitting
         // Corners closer than this in the picture, as a fraction of the extent, are one: edges along the direction vanish.
         private static const SAME:Number = 1e-11;
 
+        // The slope up to which a side of the outline counts as level.
+        private static const LEVEL:Number = 1e-12;
+
         /** Unit vector along one side of the box last measured, perpendicular to the direction; the third follows. */
         public var sideX:Number = 0;
 
@@ -56,7 +59,7 @@ package starlogo.fitting
          */
         public function BoxAlongAxis(hull:ConvexHull)
         {
-            _points = hull.points;
+            _points = hull.convexPoints;
             _firstNeighbor = hull.firstNeighbor;
             _neighbors = hull.neighbors;
             _same = Math.pow(SAME * hull.extent, 2);
@@ -148,6 +151,7 @@ package starlogo.fitting
             var alongU:Number = 1;
             var alongV:Number = 0;
             var most:int = _firstNeighbor.length + 2;
+            var goesDown:Boolean = false;
             _u.length = 0;
             _v.length = 0;
             while (_u.length < most)
@@ -167,6 +171,12 @@ package starlogo.fitting
                 }
                 alongU = toU - fromU;
                 alongV = toV - fromV;
+                if (goesDown && alongU > 0 && alongV >= -LEVEL * alongU)
+                {
+                    // at the bottom again, without having met the start: it is inside a side, and was passed over
+                    return;
+                }
+                goesDown = goesDown || alongV < 0 || alongU < 0 && alongV <= -LEVEL * alongU;
                 fromU = toU;
                 fromV = toV;
             }

@@ -51,7 +51,7 @@ package starlogo.fitting
         public function get axes():Vector.<Number>
         {
             return new <Number>[_x, _y, _z, _sideX, _sideY, _sideZ, _y * _sideZ - _z * _sideY, _z * _sideX - _x * _sideZ,
-                _x * _sideY - _y * _sideX];
+                    _x * _sideY - _y * _sideX];
         }
 
         /** Takes the smallest box with an axis along a direction, a unit vector. */
@@ -85,12 +85,12 @@ package starlogo.fitting
             x /= length;
             y /= length;
             z /= length;
-            var volume:Number = _box.measure(x, y, z, _volume);
-            if (!(volume < _volume))
+            var measured:Number = _box.measure(x, y, z, _volume);
+            if (!(measured < _volume))
             {
                 return false;
             }
-            _volume = volume;
+            _volume = measured;
             _x = x;
             _y = y;
             _z = z;
@@ -105,7 +105,7 @@ package starlogo.fitting
         // To the crease of each edge at the corner that is within a step, and a step along it both ways.
         private function slideAt(corner:int, step:Number):void
         {
-            var points:Vector.<Number> = _hull.points;
+            var points:Vector.<Number> = _hull.convexPoints;
             var end:int = _hull.firstNeighbor[corner + 1];
             for (var i:int = _hull.firstNeighbor[corner]; i < end; i++)
             {

@@ -131,13 +131,13 @@ package starlogo.fitting
                 var toA:Number = Math.sin(angle * (pieces - i) / pieces);
                 var toB:Number = Math.sin(angle * i / pieces);
                 net.add(toA * normals[a] + toB * normals[b], toA * normals[a + 1] + toB * normals[b + 1],
-                    toA * normals[a + 2] + toB * normals[b + 2]);
+                        toA * normals[a + 2] + toB * normals[b + 2]);
             }
         }
 
         private static function normalsOf(hull:ConvexHull):Vector.<Number>
         {
-            var p:Vector.<Number> = hull.points;
+            var p:Vector.<Number> = hull.convexPoints;
             var t:Vector.<int> = hull.triangles;
             var normals:Vector.<Number> = new Vector.<Number>(t.length);
             for (var i:int = 0; i < t.length; i += 3)

@@ -22,6 +22,9 @@ package starlogo.geometry
         private var _extent:Number = 0;
         private var _indices:Vector.<int>;
         private var _points:Vector.<Number>;
+        private var _convexPoints:Vector.<Number>;
+        private var _snapped:Vector.<Number>;
+        private var _grid:Vector.<Number>;
         private var _triangles:Vector.<int> = new Vector.<int>();
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
@@ -79,6 +82,20 @@ package starlogo.geometry
         public function get points():Vector.<Number>
         {
             return _points;
+        }
+
+        /**
+         * The hull's corners on the grid, x, y, z each, in the same order: off their places by up to
+         * <code>Tolerances.HULL</code> of the extent, but convex to the last digits. For walks along the hull's edges, which the
+         * rounding of coordinates would lead astray where edges are seen end on.
+         */
+        public function get convexPoints():Vector.<Number>
+        {
+            if (_convexPoints == null)
+            {
+                _convexPoints = _snapped == null ? _points : placeOnGrid();
+            }
+            return _convexPoints;
         }
 
         /**
@@ -140,7 +157,8 @@ package starlogo.geometry
                     join(new <int>[corners[0], corners[1]]);
                     break;
                 case 2:
-                    join(PlanarHull.corners(snap(_axes, 2)));
+                    snap(_axes, 2);
+                    join(PlanarHull.corners(_snapped));
                     break;
                 default:
                     mesh(buildMesh(box, corners));
@@ -389,14 +407,15 @@ package starlogo.geometry
             }
             // along the coordinate axes sides that are flat stay flat, but a set that is thin across them would lose precision
             var isThin:Boolean = spanned < Tolerances.HULL_THIN * extents;
-            var snapped:Vector.<Number> = snap(isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1], 3);
-            return new QuickHull(snapped).build(corners[0], corners[1], corners[2], corners[3]);
+            snap(isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1], 3);
+            return new QuickHull(_snapped).build(corners[0], corners[1], corners[2], corners[3]);
         }
 
         // The vertices' coordinates along the first two or all three of these axes, in whole steps of QuickHull's grid.
-        private function snap(axes:Vector.<Number>, dimensions:int):Vector.<Number>
+        private function snap(axes:Vector.<Number>, dimensions:int):void
         {
             var snapped:Vector.<Number> = new Vector.<Number>(dimensions * _count);
+            _grid = new Vector.<Number>();
             for (var axis:int = 0; axis < dimensions; axis++)
             {
                 var axisX:Number = axes[3 * axis];
@@ -427,8 +446,34 @@ package starlogo.geometry
                 {
                     snapped[i] = int((snapped[i] - low) * scale + 0.5);
                 }
+                _grid.push(axisX, axisY, axisZ, low, (high - low) / QuickHull.GRID);
             }
-            return snapped;
+            _snapped = snapped;
+        }
+
+        private function placeOnGrid():Vector.<Number>
+        {
+            var dimensions:int = _grid.length / 5;
+            var placed:Vector.<Number> = new Vector.<Number>(_points.length);
+            // the points of a plane have the same place along its normal
+            var height:Number = dimensions == 2 ? along(2, _indices[0]) : 0;
+            for (var i:int = 0; i < placed.length; i += 3)
+            {
+                var x:Number = height * _axes[6];
+                var y:Number = height * _axes[7];
+                var z:Number = height * _axes[8];
+                for (var axis:int = 0; axis < dimensions; axis++)
+                {
+                    var t:Number = _grid[5 * axis + 3] + _snapped[dimensions * _indices[i / 3] + axis] * _grid[5 * axis + 4];
+                    x += t * _grid[5 * axis];
+                    y += t * _grid[5 * axis + 1];
+                    z += t * _grid[5 * axis + 2];
+                }
+                placed[i] = x;
+                placed[i + 1] = y;
+                placed[i + 2] = z;
+            }
+            return placed;
         }
 
         // A hull without triangles: its corners one after the other, the last joined to the first.

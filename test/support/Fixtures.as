@@ -15,6 +15,20 @@ package support
         private static var sPending:Array;
         private static var sComplete:Function;
 
+        /** The addresses that classes list in their public static FIXTURES. */
+        public static function listOf(classes:Array):Array
+        {
+            var addresses:Array = [];
+            for each (var reader:Class in classes)
+            {
+                if ("FIXTURES" in reader)
+                {
+                    addresses = addresses.concat(reader["FIXTURES"]);
+                }
+            }
+            return addresses;
+        }
+
         /**
          * Loads the files one after the other; one that is not there is left out.
          *

@@ -120,6 +120,30 @@ package starlogo.intersection
             }
         }
 
+        /** A capsule without a radius has no room for rounding where it enters the box. */
+        [Test]
+        public function findsSegmentsThatPierceBoxes():void
+        {
+            var random:SeededRandom = new SeededRandom(29);
+            var structures:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var box:Box = structures.box(1, 3);
+                if (random.chance(0.2))
+                {
+                    box.halfX = 0;
+                }
+                var direction:Vector3D = random.chance(0.2) ? box.axisX : structures.direction();
+                var through:Vector3D = box.center;
+                var before:Number = random.between(0.1, 5);
+                var after:Number = random.between(0.1, 5);
+                var segment:Capsule = new Capsule(
+                        new Vector3D(through.x - before * direction.x, through.y - before * direction.y, through.z - before * direction.z),
+                        new Vector3D(through.x + after * direction.x, through.y + after * direction.y, through.z + after * direction.z), 0);
+                assertTrue("pair " + i, intersects(segment, box));
+            }
+        }
+
         [Test]
         public function touchingCounts():void
         {

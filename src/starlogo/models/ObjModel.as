@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import flash.utils.ByteArray;
+
     /**
      * A model from Wavefront OBJ text.
      *
@@ -28,6 +30,19 @@ package starlogo.models
         {
             var reader:ObjReader = new ObjReader(name, source, upAxis).readAll();
             super(name, reader.vertices, reader.triangles);
+        }
+
+        /**
+         * Reads a model from a file's bytes: text in UTF-8, or in UTF-16 with a byte-order mark.
+         *
+         * @param name what agents call the shape, not empty
+         * @param bytes the whole file; its position is left anywhere
+         * @param upAxis the axis that points up in the file
+         * @throws ModelError as the constructor does
+         */
+        public static function fromBytes(name:String, bytes:ByteArray, upAxis:String = "z"):ObjModel
+        {
+            return new ObjModel(name, ModelFile.text(name, bytes), upAxis);
         }
     }
 }

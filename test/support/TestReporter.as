@@ -24,6 +24,7 @@ package support
         private var _testStart:int;
         private var _lastProgress:int;
         private var _failures:Dictionary = new Dictionary();
+        private var _skippedTests:Dictionary = new Dictionary();
         private var _suites:XML = <testsuites/>;
 
         override public function testRunStarted(description:IDescription):void
@@ -59,10 +60,21 @@ package support
             }
         }
 
+        override public function testAssumptionFailure(failure:Failure):void
+        {
+            trace("skipped " + readableName(failure.description) + ": " + failure.message);
+            _skipped++;
+            _skippedTests[failure.description.displayName] = true;
+        }
+
         override public function testFinished(description:IDescription):void
         {
             _finished++;
-            record(description, getTimer() - _testStart);
+            var test:XML = record(description, getTimer() - _testStart);
+            if (_skippedTests[description.displayName])
+            {
+                test.appendChild(<skipped/>);
+            }
         }
 
         override public function testIgnored(description:IDescription):void

@@ -115,6 +115,10 @@ package starlogo.models
                 var number:Number = Number(all[i]);
                 if (number - number != 0)
                 {
+                    number = Words.toNumber(all[i]);
+                }
+                if (number - number != 0)
+                {
                     throw error(element, "expected finite numbers, but found \"" + Words.shorten(all[i]) + "\"");
                 }
                 result[i] = number;

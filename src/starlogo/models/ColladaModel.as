@@ -9,7 +9,8 @@ package starlogo.models
      * place (directly, through nodes of a library, or through controllers: a skin at rest, where its bind shape matrix puts
      * it, and a morph as its base), and of these every primitive with a surface: triangles, polylist, polygons with holes,
      * tristrips and trifans. A document without a scene gives all geometries of its library. The axis that points up is
-     * turned to z. Elements are known by their names, in any namespace or none. The unit plays no part, since a model is
+     * turned to z. Elements are known by their names, in any namespace or none;
+     * numbers may have a decimal comma. The unit plays no part, since a model is
      * scaled anyway; nor do materials, lights, cameras, animations, splines and solids.</p>
      *
      * <p>Where there are surfaces, points that none of them uses are left out; where there are none, the points of the

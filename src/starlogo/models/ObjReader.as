@@ -186,8 +186,8 @@ package starlogo.models
             var words:Array = restOfStatement();
             for (var i:int = 0; i < 3; i++)
             {
-                var coordinate:Number = Number(words[i]);
-                if (i >= words.length || coordinate - coordinate != 0)
+                var coordinate:Number = i < words.length ? Words.toNumber(words[i]) : NaN;
+                if (coordinate - coordinate != 0)
                 {
                     throw error("expected a vertex, three finite numbers, but found \"v " + Words.shorten(words.join(" ")) + "\"", line);
                 }

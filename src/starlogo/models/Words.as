@@ -35,6 +35,17 @@ package starlogo.models
             return text.indexOf(piece) < 0 ? text : text.split(piece).join(replacement);
         }
 
+        /**
+         * The number that a word is, or NaN. A decimal comma is understood: programs write it that leave number formats
+         * to the system's language.
+         */
+        internal static function toNumber(word:String):Number
+        {
+            var number:Number = Number(word);
+            var isPlain:Boolean = number == number || word.indexOf(",") < 0 || word.indexOf(".") >= 0;
+            return isPlain ? number : Number(word.replace(",", "."));
+        }
+
         /** A text's beginning, for messages. */
         internal static function shorten(text:String):String
         {

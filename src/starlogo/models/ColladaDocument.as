@@ -112,18 +112,20 @@ package starlogo.models
             var result:Vector.<Number> = new Vector.<Number>(length);
             for (var i:int = 0; i < length; i++)
             {
-                var number:Number = Number(all[i]);
-                if (number - number != 0)
-                {
-                    number = Words.toNumber(all[i]);
-                }
-                if (number - number != 0)
-                {
-                    throw error(element, "expected finite numbers, but found \"" + Words.shorten(all[i]) + "\"");
-                }
-                result[i] = number;
+                result[i] = toNumber(element, all[i]);
             }
             return result;
+        }
+
+        /** The finite number that a word of an element's text is. */
+        public function toNumber(element:XML, word:String):Number
+        {
+            var number:Number = Words.toNumber(word);
+            if (number - number != 0)
+            {
+                throw error(element, "expected finite numbers, but found \"" + Words.shorten(word) + "\"");
+            }
+            return number;
         }
 
         /**

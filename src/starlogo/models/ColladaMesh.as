@@ -6,8 +6,10 @@ package starlogo.models
         private var _document:ColladaDocument;
         private var _mesh:XML;
         private var _primitives:Array = [];
+        private var _source:ColladaSource = null;
         private var _reading:ColladaPrimitive = null;
         private var _positions:Object = {};
+        private var _hasPositions:Boolean = false;
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
@@ -61,13 +63,21 @@ package starlogo.models
             {
                 return false;
             }
-            if (_reading != null)
+            if (_source != null)
+            {
+                _source = _source.step() ? _source : null;
+            }
+            else if (_reading != null)
             {
                 _reading = _reading.step() ? _reading : null;
             }
             else if (_primitives.length > 0)
             {
                 _reading = primitive(_primitives.shift());
+            }
+            else if (!_hasPositions)
+            {
+                addPoints();
             }
             else
             {
@@ -101,20 +111,17 @@ package starlogo.models
             throw _document.error(vertices, "expected an <input> with the semantic POSITION");
         }
 
-        /** Reads a source's points, once. */
+        /** A source's points, which are read in the next steps; once, however many primitives have them. */
         private function positionsOf(source:XML):ColladaPositions
         {
             var key:String = "#" + source.@id; // an id may be the name of a property that each Object has
             if (_positions[key] == null)
             {
-                var points:Vector.<Number> = ColladaSource.points(_document, source);
-                _positions[key] = new ColladaPositions(_vertices.length / 3, points.length / 3);
-                var at:int = _vertices.length;
-                for (var i:int = 0; i < points.length; i++)
-                {
-                    _vertices[at++] = points[i];
-                }
-                _isUsed.length = at / 3;
+                var first:int = _vertices.length / 3;
+                _source = new ColladaSource(_document, source, _vertices);
+                _positions[key] = new ColladaPositions(first, _source.count);
+                _isUsed.length = first + _source.count;
+                _hasPositions = true;
             }
             return _positions[key];
         }
@@ -125,21 +132,18 @@ package starlogo.models
             {
                 VertexFilter.keepUsed(_vertices, _triangles, _isUsed);
             }
-            else if (_mesh != null && _vertices.length == 0)
-            {
-                addPoints();
-            }
             _isRead = true;
         }
 
         /** The points of a geometry without surfaces. */
         private function addPoints():void
         {
-            var element:XML = ColladaDocument.child(_mesh, "vertices");
+            var element:XML = _mesh == null ? null : ColladaDocument.child(_mesh, "vertices");
             if (element != null)
             {
                 positionsOf(sourceOfVertices(element));
             }
+            _hasPositions = true;
         }
     }
 }

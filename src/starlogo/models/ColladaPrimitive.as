@@ -5,7 +5,7 @@ package starlogo.models
      */
     internal final class ColladaPrimitive
     {
-        private static const CORNERS_PER_STEP:int = 3000;
+        private static const CORNERS_PER_STEP:int = 1500;
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 

@@ -13,6 +13,7 @@ package starlogo.models
         private var _source:String;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
+        private var _isWalking:Boolean = true;
         private var _instance:int = 0;
         private var _meshes:Object = {};
         private var _mesh:ColladaMesh = null;
@@ -76,7 +77,11 @@ package starlogo.models
             {
                 _scene = new ColladaScene(_document);
             }
-            else if (!_scene.step())
+            else if (_isWalking)
+            {
+                _isWalking = _scene.step();
+            }
+            else
             {
                 readInstances();
             }
@@ -95,7 +100,7 @@ package starlogo.models
             {
                 _mesh = meshOf(instance.geometry);
             }
-            if (!_mesh.step())
+            else if (!_mesh.step())
             {
                 place(_mesh, instance);
                 _mesh = null;

@@ -1,59 +1,91 @@
 package starlogo.models
 {
-    /** The points of a COLLADA source: its array, seen through its accessor. */
+    /** Reads the points of a COLLADA source, its array as its accessor sees it, in small steps. */
     internal final class ColladaSource
     {
-        /** All is static. */
-        public function ColladaSource()
+        private static const POINTS_PER_STEP:int = 2000;
+
+        private var _document:ColladaDocument;
+        private var _array:XML;
+        private var _words:Array;
+        private var _columns:Vector.<int>;
+        private var _stride:int;
+        private var _word:int;
+        private var _count:int;
+        private var _points:Vector.<Number>;
+        private var _at:int;
+
+        /**
+         * @param document the document
+         * @param source the element
+         * @param points where its points go, after those that are there: x, y, z, ...
+         */
+        public function ColladaSource(document:ColladaDocument, source:XML, points:Vector.<Number>)
         {
+            _document = document;
+            _points = points;
+            var accessor:XML = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
+            _array = document.target(accessor, "source", ["float_array", "int_array"], source);
+            _words = ColladaDocument.words(_array);
+            document.checkCount(_array, _words.length, "numbers");
+            readAccessor(accessor);
+            _at = points.length;
+            points.length += 3 * _count;
+        }
+
+        /** How many points it has. */
+        public function get count():int
+        {
+            return _count;
         }
 
         /**
-         * Reads a source.
+         * Reads on.
          *
-         * @return x, y, z, ...
+         * @return whether there is more to read
          */
-        internal static function points(document:ColladaDocument, source:XML):Vector.<Number>
+        public function step():Boolean
         {
-            var technique:XML = document.requiredChild(source, "technique_common");
-            var accessor:XML = document.requiredChild(technique, "accessor");
-            var array:XML = document.target(accessor, "source", ["float_array", "int_array"], source);
-            var numbers:Vector.<Number> = document.numbers(array);
-            document.checkCount(array, numbers.length, "numbers");
-
-            var stride:Number = document.integer(accessor, "stride", 1);
-            var columns:Vector.<int> = columnsOf(document, accessor, stride);
-            var offset:Number = document.integer(accessor, "offset", 0);
-            var count:Number = document.integer(accessor, "count", Math.max(0, Math.floor((numbers.length - offset) / stride)));
-            var last:Number = offset + stride * (count - 1) + Math.max(columns[0], columns[1], columns[2]);
-            if (count > 0 && last >= numbers.length)
+            var x:int = _columns[0];
+            var y:int = _columns[1];
+            var z:int = _columns[2];
+            var end:int = Math.min(_points.length, _at + 3 * POINTS_PER_STEP);
+            while (_at < end)
             {
-                throw document.error(accessor, "its count of " + count + " with a stride of " + stride + " reaches beyond the " +
-                        numbers.length + " numbers of its array");
+                _points[_at++] = numberAt(_word + x);
+                _points[_at++] = numberAt(_word + y);
+                _points[_at++] = numberAt(_word + z);
+                _word += _stride;
             }
-            return isPlain(columns, stride, offset, 3 * count == numbers.length) ? numbers : pick(numbers, columns, stride, offset, count);
+            return _at < _points.length;
         }
 
-        private static function isPlain(columns:Vector.<int>, stride:int, offset:int, isWhole:Boolean):Boolean
+        private function numberAt(word:int):Number
         {
-            return isWhole && stride == 3 && offset == 0 && columns[0] == 0 && columns[1] == 1 && columns[2] == 2;
+            var number:Number = Number(_words[word]);
+            return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
         }
 
-        private static function pick(numbers:Vector.<Number>, columns:Vector.<int>, stride:int, offset:int, count:int):Vector.<Number>
+        private function readAccessor(accessor:XML):void
         {
-            var points:Vector.<Number> = new Vector.<Number>(3 * count);
-            for (var i:int = 0; i < points.length; i += 3)
+            var length:int = _words.length;
+            var stride:Number = _document.integer(accessor, "stride", 1);
+            var offset:Number = _document.integer(accessor, "offset", 0);
+            _columns = columnsOf(accessor, stride);
+            var wanted:Number = _document.integer(accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
+            var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
+            if (wanted > 0 && last >= length)
             {
-                points[i] = numbers[offset + columns[0]];
-                points[i + 1] = numbers[offset + columns[1]];
-                points[i + 2] = numbers[offset + columns[2]];
-                offset += stride;
+                throw _document.error(accessor, "its count of " + wanted + " with a stride of " + stride + " reaches beyond the " +
+                        length + " numbers of its array");
             }
-            return points;
+            _stride = stride;
+            _word = offset;
+            _count = wanted;
         }
 
         /** Which of an accessor's parameters are x, y and z: by their names, else the first three. */
-        private static function columnsOf(document:ColladaDocument, accessor:XML, stride:Number):Vector.<int>
+        private function columnsOf(accessor:XML, stride:Number):Vector.<int>
         {
             var names:Array = [];
             for each (var param:XML in ColladaDocument.children(accessor, "param"))
@@ -67,7 +99,7 @@ package starlogo.models
             }
             if (names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride)
             {
-                throw document.error(accessor, "expected the parameters X, Y and Z of points, within its stride of " + stride);
+                throw _document.error(accessor, "expected the parameters X, Y and Z of points, within its stride of " + stride);
             }
             return columns;
         }

@@ -83,7 +83,8 @@ package starlogo.models
                 throw new ModelError(_name, "", "vertices have three coordinates each, but there are " + vertices.length +
                         " numbers in all");
             }
-            for (var i:int = 0; i < vertices.length; i++)
+            var length:int = vertices.length;
+            for (var i:int = 0; i < length; i++)
             {
                 var coordinate:Number = vertices[i];
                 if (coordinate - coordinate != 0)
@@ -102,7 +103,8 @@ package starlogo.models
                 throw new ModelError(_name, "", "triangles have three vertices each, but there are " + triangles.length +
                         " indices in all");
             }
-            for (var i:int = 0; i < triangles.length; i++)
+            var length:int = triangles.length;
+            for (var i:int = 0; i < length; i++)
             {
                 if (triangles[i] >= vertexCount)
                 {

@@ -27,6 +27,7 @@ package starlogo.models
         private var _bytes:ByteArray = null;
         private var _text:String = null;
         private var _reader:IModelReader = null;
+        private var _isReading:Boolean = true;
         private var _model:Model = null;
         private var _receiving:ISteps = null;
 
@@ -122,9 +123,13 @@ package starlogo.models
             {
                 _reader = isCollada ? new ColladaReader(_name, _text) : new ObjReader(_name, _text, _upAxis);
             }
+            else if (_isReading)
+            {
+                _isReading = _reader.step();
+            }
             else if (_model == null)
             {
-                readOn();
+                _model = new Model(_name, _reader.vertices, _reader.triangles);
             }
             else if (_receiving == null)
             {
@@ -135,14 +140,6 @@ package starlogo.models
                 return _receiving.step();
             }
             return true;
-        }
-
-        private function readOn():void
-        {
-            if (!_reader.step())
-            {
-                _model = new Model(_name, _reader.vertices, _reader.triangles);
-            }
         }
 
         private function get isArchive():Boolean

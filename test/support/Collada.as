@@ -12,14 +12,16 @@ package support
         /** A document with libraries, and other things after them. */
         public static function document(libraries:String, rest:String = "", asset:String = ""):String
         {
-            return '<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>' + asset + '</asset>' +
+            return '<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>' + asset +
+                '</asset>' +
                 libraries + rest + '</COLLADA>';
         }
 
         /** A document with libraries and the nodes of a scene, z up. */
         public static function scene(libraries:String, nodes:String):String
         {
-            return document(libraries, '<library_visual_scenes><visual_scene id="s">' + nodes + '</visual_scene></library_visual_scenes>' +
+            return document(libraries, '<library_visual_scenes><visual_scene id="s">' + nodes +
+                    '</visual_scene></library_visual_scenes>' +
                     '<scene><instance_visual_scene url="#s"/></scene>', Z_UP);
         }
 
@@ -27,7 +29,8 @@ package support
         public static function geometry(id:String, points:String, primitives:String):String
         {
             var count:int = points.replace(/<[^>]*>/g, "").match(/\S+/g).length;
-            return '<library_geometries><geometry id="' + id + '"><mesh><source id="p"><float_array id="f" count="' + count + '">' + points +
+            return '<library_geometries><geometry id="' + id + '"><mesh><source id="p"><float_array id="f" count="' +
+                count + '">' + points +
                 '</float_array><technique_common><accessor source="#f" count="' + count / 3 + '" stride="3">' +
                 '<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>' +
                 '</accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>' + primitives +
@@ -37,13 +40,15 @@ package support
         /** Triangles of these corners. */
         public static function triangles(corners:String):String
         {
-            return '<triangles count="' + corners.split(" ").length / 3 + '">' + INPUT + '<p>' + corners + '</p></triangles>';
+            return '<triangles count="' + corners.split(" ").length / 3 + '">' + INPUT + '<p>' + corners +
+                '</p></triangles>';
         }
 
         /** Polygons of so many corners each. */
         public static function polylist(sizes:String, corners:String):String
         {
-            return '<polylist count="' + sizes.match(/\S+/g).length + '">' + INPUT + '<vcount>' + sizes + '</vcount><p>' + corners +
+            return '<polylist count="' + sizes.match(/\S+/g).length + '">' + INPUT + '<vcount>' + sizes +
+                '</vcount><p>' + corners +
                 '</p></polylist>';
         }
     }

@@ -5,9 +5,12 @@ package support
     /** Damages files the way disks, networks and hands do. */
     public final class Mutations
     {
-        private static const NUMBERS:Array = ["nan", "NaN", "inf", "-inf", "1e308", "-1e308", "1e999", "5e-324", "-1", "0", "1", "-0", "1e9",
-                "999999999", "2147483647", "2147483648", "4294967295", "4294967296", "1e20", "0.5", "1,5", "0x10", "", "1e", "x", "#", "#a"];
-        private static const PIECES:Array = ["<", ">", "/>", "</", "&", "\"", "'", "\\", "\\\n", "\n", "\r", " ", "#", "/", "//", "-", "<!--", "]]>",
+        private static const NUMBERS:Array = ["nan", "NaN", "inf", "-inf", "1e308", "-1e308", "1e999", "5e-324",
+                "-1", "0", "1", "-0", "1e9",
+                "999999999", "2147483647", "2147483648", "4294967295", "4294967296", "1e20", "0.5", "1,5", "0x10",
+                "", "1e", "x", "#", "#a"];
+        private static const PIECES:Array = ["<", ">", "/>", "</", "&", "\"", "'", "\\", "\\\n", "\n", "\r", " ",
+                "#", "/", "//", "-", "<!--", "]]>",
                 "<node>", "</node>", "<p>", "f 1 1 1\n", "v 1 1 1\n", "\u0000", "\uFFFF", "\uE000", "\uFEFF"];
 
         /** The text with one to three damages. */

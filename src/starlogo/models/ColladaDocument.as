@@ -22,7 +22,8 @@ package starlogo.models
             _root = parse(source);
             if (_root.localName() != "COLLADA")
             {
-                throw new ModelError(name, "", "expected a COLLADA document, but its root element is <" + _root.localName() + ">");
+                throw new ModelError(name, "", "expected a COLLADA document, but its root element is <" +
+                        _root.localName() + ">");
             }
         }
 
@@ -69,7 +70,8 @@ package starlogo.models
             var url:String = element.attribute(attribute).toString();
             if (url.charAt(0) != "#")
             {
-                throw error(element, "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
+                throw error(element, "expected a " + attribute +
+                        " like \"#id\", of an element in this file, but found \"" +
                         Words.shorten(url) + "\"");
             }
             var id:String = url.substr(1);
@@ -150,7 +152,8 @@ package starlogo.models
         {
             if (integer(element, "count", counted) != counted)
             {
-                throw error(element, "its count is " + Words.shorten(element.@count) + ", but it has " + counted + " " + what);
+                throw error(element, "its count is " + Words.shorten(element.@count) + ", but it has " + counted +
+                        " " + what);
             }
         }
 

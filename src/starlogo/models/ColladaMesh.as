@@ -88,7 +88,8 @@ package starlogo.models
 
         private function primitive(element:XML):ColladaPrimitive
         {
-            var positions:ColladaPositions = positionsOf(positionSource(ColladaPrimitive.positionInput(_document, element)));
+            var positions:ColladaPositions = positionsOf(positionSource(ColladaPrimitive.positionInput(_document,
+                            element)));
             return new ColladaPrimitive(_document, element, positions, _isUsed, _triangles, _triangulator);
         }
 

@@ -131,7 +131,8 @@ package starlogo.models
                     _words = allWords();
                     if (cornersIn(_words) % 3 != 0)
                     {
-                        throw _document.error(_element, "expected three corners for each triangle, but found " + cornersIn(_words));
+                        throw _document.error(_element, "expected three corners for each triangle, but found " +
+                                cornersIn(_words));
                     }
                     _document.checkCount(_element, cornersIn(_words) / 3, "triangles");
                     break;
@@ -163,13 +164,15 @@ package starlogo.models
                 var size:Number = Number(word);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
-                    throw _document.error(vcount, "expected how many corners a polygon has, but found \"" + Words.shorten(word) + "\"");
+                    throw _document.error(vcount, "expected how many corners a polygon has, but found \"" +
+                            Words.shorten(word) + "\"");
                 }
                 sum += size;
             }
             if (sum != cornersIn(_words))
             {
-                throw _document.error(_element, "its <vcount> adds up to " + sum + " corners, but <p> has " + cornersIn(_words));
+                throw _document.error(_element, "its <vcount> adds up to " + sum + " corners, but <p> has " +
+                        cornersIn(_words));
             }
         }
 
@@ -191,7 +194,8 @@ package starlogo.models
         {
             if (words.length % _stride != 0)
             {
-                throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " + words.length +
+                throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " +
+                        words.length +
                         " in all");
             }
             return words.length / _stride;
@@ -298,7 +302,8 @@ package starlogo.models
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positionCount)
             {
-                throw _document.error(_element, "expected a position's index, 0 to " + (_positionCount - 1) + ", but found \"" +
+                throw _document.error(_element, "expected a position's index, 0 to " + (_positionCount - 1) +
+                        ", but found \"" +
                         Words.shorten(_words[word + _offset]) + "\"");
             }
             index += _firstPosition;

@@ -123,10 +123,12 @@ package starlogo.models
         {
             var points:Vector.<Number> = mesh.hasSurfaces ? _vertices : _loosePoints;
             var first:int = points.length / 3;
-            if (first + mesh.vertices.length / 3 > MAX_VERTICES || (_triangles.length + mesh.triangles.length) / 3 > MAX_TRIANGLES)
+            var vertexCount:int = first + mesh.vertices.length / 3;
+            var triangleCount:int = (_triangles.length + mesh.triangles.length) / 3;
+            if (vertexCount > MAX_VERTICES || triangleCount > MAX_TRIANGLES)
             {
-                throw _document.error(instance.element, "the scene has more than " + MAX_VERTICES + " vertices or " + MAX_TRIANGLES +
-                        " triangles");
+                throw _document.error(instance.element, "the scene has more than " + MAX_VERTICES + " vertices or " +
+                        MAX_TRIANGLES + " triangles");
             }
             if (!instance.transform.addPoints(mesh.vertices, points))
             {
@@ -185,7 +187,8 @@ package starlogo.models
                 case "Z_UP":
                     return UpAxis.Z;
                 default:
-                    throw _document.error(element, "expected X_UP, Y_UP or Z_UP, but found \"" + Words.shorten(text) + "\"");
+                    throw _document.error(element, "expected X_UP, Y_UP or Z_UP, but found \"" +
+                            Words.shorten(text) + "\"");
             }
         }
     }

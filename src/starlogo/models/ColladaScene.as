@@ -103,7 +103,8 @@ package starlogo.models
         {
             if (++_visited > MAX_NODES)
             {
-                throw _document.error(node.element, "the scene has more than " + MAX_NODES + " nodes, those of each instance_node counted");
+                throw _document.error(node.element, "the scene has more than " + MAX_NODES +
+                        " nodes, those of each instance_node counted");
             }
             if (node.depth > MAX_DEPTH)
             {
@@ -116,7 +117,8 @@ package starlogo.models
             var target:XML = _document.target(element, "url", ["node"]);
             if (node.isWithin(target.@id))
             {
-                throw _document.error(element, "recursive instance_node: it places the node \"" + Words.shorten(target.@id) +
+                throw _document.error(element, "recursive instance_node: it places the node \"" +
+                        Words.shorten(target.@id) +
                         "\" within itself");
             }
             return target;

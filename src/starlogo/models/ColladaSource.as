@@ -76,7 +76,8 @@ package starlogo.models
             var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
             if (wanted > 0 && last >= length)
             {
-                throw _document.error(accessor, "its count of " + wanted + " with a stride of " + stride + " reaches beyond the " +
+                throw _document.error(accessor, "its count of " + wanted + " with a stride of " + stride +
+                        " reaches beyond the " +
                         length + " numbers of its array");
             }
             _stride = stride;
@@ -99,7 +100,8 @@ package starlogo.models
             }
             if (names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride)
             {
-                throw _document.error(accessor, "expected the parameters X, Y and Z of points, within its stride of " + stride);
+                throw _document.error(accessor,
+                        "expected the parameters X, Y and Z of points, within its stride of " + stride);
             }
             return columns;
         }

@@ -174,7 +174,8 @@ package starlogo.models
             var turning:Vector.<Number> = normalise(v.slice(1, 4));
             var shift:Vector.<Number> = normalise(v.slice(4, 7));
             var along:Number = dot(turning, shift);
-            var across:Vector.<Number> = normalise(new <Number>[turning[0] - along * shift[0], turning[1] - along * shift[1],
+            var across:Vector.<Number> = normalise(new <Number>[turning[0] - along * shift[0],
+                        turning[1] - along * shift[1],
                         turning[2] - along * shift[2]]);
             var height:Number = dot(turning, across);
             var angle:Number = v[0] * Math.PI / 180;
@@ -183,7 +184,8 @@ package starlogo.models
             var turnedAlong:Number = height * Math.sin(angle) + along * Math.cos(angle);
             if (!(height > 1e-9 && turnedHeight > 1e-9))
             {
-                throw document.error(element, "expected two axes apart and an angle that leaves the first on its side of the second");
+                throw document.error(element,
+                        "expected two axes apart and an angle that leaves the first on its side of the second");
             }
             var amount:Number = turnedAlong / turnedHeight - along / height;
             var rows:Vector.<Number> = new Vector.<Number>(12);

@@ -4,8 +4,8 @@ package starlogo.models
     public interface IModelReceiver
     {
         /**
-         * Begins to take in a model. Nothing of it may be visible to the game before the last step is done: a load may be
-         * cancelled between any two.
+         * Begins to take in a model. Nothing of it may be visible to the game before the last step is done: a load
+         * may be cancelled between any two.
          *
          * @return the work that it takes, not begun yet
          */

@@ -9,6 +9,7 @@ package starlogo.models
         private static const UTF_16_LOW_FIRST:String = "unicode";
         private static const UTF_16_HIGH_FIRST:String = "unicodeFFFE";
         private static const HEAD_LENGTH:int = 1024;
+        private static const DECLARATION_LENGTH:int = 100;
 
         /** All is static. */
         public function ModelFile()
@@ -32,7 +33,8 @@ package starlogo.models
                 checkText(name, bytes);
             }
             bytes.position = 0;
-            var text:String = encoding == UTF_8 ? bytes.readUTFBytes(bytes.length) : bytes.readMultiByte(bytes.length, encoding);
+            var length:int = bytes.length;
+            var text:String = encoding == UTF_8 ? bytes.readUTFBytes(length) : bytes.readMultiByte(length, encoding);
             return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
         }
 
@@ -76,18 +78,19 @@ package starlogo.models
         {
             if (bytes.length >= 2)
             {
-                var start:int = bytes[0] << 8 | bytes[1];
-                if (start == 0xFFFE || start == 0x3C00) // a byte-order mark, or a "<" without one
+                var mark:int = bytes[0] << 8 | bytes[1];
+                if (mark == 0xFFFE || mark == 0x3C00) // a byte-order mark, or a "<" without one
                 {
                     return UTF_16_LOW_FIRST;
                 }
-                if (start == 0xFEFF || start == 0x003C)
+                if (mark == 0xFEFF || mark == 0x003C)
                 {
                     return UTF_16_HIGH_FIRST;
                 }
             }
             bytes.position = 0;
-            var declaration:Array = bytes.readUTFBytes(Math.min(bytes.length, 100)).match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
+            var start:String = bytes.readUTFBytes(Math.min(bytes.length, DECLARATION_LENGTH));
+            var declaration:Array = start.match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
             return declaration == null ? UTF_8 : declaration[1].toLowerCase();
         }
 

@@ -12,7 +12,8 @@ package starlogo.models
     [Event(name="modelLoaded", type="starlogo.models.ModelEvent")]
 
     /**
-     * A model can't be loaded: the text names it and says why. The others go on. @eventType flash.events.ErrorEvent.ERROR
+     * A model can't be loaded: the text names it and says why. The others go on. @eventType
+     * flash.events.ErrorEvent.ERROR
      */
     [Event(name="error", type="flash.events.ErrorEvent")]
 
@@ -219,7 +220,19 @@ package starlogo.models
             {
                 _queue.splice(place, 1);
                 _doneCount++;
-                dispatchEvent(problem == null ? new ModelEvent(ModelEvent.LOADED, load.model) : new ErrorEvent(ErrorEvent.ERROR, false, false, problem));
+                tell(load, problem);
+            }
+        }
+
+        private function tell(load:ModelLoad, problem:String):void
+        {
+            if (problem == null)
+            {
+                dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
+            }
+            else
+            {
+                dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem));
             }
         }
 
@@ -234,7 +247,8 @@ package starlogo.models
             {
                 done += pending.progress;
             }
-            dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), 100 * (_doneCount + _queue.length)));
+            var total:Number = 100 * (_doneCount + _queue.length);
+            dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
             if (_queue.length == 0 && _frames.hasEventListener(Event.ENTER_FRAME))
             {
                 rest();

@@ -8,12 +8,13 @@ package starlogo.models
      * <p>Read are vertices (<code>v</code>; a weight or colours after the coordinates are passed over) and faces
      * (<code>f</code>, in each of the forms <code>1</code>, <code>1/2</code>, <code>1//3</code>, <code>1/2/3</code>,
      * counted from the first vertex or, negative, back from the latest one), in any order; all groups and objects
-     * together make the model. Polygons may be concave. Comments, continued lines, any line ends, tabs, a
-     * byte-order mark and decimal commas are understood. Everything else (texture coordinates, normals, materials, lines, points, curves,
-     * faces of fewer than three corners) has no part in collisions and is passed over.</p>
+     * together make the model. Polygons may be concave. Comments, continued lines, any line ends, tabs, a byte-order
+     * mark and decimal commas are understood. Everything else (texture coordinates, normals, materials, lines,
+     * points, curves, faces of fewer than three corners) has no part in collisions and is passed over.</p>
      *
-     * <p>Where a file has faces, vertices that no face uses are left out; where it has none, all vertices make a model
-     * without triangles. Cost: linear in the text, and for concave polygons up to quadratic in their corners.</p>
+     * <p>Where a file has faces, vertices that no face uses are left out; where it has none, all vertices make a
+     * model without triangles. Cost: linear in the text, and for concave polygons up to quadratic in their
+     * corners.</p>
      */
     public class ObjModel extends Model
     {

@@ -106,7 +106,9 @@ package starlogo.models
             return this;
         }
 
-        /** Splitting is native and cheap: so the text is made into words that one space divides, END after each line. */
+        /**
+         * Splitting is native and cheap: so the text is made into words that one space divides, END after each line.
+         */
         private static function wordsOf(source:String):Array
         {
             var text:String = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
@@ -189,7 +191,8 @@ package starlogo.models
                 var coordinate:Number = i < words.length ? Words.toNumber(words[i]) : NaN;
                 if (coordinate - coordinate != 0)
                 {
-                    throw error("expected a vertex, three finite numbers, but found \"v " + Words.shorten(words.join(" ")) + "\"", line);
+                    throw error("expected a vertex, three finite numbers, but found \"v " +
+                            Words.shorten(words.join(" ")) + "\"", line);
                 }
                 _vertices.push(coordinate);
             }

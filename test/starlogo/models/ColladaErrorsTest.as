@@ -53,7 +53,8 @@ package starlogo.models
             mesh("/triangles", "found \"-1\"", POINTS, Collada.triangles("0 1 -1"));
             mesh("/triangles", "found \"0.5\"", POINTS, Collada.triangles("0 1 0.5"));
             mesh("/triangles", "found \"x\"", POINTS, Collada.triangles("0 1 x"));
-            mesh("/triangles[2]", "three corners", POINTS, TRIANGLES + Collada.triangles("0 1").replace(/count="[^"]*"/, ""));
+            mesh("/triangles[2]", "three corners", POINTS, TRIANGLES +
+                    Collada.triangles("0 1").replace(/count="[^"]*"/, ""));
             mesh("/triangles", "count is 1000000000", POINTS, TRIANGLES.replace('"1"', '"1000000000"'));
             mesh("/triangles", "semantic VERTEX", POINTS, TRIANGLES.replace("VERTEX", "NORMAL"));
             mesh("/triangles", "2 indices for each corner", POINTS, TRIANGLES.replace('"0"', '"1"'));
@@ -65,7 +66,8 @@ package starlogo.models
             mesh("/polylist", "adds up to 4", POINTS, Collada.polylist("2 2", "0 1 2"));
             mesh("/polylist", "count is 2", POINTS, Collada.polylist("3", "0 1 2").replace('"1"', '"2"'));
             mesh("/polygons", "found \"9\"", POINTS, '<polygons count="1">' + Collada.INPUT + "<p>0 1 9</p></polygons>");
-            mesh("/polygons/ph", "expected a <p>", POINTS, '<polygons count="1">' + Collada.INPUT + "<ph><h>0 1 2</h></ph></polygons>");
+            mesh("/polygons/ph", "expected a <p>", POINTS, '<polygons count="1">' + Collada.INPUT +
+                    "<ph><h>0 1 2</h></ph></polygons>");
             mesh("/trifans", "count is 3", POINTS, '<trifans count="3">' + Collada.INPUT + "<p>0 1 2</p></trifans>");
         }
 
@@ -73,8 +75,10 @@ package starlogo.models
         public function brokenScenes():void
         {
             const LIBRARY:String = Collada.geometry("a", POINTS, Collada.triangles("0 1 2"));
-            scene("node#n/instance_geometry", "no <geometry> with the id \"b\"", '<node id="n"><instance_geometry url="#b"/></node>');
-            scene("node/instance_geometry", "of an element in this file, but found \"other.dae#a\"", '<node><instance_geometry url="other.dae#a"/></node>');
+            scene("node#n/instance_geometry", "no <geometry> with the id \"b\"",
+                    '<node id="n"><instance_geometry url="#b"/></node>');
+            scene("node/instance_geometry", "of an element in this file, but found \"other.dae#a\"",
+                    '<node><instance_geometry url="other.dae#a"/></node>');
             scene("node/instance_node", "no <node>", '<node><instance_node/></node>'.replace("/>", ' url="#x"/>'));
             scene("node/matrix", "expected 16 numbers, but found 3", "<node><matrix>1 0 0</matrix></node>");
             scene("node[2]/matrix", "last row", "<node/><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1</matrix></node>");
@@ -82,8 +86,10 @@ package starlogo.models
             scene("node/lookat", "two points apart", "<node><lookat>1 1 1 1 1 1 0 0 1</lookat></node>");
             scene("node/lookat", "two points apart", "<node><lookat>1 1 1 1 1 2 0 0 1</lookat></node>");
             scene("node/skew", "two axes apart", "<node><skew>10 0 0 1 0 0 1</skew></node>");
-            scene("node#n/instance_geometry", "too large", '<node id="n"><scale>1e308 1 1</scale><scale>1e308 1 1</scale><instance_geometry url="#a"/></node>');
-            fails("scene/instance_visual_scene", "no <visual_scene>", Collada.scene(LIBRARY, NODE).replace("url=\"#s\"", "url=\"#t\""));
+            scene("node#n/instance_geometry", "too large",
+                    '<node id="n"><scale>1e308 1 1</scale><scale>1e308 1 1</scale><instance_geometry url="#a"/></node>');
+            fails("scene/instance_visual_scene", "no <visual_scene>", Collada.scene(LIBRARY,
+                        NODE).replace("url=\"#s\"", "url=\"#t\""));
             fails("asset/up_axis", "X_UP, Y_UP or Z_UP", Collada.document(LIBRARY, "", "<up_axis>UP</up_axis>"));
             Failures.assertFails("", "name", function():void
                 {
@@ -94,10 +100,14 @@ package starlogo.models
         [Test]
         public function circles():void
         {
-            scene("node#n/node/instance_node", "recursive instance_node", '<node id="n"><node><instance_node url="#n"/></node></node>');
-            fails("library_nodes/node#y/instance_node", "recursive instance_node", Collada.scene('<library_nodes><node id="x"><instance_node url="#y"/></node>' +
-                        '<node id="y"><instance_node url="#x"/></node></library_nodes>', '<node><instance_node url="#x"/></node>'));
-            fails("library_visual_scenes/visual_scene#s/node/instance_controller", "circle", Collada.scene('<library_controllers><controller id="c">' +
+            scene("node#n/node/instance_node", "recursive instance_node",
+                    '<node id="n"><node><instance_node url="#n"/></node></node>');
+            fails("library_nodes/node#y/instance_node", "recursive instance_node",
+                    Collada.scene('<library_nodes><node id="x"><instance_node url="#y"/></node>' +
+                        '<node id="y"><instance_node url="#x"/></node></library_nodes>',
+                        '<node><instance_node url="#x"/></node>'));
+            fails("library_visual_scenes/visual_scene#s/node/instance_controller", "circle",
+                    Collada.scene('<library_controllers><controller id="c">' +
                         '<skin source="#d"/></controller><controller id="d"><morph source="#c"/></controller></library_controllers>',
                         '<node><instance_controller url="#c"/></node>'));
         }
@@ -108,11 +118,13 @@ package starlogo.models
             var nodes:String = '<node id="n0"><instance_geometry url="#a"/></node>';
             for (var i:int = 1; i < 40; i++)
             {
-                nodes += '<node id="n' + i + '"><instance_node url="#n' + (i - 1) + '"/><instance_node url="#n' + (i - 1) + '"/></node>';
+                nodes += '<node id="n' + i + '"><instance_node url="#n' + (i - 1) + '"/><instance_node url="#n' +
+                    (i - 1) + '"/></node>';
             }
             var error:ModelError = Failures.of(function():void
                 {
-                    new ColladaModel("a", Collada.scene(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")) + "<library_nodes>" + nodes +
+                    new ColladaModel("a", Collada.scene(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")) +
+                                "<library_nodes>" + nodes +
                                 "</library_nodes>", '<node><instance_node url="#n39"/></node>'));
                 });
             assertTrue(error.message, error.message.indexOf("more than 50000 nodes") >= 0);
@@ -133,17 +145,21 @@ package starlogo.models
             {
                 nodes.push('<instance_geometry url="#a"/>');
             }
-            fails("library_visual_scenes/visual_scene#s/node/instance_geometry[201]", "more than 1000000 vertices", Collada.scene(Collada.geometry("a",
-                            points.join(" "), '<tristrips count="1">' + Collada.INPUT + "<p>" + strip.join(" ") + "</p></tristrips>"), "<node>" +
+            fails("library_visual_scenes/visual_scene#s/node/instance_geometry[201]", "more than 1000000 vertices",
+                    Collada.scene(Collada.geometry("a",
+                            points.join(" "), '<tristrips count="1">' + Collada.INPUT + "<p>" + strip.join(" ") +
+                            "</p></tristrips>"), "<node>" +
                         nodes.join("") + "</node>"));
         }
 
         [Test]
         public function deepNesting():void
         {
-            fails(null, "nested more than 256 deep", Collada.scene(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")),
+            fails(null, "nested more than 256 deep", Collada.scene(Collada.geometry("a", POINTS,
+                            Collada.triangles("0 1 2")),
                         new Array(301).join("<node>") + NODE + new Array(301).join("</node>")));
-            fails("", "no vertices", "<COLLADA>" + new Array(20001).join("<node>") + new Array(20001).join("</node>") + "</COLLADA>");
+            fails("", "no vertices", "<COLLADA>" + new Array(20001).join("<node>") +
+                    new Array(20001).join("</node>") + "</COLLADA>");
         }
 
         [Test]
@@ -160,7 +176,8 @@ package starlogo.models
 
         private static function scene(place:String, words:String, nodes:String):void
         {
-            fails("library_visual_scenes/visual_scene#s/" + place, words, Collada.scene(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")), nodes));
+            fails("library_visual_scenes/visual_scene#s/" + place, words, Collada.scene(Collada.geometry("a", POINTS,
+                            Collada.triangles("0 1 2")), nodes));
         }
 
         private static function mesh(place:String, words:String, points:String, primitives:String):void
@@ -168,7 +185,8 @@ package starlogo.models
             fails(MESH + place, words, Collada.document(Collada.geometry("a", points, primitives)));
         }
 
-        private static function replaced(place:String, words:String, what:String, replacement:String, more:String = ""):void
+        private static function replaced(place:String, words:String, what:String, replacement:String,
+                more:String = ""):void
         {
             const TEXT:String = Collada.document(Collada.geometry("a", POINTS, Collada.triangles("0 1 2")));
             assertTrue(what, TEXT.indexOf(what) >= 0);

@@ -16,7 +16,8 @@ package starlogo.models
         [Test]
         public function readsADocument():void
         {
-            var model:ColladaModel = new ColladaModel("box", Collada.scene(Collada.geometry("a", BOX, Collada.polylist("4 4 4 4 4 4", SIDES)),
+            var model:ColladaModel = new ColladaModel("box", Collada.scene(Collada.geometry("a", BOX,
+                            Collada.polylist("4 4 4 4 4 4", SIDES)),
                         node("")));
             assertEquals("box", model.name);
             assertEquals(24, model.vertices.length);
@@ -32,7 +33,8 @@ package starlogo.models
             assertSize("1,4,2", read(Collada.document(box(), "", "<up_axis>Y_UP</up_axis>")));
             assertSize("2,4,1", read(Collada.document(box(), "", "<up_axis> X_UP </up_axis>")));
             assertSize("1,2,4", read(Collada.document(box(), "", Collada.Z_UP)));
-            var x:Model = new ColladaModel("a", Collada.document(Collada.geometry("g", "0 0 0 2 0 0 0 1 0 0 0 1", Collada.triangles("0 1 2 0 1 3")), "",
+            var x:Model = new ColladaModel("a", Collada.document(Collada.geometry("g", "0 0 0 2 0 0 0 1 0 0 0 1",
+                            Collada.triangles("0 1 2 0 1 3")), "",
                         "<up_axis>X_UP</up_axis>"));
             assertEquals("0.5,0.5,0,0.5,0.5,2,-0.5,0.5,0,0.5,-0.5,0", x.vertices.join());
         }
@@ -79,7 +81,8 @@ package starlogo.models
 
             const PLACED:String = '<library_nodes><node id="n"><translate>3 0 0</translate><instance_geometry url="#a"/>' +
                 '<node id="inner"><translate>0 5 0</translate><instance_geometry url="#a"/></node></node></library_nodes>';
-            model = read(Collada.scene(box() + PLACED, '<node><instance_node url="#n"/><node><scale>2 2 2</scale><instance_node url="#inner"/></node></node>'));
+            model = read(Collada.scene(box() + PLACED,
+                        '<node><instance_node url="#n"/><node><scale>2 2 2</scale><instance_node url="#inner"/></node></node>'));
             assertEquals(3 * 24, model.vertices.length);
             assertSize("4,14,8", model);
         }
@@ -96,14 +99,16 @@ package starlogo.models
         {
             const SKIN:String = '<library_controllers><controller id="c"><skin source="#m"><bind_shape_matrix>3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1' +
                 '</bind_shape_matrix></skin></controller><controller id="m"><morph source="#a"/></controller></library_controllers>';
-            var model:Model = read(Collada.scene(box() + SKIN, '<node><scale>1 3 1</scale><instance_controller url="#c"/></node>'));
+            var model:Model = read(Collada.scene(box() + SKIN,
+                        '<node><scale>1 3 1</scale><instance_controller url="#c"/></node>'));
             assertSize("3,6,4", model);
         }
 
         [Test]
         public function readsTheLibraryWhereThereIsNoScene():void
         {
-            var model:Model = read(Collada.document(box() + Collada.geometry("b", "0 0 0 0 0 8 0 8 0", Collada.triangles("0 1 2")), "", Collada.Z_UP));
+            var model:Model = read(Collada.document(box() + Collada.geometry("b", "0 0 0 0 0 8 0 8 0",
+                            Collada.triangles("0 1 2")), "", Collada.Z_UP));
             assertEquals(24 + 9, model.vertices.length);
             assertSize("1,8,8", model);
         }
@@ -116,11 +121,13 @@ package starlogo.models
             assertArea(16, SQUARE, Collada.polylist("3 3", "0 1 2 0 2 3"));
             assertArea(16, SQUARE, Collada.polylist("4 2 1 0", "0 1 2 3 0 1 2"));
             assertArea(16, SQUARE, '<polygons count="1">' + Collada.INPUT + "<p>0 1 2 3</p></polygons>");
-            assertArea(15, SQUARE, '<polygons count="1">' + Collada.INPUT + "<ph><p>0 1 2 3</p><h>4 5 6 7</h></ph></polygons>");
+            assertArea(15, SQUARE, '<polygons count="1">' + Collada.INPUT +
+                    "<ph><p>0 1 2 3</p><h>4 5 6 7</h></ph></polygons>");
             assertArea(16, SQUARE, '<tristrips count="1">' + Collada.INPUT + "<p>0 1 3 2</p></tristrips>");
             assertArea(16, SQUARE, '<tristrips count="2">' + Collada.INPUT + "<p>0 1 2</p><p>0 2 3</p></tristrips>");
             assertArea(16, SQUARE, '<trifans count="1">' + Collada.INPUT + "<p>0 1 2 3</p></trifans>");
-            assertArea(16, SQUARE, '<lines count="1">' + Collada.INPUT + "<p>0 1</p></lines>" + Collada.triangles("0 1 2") + Collada.triangles("0 2 3"));
+            assertArea(16, SQUARE, '<lines count="1">' + Collada.INPUT + "<p>0 1</p></lines>" +
+                    Collada.triangles("0 1 2") + Collada.triangles("0 2 3"));
             assertArea(0.75, "0 0 0 1 0 0 1 .5 0 .5 .5 0 .5 1 0 0 1 0", Collada.polylist("6", "0 1 2 3 4 5"));
         }
 
@@ -128,7 +135,8 @@ package starlogo.models
         public function turnsStripsTheSameWay():void
         {
             var model:Model = read(Collada.document(Collada.geometry("a", "0 0 0 1 0 0 0 1 0 1 1 0 0 2 0 1 2 0",
-                            '<tristrips count="1">' + Collada.INPUT + "<p>0 1 2 3 4 5</p></tristrips>"), "", Collada.Z_UP));
+                            '<tristrips count="1">' + Collada.INPUT + "<p>0 1 2 3 4 5</p></tristrips>"), "",
+                        Collada.Z_UP));
             assertEquals("0,1,2,2,1,3,2,3,4,4,3,5", model.triangles.join());
         }
 
@@ -141,7 +149,8 @@ package starlogo.models
             const MESH:String = VIEW + '<vertices id="v"><input semantic="NORMAL" source="#none"/><input semantic="POSITION" source="#p"/></vertices>' +
                 '<triangles count="1"><input semantic="TEXCOORD" source="#none" offset="0" set="1"/><input semantic="VERTEX" source="#v" offset="2"/>' +
                 '<p>9 9 0 9 9 1 9 9 2</p></triangles>';
-            var model:Model = read(Collada.document('<library_geometries><geometry id="other"><mesh>' + NUMBERS + '</mesh></geometry>' +
+            var model:Model = read(Collada.document('<library_geometries><geometry id="other"><mesh>' + NUMBERS +
+                        '</mesh></geometry>' +
                         '<geometry id="a"><mesh>' + MESH + '</mesh></geometry></library_geometries>', "", Collada.Z_UP));
             assertEquals("-0.5,-0.5,0,0.5,-0.5,0,0.5,0.5,0", model.vertices.join());
         }
@@ -160,18 +169,21 @@ package starlogo.models
         public function takesNumbersInAnyLayout():void
         {
             const BOX_TEXT:String = BOX.replace(/ /g, "\r\n\t ").replace("4", "<!-- four -->4.0e+00");
-            assertSize("1,2,4", read(Collada.scene(Collada.geometry("a", "\n" + BOX_TEXT + "\n", Collada.polylist(" 4 4 4\n4 4 4 ", "\t" + SIDES + " ")), node(""))));
+            assertSize("1,2,4", read(Collada.scene(Collada.geometry("a", "\n" + BOX_TEXT + "\n",
+                                Collada.polylist(" 4 4 4\n4 4 4 ", "\t" + SIDES + " ")), node(""))));
         }
 
         [Test]
         public function keepsThePointsThatSurfacesUse():void
         {
             const POINTS:String = "9 9 9 0 0 0 1 0 0 1 1 0";
-            assertEquals(9, read(Collada.document(Collada.geometry("a", POINTS, Collada.triangles("1 2 3")))).vertices.length);
+            assertEquals(9, read(Collada.document(Collada.geometry("a", POINTS,
+                                Collada.triangles("1 2 3")))).vertices.length);
             var model:Model = read(Collada.document(Collada.geometry("a", POINTS, "")));
             assertEquals(12, model.vertices.length);
             assertNull(model.triangles);
-            model = read(Collada.document(Collada.geometry("a", POINTS, "") + Collada.geometry("b", POINTS, Collada.triangles("1 2 3"))));
+            model = read(Collada.document(Collada.geometry("a", POINTS, "") + Collada.geometry("b", POINTS,
+                            Collada.triangles("1 2 3"))));
             assertEquals(9, model.vertices.length);
         }
 
@@ -199,11 +211,13 @@ package starlogo.models
         private static function assertPoints(transformation:String, expected:String):void
         {
             const FACES:String = Collada.triangles("0 1 2 0 2 3");
-            var placed:Model = read(Collada.scene(Collada.geometry("a", "0 0 0 1 0 0 0 1 0 0 0 1", FACES), node(transformation)));
+            var placed:Model = read(Collada.scene(Collada.geometry("a", "0 0 0 1 0 0 0 1 0 0 0 1", FACES),
+                        node(transformation)));
             var written:Model = read(Collada.scene(Collada.geometry("a", expected, FACES), node("")));
             for (var i:int = 0; i < 12; i++)
             {
-                assertTrue(transformation + ": " + placed.vertices, Math.abs(placed.vertices[i] - written.vertices[i]) < 1e-9);
+                assertTrue(transformation + ": " + placed.vertices,
+                        Math.abs(placed.vertices[i] - written.vertices[i]) < 1e-9);
             }
         }
 

@@ -10,7 +10,8 @@ package starlogo.models
     public class ModelFileTest
     {
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n# \u00E9\u4E2D\n";
-        private static const DOCUMENT:String = Collada.document(Collada.geometry("\u00E9", "0 0 0 1 0 0 1 1 0", Collada.triangles("0 1 2")), "", Collada.Z_UP);
+        private static const DOCUMENT:String = Collada.document(Collada.geometry("\u00E9", "0 0 0 1 0 0 1 1 0",
+                    Collada.triangles("0 1 2")), "", Collada.Z_UP);
 
         [Test]
         public function readsTextInAnyEncoding():void
@@ -26,7 +27,8 @@ package starlogo.models
         {
             for each (var encoding:String in ["utf-8", "unicode", "unicodeFFFE", "iso-8859-1", "windows-1252"])
             {
-                var bytes:ByteArray = encoded('<?xml version="1.0" encoding="' + encoding + '"?>' + DOCUMENT, encoding, []);
+                var bytes:ByteArray = encoded('<?xml version="1.0" encoding="' + encoding + '"?>' + DOCUMENT,
+                        encoding, []);
                 assertEquals(encoding, "0,1,2", ColladaModel.fromBytes("a", bytes).triangles.join());
             }
         }
@@ -35,9 +37,11 @@ package starlogo.models
         public function readsArchives():void
         {
             assertEquals("0,1,2", ColladaModel.fromBytes("a", Zip.of(["a.dae", DOCUMENT])).triangles.join());
-            assertEquals("0,1,2", ColladaModel.fromBytes("a", Zip.of(["image.png", "", "b/a.DAE", DOCUMENT], false)).triangles.join());
+            assertEquals("0,1,2", ColladaModel.fromBytes("a", Zip.of(["image.png", "", "b/a.DAE", DOCUMENT],
+                            false)).triangles.join());
             assertEquals("0,1,2", ColladaModel.fromBytes("a", Zip.of(["no.dae", "<a/>", "manifest.xml",
-                                '<?xml version="1.0"?>\n<dae_root> ./a%20b.dae#x</dae_root>', "a b.dae", DOCUMENT])).triangles.join());
+                                '<?xml version="1.0"?>\n<dae_root> ./a%20b.dae#x</dae_root>', "a b.dae",
+                                DOCUMENT])).triangles.join());
         }
 
         [Test]

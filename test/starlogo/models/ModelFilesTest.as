@@ -127,14 +127,17 @@ package starlogo.models
             }
             if (found is ModelError)
             {
-                trace("  " + entry.file + ": " + ModelError(found).message + (entry.hasOwnProperty("fails") ? " (it " + entry.fails + ")" : ""));
+                trace("  " + entry.file + ": " + ModelError(found).message +
+                        (entry.hasOwnProperty("fails") ? " (it " + entry.fails + ")" : ""));
                 return;
             }
             var model:Model = Model(found);
             var bounds:Vector.<Number> = Surfaces.bounds(model.vertices);
             var extents:Array = [bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5]];
-            trace("  " + entry.file + ": " + model.vertices.length / 3 + " vertices, " + triangleCount(model) + " triangles, " +
-                    extents.map(rounded).join(" x ") + ", " + ms + " ms" + (entry.hasOwnProperty("note") ? " (" + entry.note + ")" : ""));
+            trace("  " + entry.file + ": " + model.vertices.length / 3 + " vertices, " + triangleCount(model) +
+                    " triangles, " +
+                    extents.map(rounded).join(" x ") + ", " + ms + " ms" + (entry.hasOwnProperty("note") ? " (" +
+                        entry.note + ")" : ""));
             if (entry.hasOwnProperty("by"))
             {
                 compareModel(model, extents, entry, wrong);
@@ -178,7 +181,8 @@ package starlogo.models
             var count:int = 0;
             for (var i:int = 0; i < model.vertices.length; i += 3)
             {
-                var key:String = Math.round(model.vertices[i] * 1e5) + "," + Math.round(model.vertices[i + 1] * 1e5) + "," +
+                var key:String = Math.round(model.vertices[i] * 1e5) + "," + Math.round(model.vertices[i +
+                            1] * 1e5) + "," +
                     Math.round(model.vertices[i + 2] * 1e5);
                 if (!seen.hasOwnProperty(key))
                 {

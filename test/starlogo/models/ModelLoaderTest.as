@@ -17,11 +17,14 @@ package starlogo.models
     {
         public static const FIXTURES:Array = ["/assimp/OBJ/spider.obj"];
 
-        private static const FILES:Array = ["OBJ/spider.obj", "OBJ/WusonOBJ.obj", "OBJ/regr01.obj", "OBJ/box.obj", "Collada/duck.dae",
-                "Collada/duck.zae", "Collada/COLLADA.dae", "Collada/Cinema4D.dae", "Collada/sphere.dae", "Collada/teapots.DAE",
+        private static const FILES:Array = ["OBJ/spider.obj", "OBJ/WusonOBJ.obj", "OBJ/regr01.obj", "OBJ/box.obj",
+                "Collada/duck.dae",
+                "Collada/duck.zae", "Collada/COLLADA.dae", "Collada/Cinema4D.dae", "Collada/sphere.dae",
+                "Collada/teapots.DAE",
                 "Collada/regr01.dae", "Collada/cube_tristrips.dae"];
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
-        private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0", Collada.triangles("0 1 2")));
+        private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0",
+                    Collada.triangles("0 1 2")));
 
         private var _receiver:SlowReceiver;
         private var _loader:ModelLoader;
@@ -113,7 +116,8 @@ package starlogo.models
                 });
             whenComplete(function():void
                 {
-                    trace("  12 models in " + progress.length + " frames, the longest " + _loader.longestFrame + " ms of " + _loader.budget);
+                    trace("  12 models in " + progress.length + " frames, the longest " + _loader.longestFrame +
+                            " ms of " + _loader.budget);
                     assertEquals(12, _receiver.received.length);
                     assertTrue("several frames: " + progress.length, progress.length > 3);
                     assertEquals(1200, progress.pop());
@@ -206,7 +210,8 @@ package starlogo.models
                 for (x = 1; x <= size; x++)
                 {
                     var corner:int = y * (size + 1) + x;
-                    lines.push("f " + corner + " " + (corner + 1) + " " + (corner + size + 2) + " " + (corner + size + 1));
+                    lines.push("f " + corner + " " + (corner + 1) + " " + (corner + size + 2) + " " + (corner +
+                                size + 1));
                 }
             }
             return lines.join("\n");

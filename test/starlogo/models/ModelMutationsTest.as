@@ -18,15 +18,18 @@ package starlogo.models
             "f 1 2 6\nf 2//1 3//1 -1//1\nf -4/1 4/1 \\\n 6/1\nf 4 1 5 6\nl 1 2\np 3\ng roof\nv 2 0 0\nv 2 2 0\nv 1 1 1\nv 0 2 0\nv 0 0 1\n" +
             "f 7 8 9 10 11\nf 1 2 3 4 5 6 7 8\n";
 
-        private static const LIBRARIES:String = Collada.geometry("a", "0 0 0 4 0 0 4 4 0 0 4 0 1 1 0 2 1 0 2 2 0 1 2 1.5e0",
+        private static const LIBRARIES:String = Collada.geometry("a",
+                "0 0 0 4 0 0 4 4 0 0 4 0 1 1 0 2 1 0 2 2 0 1 2 1.5e0",
                 Collada.triangles("0 1 2 0 2 3") + Collada.polylist("4 3 5", "0 1 2 3 4 5 6 0 1 6 2 7") +
                 '<polygons count="2">' + Collada.INPUT + '<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph></polygons>' +
-                '<tristrips count="1"><input semantic="NORMAL" source="#p" offset="1"/>' + Collada.INPUT + '<p>0 0 1 1 3 0 2 9</p></tristrips>' +
+                '<tristrips count="1"><input semantic="NORMAL" source="#p" offset="1"/>' + Collada.INPUT +
+                '<p>0 0 1 1 3 0 2 9</p></tristrips>' +
                 '<trifans count="1">' + Collada.INPUT + "<p>0 1 2 3</p></trifans>") +
             '<library_nodes><node id="n"><skew>20 1 0 0 0 1 0</skew><instance_geometry url="#a"/></node></library_nodes>' +
             '<library_controllers><controller id="c"><skin source="#m"><bind_shape_matrix>3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1' +
             '</bind_shape_matrix></skin></controller><controller id="m"><morph source="#a"/></controller></library_controllers>';
-        private static const COLLADA:String = '<?xml version="1.0" encoding="utf-8"?>\n' + Collada.scene(LIBRARIES, '<node id="top">' +
+        private static const COLLADA:String = '<?xml version="1.0" encoding="utf-8"?>\n' + Collada.scene(LIBRARIES,
+                '<node id="top">' +
                 '<translate>1 2 3</translate><rotate>0 0 1 45</rotate><scale>1 2 3</scale><lookat>1 2 3 4 5 6 0 0 1</lookat>' +
                 '<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#a"/><node id="inner"><instance_controller url="#c"/>' +
                 '</node><instance_node url="#n"/></node>');
@@ -85,7 +88,8 @@ package starlogo.models
 
         private static function archiveOf(random:SeededRandom):Model
         {
-            var archive:ByteArray = Zip.of(["manifest.xml", "<dae_root>./a.dae</dae_root>", "a.dae", COLLADA], random.chance());
+            var archive:ByteArray = Zip.of(["manifest.xml", "<dae_root>./a.dae</dae_root>", "a.dae", COLLADA],
+                    random.chance());
             return ColladaModel.fromBytes("mutation", Mutations.ofBytes(archive, random));
         }
 

@@ -54,7 +54,8 @@ package starlogo.models
         [Test]
         public function takesTheSmallestAndLargestNumbers():void
         {
-            assertEquals("-0.5,0,0,0.5,0,0", new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0, 0]).vertices.join());
+            assertEquals("-0.5,0,0,0.5,0,0", new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0,
+                            0]).vertices.join());
             assertEquals("-0.5,0,0,0.5,0,0", new Model("large", new <Number>[0, 0, 0, 1.7e308, 0, 0]).vertices.join());
         }
 
@@ -67,7 +68,8 @@ package starlogo.models
                 var vertices:Vector.<Number> = cloud(random, 30);
                 var expected:Vector.<Number> = new Model("a", vertices).vertices;
                 var scale:Number = random.logBetween(1e-3, 1e3);
-                var offset:Vector.<Number> = new <Number>[random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)];
+                var offset:Vector.<Number> = new <Number>[random.between(-9, 9), random.between(-9, 9),
+                        random.between(-9, 9)];
                 for (var i:int = 0; i < vertices.length; i++)
                 {
                     vertices[i] = (vertices[i] + offset[i % 3]) * scale;
@@ -91,7 +93,8 @@ package starlogo.models
             refuses("triangle 1: there is no vertex 1", "a", new <Number>[1, 2, 3], new <uint>[0, 0, 0, 0, 0, 1]);
         }
 
-        private static function refuses(words:String, name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
+        private static function refuses(words:String, name:String, vertices:Vector.<Number>,
+                triangles:Vector.<uint> = null):void
         {
             var error:ModelError = Failures.of(function():void
                 {

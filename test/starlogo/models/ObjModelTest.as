@@ -22,7 +22,8 @@ package starlogo.models
         [Test]
         public function readsEveryFormOfCorner():void
         {
-            for each (var face:String in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/9/1 2/9/1 3/9/1", "f -4 -3 -2",
+            for each (var face:String in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/9/1 2/9/1 3/9/1",
+                        "f -4 -3 -2",
                         "f -4/-1 2//-1 3", "f 1/ 2/ 3/"])
             {
                 assertEquals(face, "0,1,2", new ObjModel("a", SQUARE + face).triangles.join());
@@ -32,7 +33,8 @@ package starlogo.models
         [Test]
         public function countsNegativeIndicesFromTheLatestVertex():void
         {
-            var model:ObjModel = new ObjModel("a", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf -3 -2 -1");
+            var model:ObjModel = new ObjModel("a",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf -3 -2 -1");
             assertEquals("0,1,2,3,4,5", model.triangles.join());
         }
 

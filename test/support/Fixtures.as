@@ -45,6 +45,7 @@ package support
         {
             if (!has(address))
             {
+                trace("  " + reason);
                 throw new AssumptionViolatedException(reason + ": " + address);
             }
         }

@@ -74,6 +74,11 @@ package starlogo.models
         /** Starts to fetch the file. */
         public function fetch(url:String):void
         {
+            if (url == null || url == "")
+            {
+                _problem = "there is no address to fetch its file from";
+                return;
+            }
             _fileName = url.replace(/[?#].*$/, "");
             _fetching = new URLLoader();
             _fetching.dataFormat = URLLoaderDataFormat.BINARY;
@@ -81,7 +86,15 @@ package starlogo.models
             _fetching.addEventListener(ProgressEvent.PROGRESS, onProgress);
             _fetching.addEventListener(IOErrorEvent.IO_ERROR, onFetchError);
             _fetching.addEventListener(SecurityErrorEvent.SECURITY_ERROR, onFetchError);
-            _fetching.load(new URLRequest(url));
+            try
+            {
+                _fetching.load(new URLRequest(url));
+            }
+            catch (error:SecurityError)
+            {
+                _problem = "its file may not be fetched: " + error.message;
+                stopListening();
+            }
         }
 
         /** Takes a file's bytes. */

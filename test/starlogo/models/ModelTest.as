@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
@@ -76,6 +78,37 @@ package starlogo.models
                 }
                 assertUnitFrame(new Model("b", vertices), expected);
             }
+        }
+
+        [Test]
+        public function keepsItsShapeHoweverItWasTurned():void
+        {
+            var random:SeededRandom = new SeededRandom(6);
+            for (var run:int = 0; run < 200; run++)
+            {
+                var vertices:Vector.<Number> = cloud(random, 30);
+                var placement:Matrix3D = new Matrix3D();
+                placement.appendRotation(random.between(0, 360), new Vector3D(random.normal(), random.normal(), random.normal()));
+                placement.appendTranslation(random.normal(), random.normal(), random.normal());
+                placement.appendScale(random.logBetween(0.1, 10), random.logBetween(0.1, 10), random.logBetween(0.1, 10));
+                var turned:Vector.<Number> = new Vector.<Number>(vertices.length);
+                placement.transformVectors(vertices, turned);
+                var model:Model = new Model("a", turned);
+                assertUnitFrame(model, model.vertices);
+                var ratio:Number = distance(model.vertices, 0, 3) / distance(turned, 0, 3);
+                for (var i:int = 6; i < turned.length; i += 3)
+                {
+                    assertTrue(Math.abs(distance(model.vertices, 0, i) / distance(turned, 0, i) / ratio - 1) < 1e-9);
+                }
+            }
+        }
+
+        private static function distance(vertices:Vector.<Number>, a:int, b:int):Number
+        {
+            var x:Number = vertices[a] - vertices[b];
+            var y:Number = vertices[a + 1] - vertices[b + 1];
+            var z:Number = vertices[a + 2] - vertices[b + 2];
+            return Math.sqrt(x * x + y * y + z * z);
         }
 
         [Test]

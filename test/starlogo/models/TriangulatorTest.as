@@ -70,6 +70,40 @@ package starlogo.models
         }
 
         [Test]
+        public function leavesRandomHolesOpen():void
+        {
+            var random:SeededRandom = new SeededRandom(77);
+            for (var i:int = 0; i < 100; i++)
+            {
+                var loops:Array = [SQUARE.concat()];
+                var expected:Number = 16;
+                for (var cell:int = 0; cell < 16; cell++)
+                {
+                    if (random.chance(0.6))
+                    {
+                        var star:Array = starIn(cell % 4 + 0.5, int(cell / 4) + 0.5, random);
+                        expected -= area(star);
+                        loops.push(random.chance() ? star : star.reverse());
+                    }
+                }
+                check("holes " + i, expected, loops);
+            }
+        }
+
+        private static function starIn(x:Number, y:Number, random:SeededRandom):Array
+        {
+            var star:Array = [];
+            var corners:int = random.integer(3, 9);
+            for (var i:int = 0; i < corners; i++)
+            {
+                var radius:Number = random.between(0.1, 0.49);
+                var angle:Number = 2 * Math.PI * i / corners;
+                star.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
+            }
+            return star;
+        }
+
+        [Test]
         public function endsOnPolygonsOfManyCorners():void
         {
             var gear:Array = [];

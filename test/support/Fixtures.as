@@ -7,6 +7,7 @@ package support
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import org.flexunit.internals.AssumptionViolatedException;
 
     /** The files that tests read, loaded before the first test runs. */
     public final class Fixtures
@@ -46,6 +47,21 @@ package support
         public static function has(address:String):Boolean
         {
             return sFiles.hasOwnProperty(address);
+        }
+
+        /**
+         * Skips the test that calls it where a file is not there.
+         *
+         * @param address the file
+         * @param reason why that may be
+         */
+        public static function assume(address:String, reason:String):void
+        {
+            if (!has(address))
+            {
+                trace("  " + reason);
+                throw new AssumptionViolatedException(reason + ": " + address);
+            }
         }
 
         /** A file's bytes, little-endian, from its first. */

@@ -183,7 +183,6 @@ package starlogo.models
 
         private function readUnusualVertex():void
         {
-            var coordinates:Array = [];
             var line:int = _line;
             var words:Array = restOfStatement();
             for (var i:int = 0; i < 3; i++)

@@ -21,12 +21,15 @@ package literal
         /** The smallest box's half-extents along its axes. */
         public var halfExtents:Vector3D;
 
+        private var _rotated:Vector.<Number>;
+
         /**
          * @param vertices x, y, z each
          * @param degIncrement step of the rotations about each axis, in degrees
          */
         public function LiteralOrientedBoxFit(vertices:Vector.<Number>, degIncrement:Number)
         {
+            _rotated = new Vector.<Number>(vertices.length);
             for (var x:Number = 0; x < 90; x += degIncrement)
             {
                 for (var y:Number = 0; y < 90; y += degIncrement)
@@ -45,18 +48,17 @@ package literal
             matrix.appendRotation(x, Vector3D.X_AXIS);
             matrix.appendRotation(y, Vector3D.Y_AXIS);
             matrix.appendRotation(z, Vector3D.Z_AXIS);
-            var rotated:Vector.<Number> = new Vector.<Number>(vertices.length);
-            matrix.transformVectors(vertices, rotated);
+            matrix.transformVectors(vertices, _rotated);
             var min:Vector3D = new Vector3D(Number.MAX_VALUE, Number.MAX_VALUE, Number.MAX_VALUE);
             var max:Vector3D = new Vector3D(-Number.MAX_VALUE, -Number.MAX_VALUE, -Number.MAX_VALUE);
-            for (var i:int = 0; i < rotated.length; i += 3)
+            for (var i:int = 0; i < _rotated.length; i += 3)
             {
-                min.x = Math.min(min.x, rotated[i]);
-                min.y = Math.min(min.y, rotated[i + 1]);
-                min.z = Math.min(min.z, rotated[i + 2]);
-                max.x = Math.max(max.x, rotated[i]);
-                max.y = Math.max(max.y, rotated[i + 1]);
-                max.z = Math.max(max.z, rotated[i + 2]);
+                min.x = Math.min(min.x, _rotated[i]);
+                min.y = Math.min(min.y, _rotated[i + 1]);
+                min.z = Math.min(min.z, _rotated[i + 2]);
+                max.x = Math.max(max.x, _rotated[i]);
+                max.y = Math.max(max.y, _rotated[i + 1]);
+                max.z = Math.max(max.z, _rotated[i + 2]);
             }
             var size:Vector3D = max.subtract(min);
             if (size.x * size.y * size.z < volume)

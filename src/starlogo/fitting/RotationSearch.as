@@ -18,6 +18,8 @@ package starlogo.fitting
     public final class RotationSearch
     {
         private static const DEGREE:Number = Math.PI / 180;
+        private static const MANY:int = 50;
+        private static const RARELY:Number = 0.2;
 
         private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
@@ -28,6 +30,8 @@ package starlogo.fitting
 
         // Extreme corners found of late: those of the first rotation about z, then those of one half a right angle on.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
+        private var _asked:int = 0;
+        private var _answered:int = 0;
 
         /**
          * @param hull of the vertices
@@ -57,7 +61,7 @@ package starlogo.fitting
 
         /**
          * The axes of the smallest box: the rotations go about x first, then y, then z, each from 0 up to below 90 degrees. Of
-         * boxes of the same volume the first counts.
+         * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first.
          *
          * @param stepX degrees
          * @param stepY degrees
@@ -72,31 +76,43 @@ package starlogo.fitting
             var least:Number = Infinity;
             var enough:Number = _hull.volume * (1 + Tolerances.FIT_TIE);
             var corners:Vector.<int> = new Vector.<int>(6);
+            var count:int = Math.ceil(90 / stepZ);
+            var cosines:Vector.<Number> = new Vector.<Number>();
+            var sines:Vector.<Number> = new Vector.<Number>();
+            while (sines.length < count)
+            {
+                cosines.push(Math.cos(sines.length * stepZ * DEGREE));
+                sines.push(Math.sin(sines.length * stepZ * DEGREE));
+            }
+            var isForth:Boolean = false;
             for (var aboutX:Number = 0; aboutX < 90; aboutX += stepX)
             {
                 for (var aboutY:Number = 0; aboutY < 90; aboutY += stepY)
                 {
                     turn(aboutX * DEGREE, aboutY * DEGREE);
-                    corners[4] = climb(corners[4], 0, 0, 1);
-                    corners[5] = climb(corners[5], 0, 0, -1);
+                    corners[4] = climbUp(corners[4], 1);
+                    corners[5] = climbUp(corners[5], -1);
                     var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
-                    for (var aboutZ:Number = 0; aboutZ < 90; aboutZ += stepZ)
+                    // to and fro: the corners found last are close to those looked for next
+                    isForth = !isForth;
+                    for (var i:int = 0; i < count; i++)
                     {
-                        var cosine:Number = Math.cos(aboutZ * DEGREE);
-                        var sine:Number = Math.sin(aboutZ * DEGREE);
+                        var step:int = isForth ? i : count - 1 - i;
+                        var cosine:Number = cosines[step];
+                        var sine:Number = sines[step];
                         var mayBe:Number = least * (1 - Tolerances.FIT_TIE);
-                        if (thickness * areaOfLandmarks(cosine, sine) >= mayBe && least < Infinity)
+                        if (isTooLarge(thickness, cosine, sine, mayBe))
                         {
                             continue;
                         }
                         var volume:Number = thickness * span(corners, 0, cosine, -sine) * span(corners, 2, sine, cosine);
-                        remember(corners, aboutZ);
+                        remember(corners, step * stepZ);
                         if (volume < mayBe)
                         {
                             least = volume;
                             bestX = aboutX;
                             bestY = aboutY;
-                            bestZ = aboutZ;
+                            bestZ = step * stepZ;
                             if (least <= enough)
                             {
                                 return axesOf(bestX * DEGREE, bestY * DEGREE, bestZ * DEGREE);
@@ -140,8 +156,8 @@ package starlogo.fitting
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.
         private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
-            var high:int = corners[index] = climb(corners[index], alongX, alongY, 0);
-            var low:int = corners[index + 1] = climb(corners[index + 1], -alongX, -alongY, 0);
+            var high:int = corners[index] = climb(corners[index], alongX, alongY);
+            var low:int = corners[index + 1] = climb(corners[index + 1], -alongX, -alongY);
             return (_turned[3 * high] - _turned[3 * low]) * alongX + (_turned[3 * high + 1] - _turned[3 * low + 1]) * alongY;
         }
 
@@ -152,6 +168,22 @@ package starlogo.fitting
             {
                 _landmarks[from + i] = corners[i];
             }
+        }
+
+        // Whether the landmarks alone need a box that is too large; not asked any more where the answer rarely is yes.
+        private function isTooLarge(thickness:Number, cosine:Number, sine:Number, limit:Number):Boolean
+        {
+            if (limit == Infinity || _asked > MANY && _answered < RARELY * _asked)
+            {
+                return false;
+            }
+            _asked++;
+            var result:Boolean = thickness * areaOfLandmarks(cosine, sine) >= limit;
+            if (result)
+            {
+                _answered++;
+            }
+            return result;
         }
 
         // Of the landmarks' box in the plane: the hull's is no smaller.
@@ -166,7 +198,7 @@ package starlogo.fitting
             {
                 var at:int = 3 * _landmarks[i];
                 var fromX:Number = turned[at];
-                var fromY:Number = turned[int(at + 1)];
+                var fromY:Number = turned[at + 1];
                 var x:Number = cosine * fromX - sine * fromY;
                 var y:Number = sine * fromX + cosine * fromY;
                 if (x < lowX)
@@ -189,27 +221,49 @@ package starlogo.fitting
             return (highX - lowX) * (highY - lowY);
         }
 
-        // The corner that is farthest in a direction.
-        private function climb(corner:int, alongX:Number, alongY:Number, alongZ:Number):int
+        // The corner that is farthest in a direction of the plane.
+        private function climb(corner:int, alongX:Number, alongY:Number):int
         {
             var turned:Vector.<Number> = _turned;
             var neighbors:Vector.<int> = _neighbors;
-            var isFlat:Boolean = alongZ == 0;
             var at:int = 3 * corner;
-            var best:Number = isFlat ? alongX * turned[at] + alongY * turned[int(at + 1)] : alongZ * turned[int(at + 2)];
+            var best:Number = alongX * turned[at] + alongY * turned[at + 1];
             var from:int;
             do
             {
                 from = corner;
-                var end:int = _firstNeighbor[int(from + 1)];
+                var end:int = _firstNeighbor[from + 1];
                 for (var i:int = _firstNeighbor[from]; i < end; i++)
                 {
                     at = 3 * neighbors[i];
-                    var value:Number = isFlat ? alongX * turned[at] + alongY * turned[int(at + 1)] : alongZ * turned[int(at + 2)];
+                    var value:Number = alongX * turned[at] + alongY * turned[at + 1];
                     if (value > best)
                     {
                         best = value;
                         corner = neighbors[i];
+                    }
+                }
+            }
+            while (corner != from);
+            return corner;
+        }
+
+        // The corner that is farthest up the z axis, or for direction -1 down.
+        private function climbUp(corner:int, direction:int):int
+        {
+            var best:Number = direction * _turned[3 * corner + 2];
+            var from:int;
+            do
+            {
+                from = corner;
+                var end:int = _firstNeighbor[from + 1];
+                for (var i:int = _firstNeighbor[from]; i < end; i++)
+                {
+                    var value:Number = direction * _turned[3 * _neighbors[i] + 2];
+                    if (value > best)
+                    {
+                        best = value;
+                        corner = _neighbors[i];
                     }
                 }
             }

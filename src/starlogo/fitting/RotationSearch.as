@@ -15,7 +15,7 @@ package starlogo.fitting
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
      * if a box is as small as the hull itself.</p>
      */
-    public final class RotationSearch
+    public class RotationSearch
     {
         private static const DEGREE:Number = Math.PI / 180;
         private static const MANY:int = 50;
@@ -150,7 +150,19 @@ package starlogo.fitting
                 }
             }
             _matrix.copyRawDataFrom(_raw);
-            _matrix.transformVectors(_hull.points, _turned);
+            transform(_matrix, _hull.points, _turned);
+        }
+
+        /**
+         * Turns the hull: for tests to take over, with the precision of other players.
+         *
+         * @param matrix a rotation
+         * @param points x, y, z each
+         * @param out takes the turned points
+         */
+        protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
+        {
+            matrix.transformVectors(points, out);
         }
 
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.

@@ -2,6 +2,7 @@ package
 {
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.FittingBenchmark;
     import benchmark.IntersectionBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
@@ -14,7 +15,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark];
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark];
 
         private var _pending:Array;
 

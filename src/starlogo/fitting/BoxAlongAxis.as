@@ -121,16 +121,16 @@ package starlogo.fitting
         {
             var points:Vector.<Number> = _points;
             var at:int = 3 * corner;
-            var best:Number = points[at] * x + points[int(at + 1)] * y + points[int(at + 2)] * z;
+            var best:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
             var from:int;
             do
             {
                 from = corner;
-                var end:int = _firstNeighbor[int(from + 1)];
+                var end:int = _firstNeighbor[from + 1];
                 for (var i:int = _firstNeighbor[from]; i < end; i++)
                 {
                     at = 3 * _neighbors[i];
-                    var value:Number = points[at] * x + points[int(at + 1)] * y + points[int(at + 2)] * z;
+                    var value:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
                     if (value > best)
                     {
                         best = value;
@@ -196,14 +196,14 @@ package starlogo.fitting
             _cluster.push(corner);
             for (var i:int = 0; i < _cluster.length; i++)
             {
-                var end:int = _firstNeighbor[int(_cluster[i] + 1)];
+                var end:int = _firstNeighbor[_cluster[i] + 1];
                 for (var k:int = _firstNeighbor[_cluster[i]]; k < end; k++)
                 {
                     var neighbor:int = _neighbors[k];
                     var at:int = 3 * neighbor;
                     var x:Number = _points[at];
-                    var y:Number = _points[int(at + 1)];
-                    var z:Number = _points[int(at + 2)];
+                    var y:Number = _points[at + 1];
+                    var z:Number = _points[at + 2];
                     var toU:Number = x * _uX + y * _uY + z * _uZ - fromU;
                     var toV:Number = x * _vX + y * _vY + z * _vZ - fromV;
                     var square:Number = toU * toU + toV * toV;

@@ -100,8 +100,8 @@ package starlogo.fitting
             for (var i:int = 0; i < length; i += 3)
             {
                 var toX:Number = points[i] - centerX;
-                var toY:Number = points[int(i + 1)] - centerY;
-                var toZ:Number = points[int(i + 2)] - centerZ;
+                var toY:Number = points[i + 1] - centerY;
+                var toZ:Number = points[i + 2] - centerZ;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 if (square > most)
                 {

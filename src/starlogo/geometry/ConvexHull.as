@@ -178,8 +178,8 @@ package starlogo.geometry
             for (var i:int = 0; i < length; i += 3)
             {
                 var x:Number = _vertices[i];
-                var y:Number = _vertices[int(i + 1)];
-                var z:Number = _vertices[int(i + 2)];
+                var y:Number = _vertices[i + 1];
+                var z:Number = _vertices[i + 2];
                 // not finite: infinity minus itself is NaN, which equals nothing
                 if (x - x != 0 || y - y != 0 || z - z != 0)
                 {
@@ -257,8 +257,8 @@ package starlogo.geometry
             for (var i:int = 0; i < length; i += 3)
             {
                 var toX:Number = _vertices[i] - x;
-                var toY:Number = _vertices[int(i + 1)] - y;
-                var toZ:Number = _vertices[int(i + 2)] - z;
+                var toY:Number = _vertices[i + 1] - y;
+                var toZ:Number = _vertices[i + 2] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 if (square > most)
                 {
@@ -283,8 +283,8 @@ package starlogo.geometry
             for (var i:int = 0; i < length; i += 3)
             {
                 var toX:Number = _vertices[i] - x;
-                var toY:Number = _vertices[int(i + 1)] - y;
-                var toZ:Number = _vertices[int(i + 2)] - z;
+                var toY:Number = _vertices[i + 1] - y;
+                var toZ:Number = _vertices[i + 2] - z;
                 var crossX:Number = toY * axisZ - toZ * axisY;
                 var crossY:Number = toZ * axisX - toX * axisZ;
                 var crossZ:Number = toX * axisY - toY * axisX;
@@ -309,7 +309,7 @@ package starlogo.geometry
             var length:int = _vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
-                var distance:Number = _vertices[i] * axisX + _vertices[int(i + 1)] * axisY + _vertices[int(i + 2)] * axisZ - offset;
+                var distance:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ - offset;
                 if (distance < 0)
                 {
                     distance = -distance;
@@ -428,7 +428,7 @@ package starlogo.geometry
                 var i:int;
                 for (i = 0; i < length; i += 3)
                 {
-                    var t:Number = _vertices[i] * axisX + _vertices[int(i + 1)] * axisY + _vertices[int(i + 2)] * axisZ;
+                    var t:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ;
                     snapped[to] = t;
                     to += dimensions;
                     if (t < low)

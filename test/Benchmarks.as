@@ -1,17 +1,20 @@
 package
 {
+    import benchmark.BroadPhaseBenchmark;
+    import benchmark.CrowdBenchmark;
     import benchmark.IntersectionBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
     import headless.Host;
+    import support.Fixtures;
 
     /**
      * The benchmark SWF: runs every benchmark, one a frame, and prints what it returns. A benchmark is a class with a
-     * method <code>run():String</code>; the parameter <code>benchmark</code> picks those whose name contains it.
+     * method <code>run():String</code>, and perhaps a static FIXTURES as tests have; the parameter <code>benchmark</code> picks those whose name contains it.
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark];
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark];
 
         private var _pending:Array;
 
@@ -22,6 +25,11 @@ package
                 {
                     return String(benchmark).indexOf(pattern) >= 0;
                 });
+            Fixtures.load(Fixtures.listOf(_pending), start);
+        }
+
+        private function start():void
+        {
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
         }
 

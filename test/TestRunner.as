@@ -31,20 +31,7 @@ package
                 Host.exit(1);
                 return;
             }
-            Fixtures.load(fixturesOf(_classes), run);
-        }
-
-        private static function fixturesOf(classes:Array):Array
-        {
-            var files:Array = [];
-            for each (var testClass:Class in classes)
-            {
-                if ("FIXTURES" in testClass)
-                {
-                    files = files.concat(testClass["FIXTURES"]);
-                }
-            }
-            return files;
+            Fixtures.load(Fixtures.listOf(_classes), run);
         }
 
         private function run():void

@@ -29,12 +29,23 @@ package headless
             tell("headless.exit", status);
         }
 
-        private static function tell(name:String, ...args):void
+        /**
+         * The player's memory in bytes, from outside: System.totalMemory is a constant in Ruffle. It grows when the
+         * player needs more and never shrinks. -1 where the runner is not there.
+         */
+        public static function get memory():Number
         {
-            if (ExternalInterface.available)
+            var bytes:* = tell("headless.memory");
+            return bytes == null ? -1 : bytes;
+        }
+
+        private static function tell(name:String, ...args):*
+        {
+            if (!ExternalInterface.available)
             {
-                ExternalInterface.call.apply(null, [name].concat(args));
+                return null;
             }
+            return ExternalInterface.call.apply(null, [name].concat(args));
         }
     }
 }

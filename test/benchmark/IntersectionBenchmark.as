@@ -11,7 +11,8 @@ package benchmark
     {
         private static const ROUNDS:int = 15;
         private static const SEED:uint = 31;
-        private static const NAMES:Array = ["sphereSphere", "sphereCapsule", "sphereBox", "capsuleCapsule", "capsuleBox", "boxBox"];
+        private static const NAMES:Array = [
+                "sphereSphere", "sphereCapsule", "sphereBox", "capsuleCapsule", "capsuleBox", "boxBox"];
         private static const KINDS:Array = [
                 [BoundingStructure.SPHERE, BoundingStructure.SPHERE],
                 [BoundingStructure.SPHERE, BoundingStructure.CAPSULE],
@@ -62,33 +63,32 @@ package benchmark
 
         private function table():String
         {
-            var lines:Array = ["ns a test (multiple of sphereSphere), 40 % hit | all hit; at most; through intersects(); the thesis's own algorithm"];
+            var lines:Array = ["ns a test (multiple of sphereSphere): 40 % hit | all hit; at most | through intersects() | the thesis's"];
             for (var i:int = 0; i < NAMES.length; i++)
             {
                 var pair:String = NAMES[i];
-                lines.push(column(pair, 16)
-                        + column(figure(pair, "some"), 16) + "| " + column(figure(pair, "all"), 16)
-                        + column("<= " + TARGETS[i].join(" | "), 13)
-                        + column(figure(pair + " dispatched", "some"), 15) + "| " + column(figure(pair + " dispatched", "all"), 16)
-                        + literalFigures(pair));
+                var targets:String = "<= " + TARGETS[i].join(", ");
+                lines.push(column(pair, 16) + figures(pair) + " | " + column(targets, 8) + " | " + figures(pair + " dispatched")
+                        + (has(pair + " literal") ? " | " + figures(pair + " literal") : ""));
             }
             return lines.join("\n");
         }
 
-        private function literalFigures(pair:String):String
+        private function has(name:String):Boolean
         {
-            if (!_byName.hasOwnProperty(pair + " literal some"))
-            {
-                return "";
-            }
-            return column(figure(pair + " literal", "some"), 17) + "| " + figure(pair + " literal", "all");
+            return _byName.hasOwnProperty(name + " all");
+        }
+
+        private function figures(name:String):String
+        {
+            return column(figure(name, "some"), 15) + column(figure(name, "all"), 15);
         }
 
         private function figure(name:String, hits:String):String
         {
-            var time:Number = _byName[name + " " + hits].nanoseconds;
-            var base:Number = _byName["sphereSphere " + hits].nanoseconds;
-            return time.toFixed(0) + " (" + (time / base).toFixed(1) + ")";
+            var measurement:Measurement = _byName[name + " " + hits];
+            var base:Measurement = _byName["sphereSphere " + hits];
+            return measurement.nanoseconds.toFixed(0) + " (" + measurement.timesAsLongAs(base).toFixed(1) + ")";
         }
 
         private static function column(text:String, width:int):String

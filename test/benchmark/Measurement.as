@@ -46,8 +46,25 @@ package benchmark
         /** The median, in nanoseconds for one. */
         public function get nanoseconds():Number
         {
-            _times.sort(Array.NUMERIC);
-            return _times[int(_times.length / 2)] * 1e6 / _count / _repeats;
+            return medianOf(_times);
+        }
+
+        /** How many times as long this takes as the base, in the same round each: the median. */
+        public function timesAsLongAs(base:Measurement):Number
+        {
+            var ratios:Array = [];
+            for (var i:int = 0; i < _times.length; i++)
+            {
+                ratios.push(_times[i] / base._times[i]);
+            }
+            return medianOf(ratios);
+        }
+
+        private static function medianOf(values:Array):Number
+        {
+            var sorted:Array = values.concat();
+            sorted.sort(Array.NUMERIC);
+            return sorted[int(sorted.length / 2)];
         }
 
         /** Finds how often to call the method for a sample that the millisecond clock resolves. */
@@ -68,7 +85,7 @@ package benchmark
             {
                 _method();
             }
-            _times.push(getTimer() - start);
+            _times.push((getTimer() - start) * 1e6 / _count / _repeats);
         }
     }
 }

@@ -52,6 +52,7 @@ export async function play(options, on) {
 		tab.on('crash', () => on.crash('the browser\'s page crashed, most likely out of memory'));
 		tab.on('pageerror', (error) => on.crash(String(error)));
 		tab.on('console', (message) => report(message.text(), on));
+		await tab.addInitScript(watchMemory);
 		await tab.exposeFunction('headlessWriteFile', on.writeFile);
 		await tab.exposeFunction('headlessExit', on.exit);
 		await tab.goto(server.url);
@@ -78,11 +79,23 @@ function report(text, on) {
 	}
 }
 
+/** Runs in the page before the player: finds the memory that the player's WebAssembly module works in. */
+function watchMemory() {
+	const { instantiate, instantiateStreaming } = WebAssembly;
+	const keep = (result) => {
+		window.playerMemory = (result.instance ?? result).exports.memory ?? window.playerMemory;
+		return result;
+	};
+	WebAssembly.instantiate = (...args) => instantiate(...args).then(keep);
+	WebAssembly.instantiateStreaming = (...args) => instantiateStreaming(...args).then(keep);
+}
+
 /** Runs in the page: starts the player. */
 async function start({ url, parameters }) {
 	window.headless = {
 		// the answer comes later than the call, and the SWF does not wait for it
 		writeFile: (file, text) => { window.headlessWriteFile(file, text); },
+		memory: () => window.playerMemory?.buffer.byteLength ?? -1,
 		exit: (status) => { window.headlessExit(status); },
 	};
 	const player = window.RufflePlayer.newest().createPlayer();

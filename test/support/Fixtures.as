@@ -7,6 +7,7 @@ package support
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import org.flexunit.internals.AssumptionViolatedException;
 
     /** The files that tests read, loaded before the first test runs. */
     public final class Fixtures
@@ -14,6 +15,20 @@ package support
         private static var sFiles:Object = {};
         private static var sPending:Array;
         private static var sComplete:Function;
+
+        /** The addresses that classes list in their public static FIXTURES. */
+        public static function listOf(classes:Array):Array
+        {
+            var addresses:Array = [];
+            for each (var reader:Class in classes)
+            {
+                if ("FIXTURES" in reader)
+                {
+                    addresses = addresses.concat(reader["FIXTURES"]);
+                }
+            }
+            return addresses;
+        }
 
         /**
          * Loads the files one after the other; one that is not there is left out.
@@ -32,6 +47,21 @@ package support
         public static function has(address:String):Boolean
         {
             return sFiles.hasOwnProperty(address);
+        }
+
+        /**
+         * Skips the test that calls it where a file is not there.
+         *
+         * @param address the file
+         * @param reason why that may be
+         */
+        public static function assume(address:String, reason:String):void
+        {
+            if (!has(address))
+            {
+                trace("  " + reason);
+                throw new AssumptionViolatedException(reason + ": " + address);
+            }
         }
 
         /** A file's bytes, little-endian, from its first. */

@@ -16,7 +16,7 @@ package support
             _random = random;
         }
 
-        /** A structure of a kind, its extents 0.2 to 1 of <code>size</code>, its middle within a cube of half-edge <code>spread</code>. */
+        /** A structure of a kind: its extents 0.2 to 1 of size, its middle in a cube of half-edge spread. */
         public function ofKind(kind:int, size:Number, spread:Number):BoundingStructure
         {
             switch (kind)
@@ -54,7 +54,9 @@ package support
         /** A point evenly in a cube. */
         public function position(spread:Number):Vector3D
         {
-            return new Vector3D(_random.between(-spread, spread), _random.between(-spread, spread), _random.between(-spread, spread));
+            var x:Number = _random.between(-spread, spread);
+            var y:Number = _random.between(-spread, spread);
+            return new Vector3D(x, y, _random.between(-spread, spread));
         }
 
         /** A direction evenly on the unit sphere. */

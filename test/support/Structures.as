@@ -18,7 +18,8 @@ package support
             return Vector.<BoundingStructure>([
                         new Sphere(new Vector3D(1, -2, 0.5), 1.5),
                         new Capsule(new Vector3D(1, 2, 3), new Vector3D(-1, 2.5, 4), 0.75),
-                        new Box(new Vector3D(0.5, -1, 2), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0), new Vector3D(0, 0, 1), 1, 2, 0.5),
+                        new Box(new Vector3D(0.5, -1, 2), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0),
+                            new Vector3D(0, 0, 1), 1, 2, 0.5),
                         new Cylinder(new Vector3D(0, -1, 0.5), new Vector3D(2, 1, 1.5), 0.8)]);
         }
 
@@ -55,14 +56,16 @@ package support
             if (structure is Capsule)
             {
                 var capsule:Capsule = Capsule(structure);
-                return along(between(capsule.start, capsule.end, random.pick([0, 1, random.next()])), direction, depth * capsule.radius);
+                var middle:Vector3D = between(capsule.start, capsule.end, random.pick([0, 1, random.next()]));
+                return along(middle, direction, depth * capsule.radius);
             }
             if (structure is Cylinder)
             {
                 var cylinder:Cylinder = Cylinder(structure);
                 var across:Vector3D = direction.crossProduct(cylinder.end.subtract(cylinder.start));
                 across.normalize();
-                return along(between(cylinder.start, cylinder.end, random.pick([0, 1, random.next()])), across, depth * cylinder.radius);
+                middle = between(cylinder.start, cylinder.end, random.pick([0, 1, random.next()]));
+                return along(middle, across, depth * cylinder.radius);
             }
             var box:Box = Box(structure);
             var point:Vector3D = along(box.center, box.axisX, depth * box.halfX * random.pick([-1, 1, random.between(-1, 1)]));
@@ -109,7 +112,8 @@ package support
 
         private static function along(from:Vector3D, direction:Vector3D, distance:Number):Vector3D
         {
-            return new Vector3D(from.x + distance * direction.x, from.y + distance * direction.y, from.z + distance * direction.z);
+            return new Vector3D(
+                    from.x + distance * direction.x, from.y + distance * direction.y, from.z + distance * direction.z);
         }
 
         private static function between(start:Vector3D, end:Vector3D, t:Number):Vector3D

@@ -28,7 +28,8 @@ package support
                 var a:int = 3 * t[i];
                 var b:int = 3 * t[i + 1];
                 var c:int = 3 * t[i + 2];
-                sum += v[a] * (v[b + 1] * v[c + 2] - v[b + 2] * v[c + 1]) + v[a + 1] * (v[b + 2] * v[c] - v[b] * v[c + 2]) +
+                sum += v[a] * (v[b + 1] * v[c + 2] - v[b + 2] * v[c + 1]) + v[a + 1] * (v[b +
+                            2] * v[c] - v[b] * v[c + 2]) +
                     v[a + 2] * (v[b] * v[c + 1] - v[b + 1] * v[c]);
             }
             return sum / 6;

@@ -7,7 +7,7 @@ package support
 
     /**
      * Picks tests by name: <code>BoxBox</code> takes the classes whose name contains it, <code>BoxBoxTest.touching</code>
-     * one test of a class, nothing takes all.
+     * the tests of such classes whose name contains the rest, nothing takes all.
      */
     public class TestFilter
     {
@@ -56,7 +56,7 @@ package support
                 }
                 return false;
             }
-            return description.displayName.split(".").pop() == _method;
+            return description.displayName.split(".").pop().indexOf(_method) >= 0;
         }
 
         private function describe(description:IDescription):String

@@ -36,7 +36,7 @@ package starlogo.bounding
 
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** Which structure this is: SPHERE, CAPSULE, BOX or CYLINDER. A plain field, which tables index by. */
+        /** Which structure this is: SPHERE, CAPSULE, BOX or CYLINDER. To be read only; a field because the tests need it fast. */
         public var kind:int;
 
         /**
@@ -211,7 +211,7 @@ package starlogo.bounding
             var isCentred:Boolean = m[12] == 0 && m[13] == 0 && m[14] == 0;
             if (!isAffine || !isCentred || !isOrthonormal(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]))
             {
-                throw new ArgumentError("the matrix must rotate about the origin and do nothing else: " + rotation.rawData);
+                throw new ArgumentError("a rotation must rotate about the origin and do nothing else: " + rotation.rawData);
             }
             return m;
         }

@@ -56,7 +56,8 @@ package starlogo.bounding
             checkVector(axisZ, "a box's axisZ");
             if (!isOrthonormal(axisX.x, axisX.y, axisX.z, axisY.x, axisY.y, axisY.z, axisZ.x, axisZ.y, axisZ.z))
             {
-                throw new ArgumentError("a box's axes must be unit vectors at right angles: " + [axisX, axisY, axisZ].join(", "));
+                var axes:String = [axisX, axisY, axisZ].join(", ");
+                throw new ArgumentError("a box's axes must be unit vectors at right angles: " + axes);
             }
             this.halfX = checkLength(halfX, "a box's halfX");
             this.halfY = checkLength(halfY, "a box's halfY");
@@ -200,19 +201,22 @@ package starlogo.bounding
             var alongX:Number = sizeX * axisX.x;
             var alongY:Number = sizeY * axisY.x;
             var alongZ:Number = sizeZ * axisZ.x;
-            var reach:Number = (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY) + (alongZ < 0 ? -alongZ : alongZ) + margin;
+            var reach:Number = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
+                + (alongZ < 0 ? -alongZ : alongZ);
             out[offset] = x - reach;
             out[int(offset + 1)] = x + reach;
             alongX = sizeX * axisX.y;
             alongY = sizeY * axisY.y;
             alongZ = sizeZ * axisZ.y;
-            reach = (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY) + (alongZ < 0 ? -alongZ : alongZ) + margin;
+            reach = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
+                + (alongZ < 0 ? -alongZ : alongZ);
             out[int(offset + 2)] = y - reach;
             out[int(offset + 3)] = y + reach;
             alongX = sizeX * axisX.z;
             alongY = sizeY * axisY.z;
             alongZ = sizeZ * axisZ.z;
-            reach = (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY) + (alongZ < 0 ? -alongZ : alongZ) + margin;
+            reach = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
+                + (alongZ < 0 ? -alongZ : alongZ);
             out[int(offset + 4)] = z - reach;
             out[int(offset + 5)] = z + reach;
         }

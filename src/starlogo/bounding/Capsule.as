@@ -144,7 +144,8 @@ package starlogo.bounding
                 maxZ = startZ;
             }
             // the farthest coordinates from 0, added up
-            var distance:Number = (-minX > maxX ? -minX : maxX) + (-minY > maxY ? -minY : maxY) + (-minZ > maxZ ? -minZ : maxZ);
+            var distance:Number = (-minX > maxX ? -minX : maxX) + (-minY > maxY ? -minY : maxY)
+                + (-minZ > maxZ ? -minZ : maxZ);
             var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
             out[offset] = minX - reach;
             out[int(offset + 1)] = maxX + reach;

@@ -37,6 +37,7 @@ package starlogo.collision
         private var _interests:BreedInterests;
         private var _found:Vector.<Agent>;
         private var _foundLength:int;
+        private var _memberCount:int;
         private var _passedOver:int;
 
         /**
@@ -102,7 +103,7 @@ package starlogo.collision
             _found = null;
             out.length = _foundLength;
             _statistics.agents = agents.length;
-            _statistics.agentsPassedOver = agents.length - _bins.count;
+            _statistics.agentsPassedOver = agents.length - _memberCount;
             _statistics.binEntries = _bins.entryCount;
             _statistics.candidatePairs = _bins.pairCount - _passedOver;
             countTests(_statistics);
@@ -215,9 +216,11 @@ package starlogo.collision
         private function enterIntoBins(agents:Vector.<Agent>, interests:BreedInterests):void
         {
             checkEdition();
+            var mark:Object = _mark;
             var frame:int = ++sFrame;
             var count:int = agents.length;
             _bins.clear();
+            _memberCount = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var agent:Agent = agents[i];
@@ -226,7 +229,7 @@ package starlogo.collision
                     throw new ArgumentError("agents[" + i + "] is null");
                 }
                 var body:Body = agent.userData as Body;
-                if (body == null || body.owner !== _mark)
+                if (body == null || body.owner !== mark)
                 {
                     body = adoptAgent(agent);
                 }
@@ -248,7 +251,10 @@ package starlogo.collision
                         continue;
                     }
                 }
-                _bins.add(body);
+                var level:BinLevel = body.level;
+                level.bodies[level.count] = body;
+                level.count++;
+                _memberCount++;
             }
         }
 

@@ -6,6 +6,12 @@ package starlogo.collision
         /** Whose entry it is. */
         public var body:Body;
 
+        /**
+         * Where the body's rectangle begins: bit 0 is set if in an earlier column than the bin's, bit 1 if in an earlier
+         * row.
+         */
+        public var beginsEarlier:int;
+
         /** The next entry of the bin's list, or null. */
         public var next:BinEntry;
 

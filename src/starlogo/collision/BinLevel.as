@@ -66,7 +66,8 @@ package starlogo.collision
         /** Empties the bins, with room for the bodies. */
         public function clearBins():void
         {
-            var bits:int = 3;
+            // at least 64 lists, so that bins near each other never share one
+            var bits:int = 6;
             while ((1 << bits) < 2 * count)
             {
                 bits++;

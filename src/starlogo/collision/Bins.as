@@ -11,16 +11,15 @@ package starlogo.collision
      * larger bodies are.</p>
      *
      * <p>A pair that shares several bins is reported in just one: that of the later of the two columns, and the later of
-     * the two rows, where their rectangles begin. The bins are lists in a hash table, whose size goes with the number
-     * of bodies and not with that of the world; two bins that fall into one list only cost time.</p>
+     * the two rows, where their rectangles begin (Tsitsigkos, Lampropoulos, Bouros, Mamoulis and Terrovitis, "A two-layer
+     * partitioning for non-point spatial data", ICDE 2021). The bins are lists in a hash table, whose size goes with the
+     * number of bodies and not with that of the world. Bins far from each other may fall into one list, which only costs
+     * time; bins that one pair can reach never do.</p>
      */
     internal final class Bins
     {
         // A point at the origin asks for no width at all.
         private static const MIN_WIDTH:Number = 1e-300;
-
-        /** Bodies that were added. */
-        public var count:int;
 
         /** Entries in bins, in the last search. */
         public var entryCount:int;
@@ -36,22 +35,13 @@ package starlogo.collision
         {
         }
 
-        /** Empties the bins. */
+        /** Empties the bins. Bodies are then added to the <code>bodies</code> of their levels. */
         public function clear():void
         {
-            count = 0;
             for (var i:int = 0; i < _levels.length; i++)
             {
                 _levels[i].count = 0;
             }
-        }
-
-        /** Adds a body whose rectangle and level are set. */
-        public function add(body:Body):void
-        {
-            var level:BinLevel = body.level;
-            level.bodies[level.count++] = body;
-            count++;
         }
 
         /** Gives a body the level that its extents and its distance from the world's origin ask for. */
@@ -165,17 +155,18 @@ package starlogo.collision
                     body.right = right;
                     body.front = front;
                     body.back = back;
-                    body.column = firstColumn;
-                    body.row = firstRow;
                 }
+                var rowFlag:int = 0;
                 for (var row:int = firstRow; row <= lastRow; row++)
                 {
+                    var beginsEarlier:int = rowFlag;
                     for (var column:int = firstColumn; column <= lastColumn; column++)
                     {
                         var head:int = (row * stride + column) & mask;
                         var link:BinEntry = heads[head];
                         if (enters)
                         {
+                            entry.beginsEarlier = beginsEarlier;
                             entry.next = link;
                             heads[head] = entry;
                             entry = entry.sibling;
@@ -183,6 +174,12 @@ package starlogo.collision
                         }
                         while (link != null)
                         {
+                            // where both began in an earlier column, or row, they have met there
+                            if ((link.beginsEarlier & beginsEarlier) != 0)
+                            {
+                                link = link.next;
+                                continue;
+                            }
                             var other:Body = link.body;
                             link = link.next;
                             if (other.left > right)
@@ -201,27 +198,12 @@ package starlogo.collision
                             {
                                 continue;
                             }
-                            // only in the bin where the later of the two begins
-                            var begin:int = other.column;
-                            if (begin != column)
-                            {
-                                if (begin > column || column != firstColumn)
-                                {
-                                    continue;
-                                }
-                            }
-                            begin = other.row;
-                            if (begin != row)
-                            {
-                                if (begin > row || row != firstRow)
-                                {
-                                    continue;
-                                }
-                            }
                             pairs++;
                             collider.considerPair(body, other);
                         }
+                        beginsEarlier = rowFlag | 1;
                     }
+                    rowFlag = 2;
                 }
             }
             entryCount += entries;

@@ -3,6 +3,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.libraries.Hierarchy;
@@ -35,6 +36,9 @@ package starlogo.collision
 
         /** The same in the world. */
         public var world:BoundingStructure;
+
+        /** The structure in the world if it is a box, else null: spares the costliest frequent test its casts. */
+        public var worldBox:Box;
 
         /** A sphere around the structure that is tried first, in the model's space, or null. */
         public var outerSphere:Sphere;
@@ -86,12 +90,6 @@ package starlogo.collision
 
         /** The level of the bins that the body is entered in. */
         public var level:BinLevel;
-
-        /** The column of its first bin on that level. */
-        public var column:int;
-
-        /** The row of its first bin on that level. */
-        public var row:int;
 
         /** Its entries in at most four bins, in a ring. */
         public var entry:BinEntry;

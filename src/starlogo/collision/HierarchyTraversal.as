@@ -225,7 +225,7 @@ package starlogo.collision
             relative.isUpright = false;
             relative.size = scale;
             // both upright but for their headings, as almost always; the other entries are then exactly 0
-            if (a.r22 == 1 && b.r22 == 1)
+            if (a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1)
             {
                 relative.x = a00 * x + a10 * y;
                 relative.y = a01 * x + a11 * y;

@@ -3,9 +3,11 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.intersection.boxBox;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sphereSphere;
     import starlogo.libraries.BoundingStructuresLibrary;
@@ -25,8 +27,9 @@ package starlogo.collision
     {
         // How often each test was made in this search, by the kinds of the structures.
         private var _tests:Vector.<int> = new Vector.<int>(16, true);
+        private var _boxBoxTests:int;
 
-        // Pairs that came to test: of other shapes than spheres.
+        // Pairs that were not two spheres.
         internal var _pairsOfOthers:int;
 
         /**
@@ -52,6 +55,7 @@ package starlogo.collision
             }
             body.structure = library.tightestFit(agent.shape);
             body.world = body.structure.clone();
+            body.worldBox = body.world as Box;
             body.isSphere = body.structure.kind == BoundingStructure.SPHERE;
             if (!body.isSphere && library.hasAll(agent.shape))
             {
@@ -99,16 +103,21 @@ package starlogo.collision
                     return false;
                 }
             }
-            var worldA:BoundingStructure = a.world;
-            var worldB:BoundingStructure = b.world;
-            _tests[worldA.kind << 2 | worldB.kind]++;
-            return intersects(worldA, worldB);
+            var boxA:Box = a.worldBox;
+            var boxB:Box = b.worldBox;
+            if (boxA != null && boxB != null)
+            {
+                _boxBoxTests++;
+                return boxBox(boxA, boxB);
+            }
+            _tests[a.world.kind << 2 | b.world.kind]++;
+            return intersects(a.world, b.world);
         }
 
         /** @inheritDoc */
         override internal function resetCounts():void
         {
-            _pairsOfOthers = 0;
+            _pairsOfOthers = _boxBoxTests = 0;
             for (var i:int = 0; i < _tests.length; i++)
             {
                 _tests[i] = 0;
@@ -123,7 +132,7 @@ package starlogo.collision
             statistics.sphereBoxTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
             statistics.capsuleCapsuleTests = testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
             statistics.capsuleBoxTests = testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
-            statistics.boxBoxTests = testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
+            statistics.boxBoxTests = _boxBoxTests;
         }
 
         private function testsOf(kind:int, otherKind:int):int

@@ -17,6 +17,9 @@ package starlogo.fitting
         // Corners closer than this in the picture, as a fraction of the extent, are one: edges along the direction vanish.
         private static const SAME:Number = 1e-11;
 
+        // The sine of the angle up to which a way leads straight back.
+        private static const BACK:Number = 1e-9;
+
         // The slope up to which a side of the outline counts as level.
         private static const LEVEL:Number = 1e-12;
 
@@ -84,7 +87,7 @@ package starlogo.fitting
             setPicture(x, y, z);
             walk();
             var atLeast:Number = thickness * outlineArea();
-            return atLeast >= enough ? atLeast : thickness * turnCalipers();
+            return atLeast >= enough ? atLeast : Math.max(0, thickness * turnCalipers());
         }
 
         private function setPicture(x:Number, y:Number, z:Number):void
@@ -214,9 +217,8 @@ package starlogo.fitting
                         continue;
                     }
                     var turn:Number = alongU * toV - alongV * toU;
-                    if (turn <= 0 && alongU * toU + alongV * toV < 0)
+                    if (turn <= -BACK * (alongU * toU + alongV * toV))
                     {
-                        // straight back, or by rounding beyond it
                         continue;
                     }
                     var side:Number = bestU * toV - bestV * toU;

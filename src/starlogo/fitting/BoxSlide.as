@@ -72,7 +72,7 @@ package starlogo.fitting
                 slideAt(_lowest, step);
                 stepAside(step);
                 tryOtherSides();
-                if (!(_volume < before * (1 - GAIN * step)))
+                if (!(before - _volume > GAIN * step * before))
                 {
                     step *= SHRINK;
                 }

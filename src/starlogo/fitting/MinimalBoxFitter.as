@@ -22,7 +22,7 @@ package starlogo.fitting
         // samples at most; many corners get a coarser net of directions instead of more samples
         private static const SAMPLES:int = 2500;
         // from how many of the best samples to go on
-        private static const STARTS:int = 12;
+        private static const STARTS:int = 6;
         // directions closer than this (radians) count as one start
         private static const APART:Number = 0.06;
         // arcs are sampled at most this far apart (radians)

@@ -19,17 +19,16 @@ package starlogo.fitting
         // a gain of the radius below this is rounding
         private static const GAIN:Number = 1e-14;
 
-        /** The centre. */
-        public var x:Number;
+        // Everything below is seen from the first point: far from the origin nothing is lost to rounding.
+        private var _originX:Number;
+        private var _originY:Number;
+        private var _originZ:Number;
 
-        /** @copy #x */
-        public var y:Number;
-
-        /** @copy #x */
-        public var z:Number;
-
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
         private var _square:Number = 0;
-        private var _held:Vector.<Number>;
+        private var _held:Vector.<Number> = new <Number>[0, 0, 0];
 
         // the ball through the points chosen last
         private var _tryX:Number;
@@ -42,11 +41,28 @@ package starlogo.fitting
          */
         public function SmallestBall(points:Vector.<Number>)
         {
-            x = points[0];
-            y = points[1];
-            z = points[2];
-            _held = new <Number>[x, y, z];
+            _originX = points[0];
+            _originY = points[1];
+            _originZ = points[2];
             enclose(points);
+        }
+
+        /** The centre. */
+        public function get x():Number
+        {
+            return _originX + _x;
+        }
+
+        /** @copy #x */
+        public function get y():Number
+        {
+            return _originY + _y;
+        }
+
+        /** @copy #x */
+        public function get z():Number
+        {
+            return _originZ + _z;
         }
 
         /** The radius. */
@@ -62,10 +78,14 @@ package starlogo.fitting
          */
         public function enclose(points:Vector.<Number>):void
         {
-            var i:int = farthest(points);
-            while (squareFrom(points[i], points[i + 1], points[i + 2]) > _square * (1 + GAIN) && hold(points[i], points[i + 1], points[i + 2]))
+            var grows:Boolean = true;
+            while (grows)
             {
-                i = farthest(points);
+                var i:int = farthest(points);
+                var toX:Number = points[i] - _originX;
+                var toY:Number = points[i + 1] - _originY;
+                var toZ:Number = points[i + 2] - _originZ;
+                grows = squareFrom(toX, toY, toZ) > _square * (1 + GAIN) && hold(toX, toY, toZ);
             }
         }
 
@@ -73,9 +93,9 @@ package starlogo.fitting
         {
             var result:int = 0;
             var most:Number = -1;
-            var centerX:Number = x;
-            var centerY:Number = y;
-            var centerZ:Number = z;
+            var centerX:Number = _originX + _x;
+            var centerY:Number = _originY + _y;
+            var centerZ:Number = _originZ + _z;
             var length:int = points.length;
             for (var i:int = 0; i < length; i += 3)
             {
@@ -94,9 +114,9 @@ package starlogo.fitting
 
         private function squareFrom(pointX:Number, pointY:Number, pointZ:Number):Number
         {
-            pointX -= x;
-            pointY -= y;
-            pointZ -= z;
+            pointX -= _x;
+            pointY -= _y;
+            pointZ -= _z;
             return pointX * pointX + pointY * pointY + pointZ * pointZ;
         }
 
@@ -126,9 +146,9 @@ package starlogo.fitting
             {
                 return false;
             }
-            x = bestX;
-            y = bestY;
-            z = bestZ;
+            _x = bestX;
+            _y = bestY;
+            _z = bestZ;
             _square = least;
             _held = best;
             return true;

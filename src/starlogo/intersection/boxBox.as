@@ -158,12 +158,13 @@ package starlogo.intersection
         }
 
         // Each edge of a with each of b, unless two are so close to parallel that these products cancel.
-        var near:Number = 1 - Tolerances.NEARLY_PARALLEL;
+        var near:Number = 1 - Tolerances.NEARLY_PARALLEL / 2;
         if (absZZ > near || absZY > near || absZX > near
                 || absYZ > near || absYY > near || absYX > near
                 || absXZ > near || absXY > near || absXX > near)
         {
-            return !areSeparatedByEdges(a, b, tX, tY, tZ, cosXX, cosXY, cosXZ, cosYX, cosYY, cosYZ, cosZX, cosZY, cosZZ);
+            return !areSeparatedByEdges(a, b, tX, tY, tZ,
+                    cosXX, cosXY, cosXZ, cosYX, cosYY, cosYZ, cosZX, cosZY, cosZZ);
         }
         along = tZ * cosYX - tY * cosZX;
         reach = halfAY * absZX + halfAZ * absYX + halfBY * absXZ + halfBZ * absXY;

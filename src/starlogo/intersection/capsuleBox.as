@@ -112,6 +112,30 @@ package starlogo.intersection
         var firstOut:Number = outX < outY ? outX : outY;
         firstOut = firstOut < outZ ? firstOut : outZ;
 
+        var distanceSquared:Number = 0;
+        var excess:Number;
+        if (lastIn <= firstOut && lastIn <= 1 && firstOut >= 0)
+        {
+            // Somewhere the segment is inside of all the slabs that it crosses; those that it runs along remain. A point
+            // of it is not computed: rounding may put that outside, which a radius of 0 does not forgive.
+            if (dx == 0)
+            {
+                excess = (px < 0 ? -px : px) - hx;
+                distanceSquared = excess > 0 ? excess * excess : 0;
+            }
+            if (dy == 0)
+            {
+                excess = (py < 0 ? -py : py) - hy;
+                distanceSquared += excess > 0 ? excess * excess : 0;
+            }
+            if (dz == 0)
+            {
+                excess = (pz < 0 ? -pz : pz) - hz;
+                distanceSquared += excess > 0 ? excess * excess : 0;
+            }
+            return distanceSquared <= radius * radius;
+        }
+
         var t:Number = lastIn;
         if (lastIn > firstOut)
         {
@@ -168,8 +192,7 @@ package starlogo.intersection
         }
         t = t > 0 ? (t < 1 ? t : 1) : 0;
 
-        var distanceSquared:Number = 0;
-        var excess:Number = px + t * dx;
+        excess = px + t * dx;
         excess = (excess < 0 ? -excess : excess) - hx;
         if (excess > 0)
         {

@@ -9,6 +9,9 @@ package starlogo.intersection
      * Whether two structures meet (thesis §3.6); touching counts. Symmetric; allocates nothing. The test of a pair is the
      * function of that name in this package: sphereSphere, sphereCapsule, sphereBox, capsuleCapsule, capsuleBox, boxBox.
      *
+     * <p>Costs, sphereSphere being 1: sphereCapsule 2, sphereBox 2.5, capsuleCapsule 4, capsuleBox 5 to 7, boxBox 6 to 9;
+     * finding the test adds 0.5.</p>
+     *
      * @param a a Sphere, Capsule or Box
      * @param b likewise, in the same space
      * @throws ArgumentError when there is no test for the pair: cylinders are fitted, never collided (thesis §3.6.1)

@@ -62,7 +62,9 @@ package starlogo.models
             return new BuiltInModel("sphere", vertices, triangles);
         }
 
-        /** A cube of edge 1, named "cube": each of its 6 faces has 4 vertices of its own, 24 in all, and 2 triangles. */
+        /**
+         * A cube of edge 1, named "cube": each of its 6 faces has 4 vertices of its own, 24 in all, and 2 triangles.
+         */
         public static function cube():Model
         {
             var vertices:Vector.<Number> = new Vector.<Number>(72);

@@ -1,16 +1,8 @@
 package starlogo.models
 {
-    /** Reads a model's file in small steps, so that a game may go on between them. */
-    internal interface IModelReader
+    /** Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. */
+    internal interface IModelReader extends ISteps
     {
-        /**
-         * Reads on for about a millisecond.
-         *
-         * @return whether there is more to read
-         * @throws ModelError if the file is wrong
-         */
-        function step():Boolean;
-
         /** How much is read, from 0 to 1. */
         function get progress():Number;
 

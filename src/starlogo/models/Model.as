@@ -58,7 +58,10 @@ package starlogo.models
             return _vertices;
         }
 
-        /** Three vertex indices per triangle, or null where only vertices are known. The model's own: do not change them. */
+        /**
+         * Three vertex indices per triangle, or null where only vertices are known. The model's own: do not change
+         * them.
+         */
         public function get triangles():Vector.<uint>
         {
             return _triangles;
@@ -83,7 +86,8 @@ package starlogo.models
                 throw new ModelError(_name, "", "vertices have three coordinates each, but there are " + vertices.length +
                         " numbers in all");
             }
-            for (var i:int = 0; i < vertices.length; i++)
+            var length:int = vertices.length;
+            for (var i:int = 0; i < length; i++)
             {
                 var coordinate:Number = vertices[i];
                 if (coordinate - coordinate != 0)
@@ -102,7 +106,8 @@ package starlogo.models
                 throw new ModelError(_name, "", "triangles have three vertices each, but there are " + triangles.length +
                         " indices in all");
             }
-            for (var i:int = 0; i < triangles.length; i++)
+            var length:int = triangles.length;
+            for (var i:int = 0; i < length; i++)
             {
                 if (triangles[i] >= vertexCount)
                 {
@@ -160,7 +165,8 @@ package starlogo.models
         {
             if (extentX + extentY + extentZ == Number.POSITIVE_INFINITY)
             {
-                throw new ModelError(_name, "", "the coordinates are too large: the model's extent is not a finite number");
+                throw new ModelError(_name, "",
+                        "the coordinates are too large: the model's extent is not a finite number");
             }
             var width:Number = Math.max(extentX, extentY);
             if (width <= extentZ * LINE_RATIO)
@@ -170,8 +176,10 @@ package starlogo.models
             return width;
         }
 
-        // Differences first, division last: that makes the bounds exact, and works for the smallest and largest numbers.
-        private function moveAndDivide(minX:Number, minY:Number, minZ:Number, halfX:Number, halfY:Number, divisor:Number):void
+        // Differences first, division last: that makes the bounds exact, and works for the smallest and largest
+        // numbers.
+        private function moveAndDivide(minX:Number, minY:Number, minZ:Number, halfX:Number, halfY:Number,
+                divisor:Number):void
         {
             var length:int = _vertices.length;
             for (var i:int = 0; i < length; i += 3)

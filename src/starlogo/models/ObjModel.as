@@ -1,17 +1,20 @@
 package starlogo.models
 {
+    import flash.utils.ByteArray;
+
     /**
      * A model from Wavefront OBJ text.
      *
      * <p>Read are vertices (<code>v</code>; a weight or colours after the coordinates are passed over) and faces
      * (<code>f</code>, in each of the forms <code>1</code>, <code>1/2</code>, <code>1//3</code>, <code>1/2/3</code>,
      * counted from the first vertex or, negative, back from the latest one), in any order; all groups and objects
-     * together make the model. Polygons may be concave. Comments, continued lines, any line ends, tabs and a
-     * byte-order mark are understood. Everything else (texture coordinates, normals, materials, lines, points, curves,
-     * faces of fewer than three corners) has no part in collisions and is passed over.</p>
+     * together make the model. Polygons may be concave. Comments, continued lines, any line ends, tabs, a byte-order
+     * mark and decimal commas are understood. Everything else (texture coordinates, normals, materials, lines,
+     * points, curves, faces of fewer than three corners) has no part in collisions and is passed over.</p>
      *
-     * <p>Where a file has faces, vertices that no face uses are left out; where it has none, all vertices make a model
-     * without triangles. Cost: linear in the text, and for concave polygons up to quadratic in their corners.</p>
+     * <p>Where a file has faces, vertices that no face uses are left out; where it has none, all vertices make a
+     * model without triangles. Cost: linear in the text, and for concave polygons up to quadratic in their
+     * corners.</p>
      */
     public class ObjModel extends Model
     {
@@ -28,6 +31,19 @@ package starlogo.models
         {
             var reader:ObjReader = new ObjReader(name, source, upAxis).readAll();
             super(name, reader.vertices, reader.triangles);
+        }
+
+        /**
+         * Reads a model from a file's bytes: text in UTF-8, or in UTF-16 with a byte-order mark.
+         *
+         * @param name what agents call the shape, not empty
+         * @param bytes the whole file; its position is left anywhere
+         * @param upAxis the axis that points up in the file
+         * @throws ModelError as the constructor does
+         */
+        public static function fromBytes(name:String, bytes:ByteArray, upAxis:String = "z"):ObjModel
+        {
+            return new ObjModel(name, ModelFile.text(name, bytes), upAxis);
         }
     }
 }

@@ -3,21 +3,25 @@ package starlogo.models
     /** Reads Wavefront OBJ text; ObjModel says what of it. */
     internal final class ObjReader implements IModelReader
     {
-        private static const LINES_PER_STEP:int = 500;
+        private static const WORDS_PER_STEP:int = 3000;
         private static const POLYGONS_PER_STEP:int = 100;
 
+        // words of the reader's own, of characters that no text uses: a line's end, and one that the next line goes on
+        // from
+        private static const END:String = "\uE000";
+        private static const CONTINUED:String = "\uE001";
+
         // what the text still has to go through, in this order
-        private static const LINES:int = 0;
+        private static const WORDS:int = 0;
         private static const POLYGONS:int = 1;
         private static const RESULT:int = 2;
         private static const DONE:int = 3;
 
         private var _name:String;
         private var _upAxis:String;
-        private var _lines:Array;
-        private var _hasContinuations:Boolean;
-        private var _hasComments:Boolean;
-        private var _stage:int = LINES;
+        private var _words:Array;
+        private var _word:int = 1; // the first is the nothing before the first line's end
+        private var _stage:int = WORDS;
         private var _line:int = 0;
         private var _polygon:int = 0;
 
@@ -29,6 +33,7 @@ package starlogo.models
         private var _triangulator:Triangulator;
         private var _highestIndex:int = -1;
         private var _highestLine:int;
+        private var _corners:Vector.<uint> = new Vector.<uint>();
 
         /**
          * @param name the model's name
@@ -51,10 +56,7 @@ package starlogo.models
             {
                 throw new ModelError(name, "", "this is no OBJ text but some binary file");
             }
-            var text:String = withSimpleSpaces(source);
-            _hasContinuations = text.indexOf("\\\n") >= 0;
-            _hasComments = text.indexOf(" #") >= 0;
-            _lines = text.split("\n");
+            _words = wordsOf(source);
             _triangulator = new Triangulator(_vertices, _triangles);
         }
 
@@ -73,7 +75,7 @@ package starlogo.models
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _stage == DONE ? 1 : 0.9 * _line / _lines.length;
+            return _stage == DONE ? 1 : 0.9 * _word / _words.length;
         }
 
         /** @inheritDoc */
@@ -81,8 +83,8 @@ package starlogo.models
         {
             switch (_stage)
             {
-                case LINES:
-                    readLines(_line + LINES_PER_STEP);
+                case WORDS:
+                    readWords(_word + WORDS_PER_STEP);
                     break;
                 case POLYGONS:
                     cutPolygons(_polygon + POLYGONS_PER_STEP);
@@ -104,103 +106,156 @@ package starlogo.models
             return this;
         }
 
-        /** One space between words, none at either end of a line, one kind of line end: then splitting is cheap. */
-        private static function withSimpleSpaces(source:String):String
+        /**
+         * Splitting is native and cheap: so the text is made into words that one space divides, END after each line.
+         */
+        private static function wordsOf(source:String):Array
         {
             var text:String = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
-            text = replaceAll(text, "\r\n", "\n");
-            text = replaceAll(text, "\r", "\n");
-            text = replaceAll(text, "\t", " ");
-            while (text.indexOf("  ") >= 0)
-            {
-                text = replaceAll(text, "  ", " ");
-            }
-            text = replaceAll(text, " \n", "\n");
-            text = replaceAll(text, "\n ", "\n");
-            text = text.charCodeAt(0) == 0x20 ? text.substr(1) : text;
-            return text.charCodeAt(text.length - 1) == 0x20 ? text.substr(0, text.length - 1) : text;
+            text = Words.replaceAll(text, "\r\n", "\n");
+            text = Words.replaceAll(text, "\r", "\n");
+            text = Words.replaceAll(text, "\t", " ");
+            text = Words.replaceAll(text, "\\\n", " " + CONTINUED + " ");
+            text = Words.replaceAll("\n" + text + "\n", "\n", " " + END + " ");
+            return Words.singleSpaced(text).split(" ");
         }
 
-        private static function replaceAll(text:String, what:String, replacement:String):String
+        private function readWords(end:int):void
         {
-            return text.indexOf(what) < 0 ? text : text.split(what).join(replacement);
-        }
-
-        private function readLines(end:int):void
-        {
-            end = Math.min(end, _lines.length);
-            while (_line < end)
+            var last:int = _words.length - 1; // the nothing after the last line's end
+            end = Math.min(end, last);
+            while (_word < end)
             {
-                var line:String = _lines[_line];
-                switch (line.charCodeAt(0))
+                var word:String = _words[_word++];
+                if (word == "v")
                 {
-                    case 0x76: // v
-                        if (line.charCodeAt(1) == 0x20)
-                        {
-                            readVertex(wordsOf(line));
-                        }
-                        break;
-                    case 0x66: // f
-                        if (line.charCodeAt(1) == 0x20)
-                        {
-                            readFace(wordsOf(line));
-                        }
-                        break;
+                    readVertex();
                 }
-                _line++;
+                else if (word == "f")
+                {
+                    readFace();
+                }
+                else if (word == END || word == CONTINUED)
+                {
+                    _line++;
+                }
+                else
+                {
+                    skipStatement();
+                }
             }
-            if (_line >= _lines.length)
+            if (_word >= last)
             {
                 checkIndices();
                 _stage = POLYGONS;
             }
         }
 
-        /** The words of a statement that begins in a line and may go on in the next ones, a comment after it left out. */
-        private function wordsOf(line:String):Array
+        // A comment or a path in a material's name may end in a backslash without meaning to be continued. So the next
+        // line is looked at anyway; that of a skipped statement's begins with a number and is skipped too.
+        private function skipStatement():void
         {
-            if (_hasContinuations)
+            var word:String = _words[_word];
+            while (word != END && word != CONTINUED)
             {
-                while (line.charAt(line.length - 1) == "\\" && _line + 1 < _lines.length)
-                {
-                    line = withSimpleSpaces(line.substr(0, line.length - 1) + " " + _lines[++_line]);
-                }
+                word = _words[++_word];
             }
-            if (_hasComments && line.indexOf(" #") >= 0)
-            {
-                line = line.substr(0, line.indexOf(" #"));
-            }
-            return line.split(" ");
         }
 
-        private function readVertex(words:Array):void
+        private function readVertex():void
         {
-            var x:Number = Number(words[1]);
-            var y:Number = Number(words[2]);
-            var z:Number = Number(words[3]);
-            if (words.length < 4 || x - x + y - y + z - z != 0)
+            var x:Number = Number(_words[_word]);
+            var y:Number = Number(_words[int(_word + 1)]);
+            var z:Number = Number(_words[int(_word + 2)]);
+            if (x - x + y - y + z - z != 0)
             {
-                throw error("expected a vertex, three finite numbers, but found \"" + shorten(words.join(" ")) + "\"");
+                readUnusualVertex();
+                return;
             }
             _vertices.push(x, y, z);
             _vertexCount++;
+            _word += 3;
+            if (_words[_word] != END)
+            {
+                skipStatement();
+            }
         }
 
-        private function readFace(words:Array):void
+        private function readUnusualVertex():void
         {
-            var count:int = words.length - 1;
+            var coordinates:Array = [];
+            var line:int = _line;
+            var words:Array = restOfStatement();
+            for (var i:int = 0; i < 3; i++)
+            {
+                var coordinate:Number = i < words.length ? Words.toNumber(words[i]) : NaN;
+                if (coordinate - coordinate != 0)
+                {
+                    throw error("expected a vertex, three finite numbers, but found \"v " +
+                            Words.shorten(words.join(" ")) + "\"", line);
+                }
+                _vertices.push(coordinate);
+            }
+            _vertexCount++;
+        }
+
+        /** The words to the end of a statement, over all lines that it is continued in, without a comment. */
+        private function restOfStatement():Array
+        {
+            var words:Array = [];
+            for (var word:String = _words[_word]; word != END; word = _words[++_word])
+            {
+                if (word == CONTINUED)
+                {
+                    _line++;
+                }
+                else if (word.charAt(0) == "#")
+                {
+                    skipStatement();
+                    break;
+                }
+                else
+                {
+                    words.push(word);
+                }
+            }
+            return words;
+        }
+
+        private function readFace():void
+        {
+            var count:int = 0;
+            var word:String = _words[_word];
+            while (word != END)
+            {
+                var index:int = word == CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
+                if (index >= 0)
+                {
+                    _corners[count++] = index;
+                }
+                else if (word == CONTINUED)
+                {
+                    _line++;
+                }
+                else
+                {
+                    skipStatement();
+                    break;
+                }
+                word = _words[++_word];
+            }
+            addFace(count);
+        }
+
+        private function addFace(count:int):void
+        {
             if (count == 3)
             {
-                _triangles.push(cornerOf(words[1]), cornerOf(words[2]), cornerOf(words[3]));
+                _triangles.push(_corners[0], _corners[1], _corners[2]);
             }
             else if (count > 3)
             {
-                var polygon:Vector.<uint> = new Vector.<uint>(count);
-                for (var i:int = 0; i < count; i++)
-                {
-                    polygon[i] = cornerOf(words[int(i + 1)]);
-                }
-                _polygons.push(polygon);
+                _polygons.push(_corners.slice(0, count));
             }
         }
 
@@ -213,13 +268,13 @@ package starlogo.models
             if (index != value || index == 0)
             {
                 throw error("expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
-                        shorten(word) + "\"");
+                        Words.shorten(word) + "\"", _line);
             }
             index = index > 0 ? index - 1 : _vertexCount + index;
             if (index < 0)
             {
-                throw error("the corner \"" + shorten(word) + "\" counts back beyond the first vertex: there are " +
-                        _vertexCount + " before it");
+                throw error("the corner \"" + Words.shorten(word) + "\" counts back beyond the first vertex: there are " +
+                        _vertexCount + " before it", _line);
             }
             if (index > _highestIndex)
             {
@@ -237,8 +292,7 @@ package starlogo.models
             }
             if (_highestIndex >= _vertexCount)
             {
-                _line = _highestLine;
-                throw error("there is no vertex " + (_highestIndex + 1) + ": the file has " + _vertexCount);
+                throw error("there is no vertex " + (_highestIndex + 1) + ": the file has " + _vertexCount, _highestLine);
             }
         }
 
@@ -270,7 +324,7 @@ package starlogo.models
                 dropUnusedVertices();
             }
             UpAxis.turn(_vertices, _upAxis);
-            _lines = null;
+            _words = null;
             _stage = DONE;
         }
 
@@ -290,42 +344,12 @@ package starlogo.models
             {
                 isUsed[_triangles[i]] = 1;
             }
-            if (isUsed.indexOf(0) >= 0)
-            {
-                keepOnly(isUsed);
-            }
+            VertexFilter.keepUsed(_vertices, _triangles, isUsed);
         }
 
-        private function keepOnly(isUsed:Vector.<uint>):void
+        private function error(problem:String, line:int):ModelError
         {
-            var newIndices:Vector.<uint> = new Vector.<uint>(_vertexCount);
-            var count:int = 0;
-            for (var i:int = 0; i < _vertexCount; i++)
-            {
-                if (isUsed[i] == 1)
-                {
-                    newIndices[i] = count;
-                    _vertices[3 * count] = _vertices[3 * i];
-                    _vertices[3 * count + 1] = _vertices[3 * i + 1];
-                    _vertices[3 * count + 2] = _vertices[3 * i + 2];
-                    count++;
-                }
-            }
-            _vertices.length = 3 * count;
-            for (i = 0; i < _triangles.length; i++)
-            {
-                _triangles[i] = newIndices[_triangles[i]];
-            }
-        }
-
-        private function error(problem:String):ModelError
-        {
-            return new ModelError(_name, "line " + (_line + 1), problem);
-        }
-
-        private static function shorten(text:String):String
-        {
-            return text.length > 60 ? text.substr(0, 60) + "..." : text;
+            return new ModelError(_name, "line " + line, problem);
         }
     }
 }

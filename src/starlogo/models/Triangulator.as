@@ -3,10 +3,10 @@ package starlogo.models
     /**
      * Cuts polygons in space into triangles: concave ones, and ones with holes.
      *
-     * <p>A polygon is seen along the axis nearest to its normal (M. E. Newell's), which keeps every turn of its outline;
-     * a small bend out of its plane does no harm. Holes are joined to the outline by a bridge each (D. Eberly,
-     * "Triangulation by Ear Clipping", 2002), then ears are cut off. Corners in a straight line, and outlines that
-     * cross or cover themselves, leave no triangle without area behind.</p>
+     * <p>A polygon is seen along the axis nearest to its normal (M. E. Newell's), which keeps every turn of its
+     * outline; a small bend out of its plane does no harm. Holes are joined to the outline by a bridge each (D.
+     * Eberly, "Triangulation by Ear Clipping", 2002), then ears are cut off. Corners in a straight line, and outlines
+     * that cross or cover themselves, leave no triangle without area behind.</p>
      *
      * <p>Cost: linear for convex polygons, else up to quadratic in the corners. The whole work is bounded by
      * <code>MAX_WORK</code>: beyond it corners are cut off unseen, and holes filled.</p>
@@ -143,7 +143,8 @@ package starlogo.models
                 }
             }
             _scale = 1 / extent;
-            var normal:Vector.<Number> = new <Number>[doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
+            var normal:Vector.<Number> = new <Number>[
+                    doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
             var axis:int = 0;
             for (i = 1; i < 3; i++)
             {
@@ -158,7 +159,9 @@ package starlogo.models
             return turnsLeft || normal[axis] < 0;
         }
 
-        /** Twice the area of a loop in the plane of two axes, positive if it turns left; in units of 1/scale squared. */
+        /**
+         * Twice the area of a loop in the plane of two axes, positive if it turns left; in units of 1/scale squared.
+         */
         private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
         {
             var originX:Number = _vertices[3 * loop[0] + axisX];
@@ -310,7 +313,10 @@ package starlogo.models
             return corner < 0 || _y[corner] == y ? corner : nearestToRay(start, hole, nearest, corner);
         }
 
-        /** The corner that is in the way from a hole's node to another corner and lowest above the ray, or that corner. */
+        /**
+         * The corner that is in the way from a hole's node to another corner and lowest above the ray, or that
+         * corner.
+         */
         private function nearestToRay(start:int, hole:int, hitX:Number, corner:int):int
         {
             var x:Number = _x[hole];

@@ -30,7 +30,8 @@ package starlogo.bounding
             for each (var structure:BoundingStructure in Structures.samples())
             {
                 var volume:Number = structure.volume;
-                var result:BoundingStructure = structure.scale(2).rotate(turn(30, 40, 50)).translate(new Vector3D(1, 2, 3));
+                var offset:Vector3D = new Vector3D(1, 2, 3);
+                var result:BoundingStructure = structure.scale(2).rotate(turn(30, 40, 50)).translate(offset);
                 assertStrictlyEquals(structure, result);
                 assertNear(String(structure), 8 * volume, structure.volume, 1e-5 * volume);
             }

@@ -47,7 +47,8 @@ package starlogo.bounding
         [Test]
         public function containsItsCornersAndNothingBeyondItsFaces():void
         {
-            var box:Box = new Box(new Vector3D(1, 0, 0), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0), Z, 1, 2, 3);
+            var box:Box = new Box(new Vector3D(1, 0, 0), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0), Z,
+                    1, 2, 3);
             assertTrue(box.contains(new Vector3D(1 + 0.6 - 1.6, 0.8 + 1.2, 3)));
             assertFalse(box.contains(new Vector3D(1 + 0.61 - 1.61, 0.81 + 1.21, 3)));
             assertFalse(box.contains(new Vector3D(1, 0, 3.0001)));

@@ -1,42 +1,138 @@
 package starlogo.fitting
 {
-    import flash.geom.Vector3D;
     import flash.utils.getTimer;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import org.flexunit.asserts.fail;
     import starlogo.bounding.BoundingStructure;
+    import support.FitChecks;
     import support.ReferenceFits;
 
-    /** The best fits against minima that were certified, or found by long searches, elsewhere (test/oracle/fits.py). */
+    /** The fits against minima that were certified, or found by long searches, elsewhere (test/oracle/fits.py). */
     public class ReferenceFitsTest
     {
         public static const FIXTURES:Array = ReferenceFits.FIXTURES;
 
         [Test]
-        public function minima():void
+        public function spheres():void
         {
-            var failures:Array = [];
+            var worst:Number = 0;
             for each (var entry:Object in ReferenceFits.sets())
             {
-                var points:Vector.<Number> = ReferenceFits.points(entry);
-                var start:int = getTimer();
-                var session:FitSession = new FitSession(points);
-                var hullMs:int = getTimer() - start;
-                var sphere:BoundingStructure = session.fit(new MinimalSphereFitter());
-                start = getTimer();
-                var box:BoundingStructure = session.fit(new MinimalBoxFitter());
-                var boxMs:int = getTimer() - start;
-                start = getTimer();
-                trace([entry.name, points.length / 3, entry.hullVertices + "/" + session.hull.indices.length, "hull " + hullMs,
-                            "sphere " + ratio(sphere, entry.smallest.sphere), "box " + ratio(box, entry.smallest.box) + " " + boxMs,
-                            "obb10 " + session.fit(new OrientedBoxFitter(10)).volume / entry.thesis.orientedBox.xyz,
-                        ].join(", "));
+                var session:FitSession = new FitSession(ReferenceFits.points(entry));
+                var known:Object = entry.smallest.sphere;
+                var sphere:BoundingStructure = check(entry, session, new MinimalSphereFitter(), known.volume, 1e-6);
+                worst = Math.max(worst, excess(sphere, known.volume));
+                check(entry, session, new NaiveSphereFitter(), entry.thesis.naiveSphere.volume, 1e-6);
+                check(entry, session, new RitterSphereFitter(), known.volume, 2);
+                check(entry, session, new CentredRitterSphereFitter(), known.volume, Infinity);
             }
+            trace("smallest sphere: at most " + worst + " above");
         }
 
-        private static function ratio(found:BoundingStructure, known:Object):String
+        [Test]
+        public function boxesOfSets():void
         {
-            return known.volume > 0 ? (found.volume / known.volume).toFixed(7) : found.volume + "";
+            compareBoxes("points");
+        }
+
+        [Test]
+        public function boxesOfModels():void
+        {
+            compareBoxes("model");
+        }
+
+        [Test]
+        public function boxesOfManyPoints():void
+        {
+            compareBoxes("formula");
+        }
+
+        [Test]
+        public function capsulesOfSets():void
+        {
+            compareCapsules("points");
+        }
+
+        [Test]
+        public function capsulesOfModels():void
+        {
+            compareCapsules("model");
+        }
+
+        [Test]
+        public function capsulesOfManyPoints():void
+        {
+            compareCapsules("formula");
+        }
+
+        private static function compareBoxes(source:String):void
+        {
+            var worst:Number = 0;
+            for each (var entry:Object in entriesOf(source))
+            {
+                var start:int = getTimer();
+                var session:FitSession = new FitSession(ReferenceFits.points(entry));
+                var box:BoundingStructure = check(entry, session, new MinimalBoxFitter(), entry.smallest.box.volume, 1e-3);
+                worst = Math.max(worst, excess(box, entry.smallest.box.volume));
+                var axisAligned:Number = entry.thesis.axisAlignedBox.volume;
+                var zAligned:Number = entry.thesis.zAlignedBox.volume;
+                check(entry, session, new AxisAlignedBoxFitter(), axisAligned, 1e-6, true);
+                check(entry, session, new ZAlignedBoxFitter(10), zAligned, 1e-5, true);
+                check(entry, session, new OrientedBoxFitter(10), entry.thesis.orientedBox.xyz, 1e-5, true);
+            }
+            trace("smallest box, " + source + ": at most " + worst + " above");
+        }
+
+        private static function compareCapsules(source:String):void
+        {
+            var worst:Number = 0;
+            for each (var entry:Object in entriesOf(source))
+            {
+                var session:FitSession = new FitSession(ReferenceFits.points(entry));
+                var capsule:BoundingStructure = check(entry, session, new MinimalCapsuleFitter(), entry.smallest.capsule.volume, 0.02);
+                worst = Math.max(worst, excess(capsule, entry.smallest.capsule.volume));
+                var literal:Object = entry.thesis.capsule.oriented;
+                var oriented:BoundingStructure = check(entry, session, new CapsuleFitter(new OrientedBoxFitter(10)), literal.high, 1e-4);
+                var cylinder:BoundingStructure = check(entry, session, new CylinderFitter(new OrientedBoxFitter(10)),
+                        entry.thesis.cylinder.oriented.high, 1e-4);
+            }
+            trace("smallest capsule, " + source + ": at most " + worst + " above");
+        }
+
+        private static function entriesOf(source:String):Array
+        {
+            var entries:Array = [];
+            for each (var entry:Object in ReferenceFits.sets())
+            {
+                if (entry.source == source)
+                {
+                    entries.push(entry);
+                }
+            }
+            assertTrue("no set", entries.length > 0);
+            return entries;
+        }
+
+        private static function excess(structure:BoundingStructure, known:Number):Number
+        {
+            return known > 0 ? structure.volume / known - 1 : 0;
+        }
+
+        // Encloses every vertex, and is not above what is known by more than a fraction (nor, if asked, below).
+        private static function check(entry:Object, session:FitSession, fitter:Fitter, known:Number, fraction:Number,
+                orBelow:Boolean = false):BoundingStructure
+        {
+            var found:BoundingStructure = session.fit(fitter);
+            var label:String = entry.name + ", " + fitter + ": ";
+            assertEquals(label, "", FitChecks.outside(found, session.vertices));
+            // what is flat is so up to rounding, which depends on the coordinates
+            var rounding:Number = 1e-9 * Math.pow(session.hull.extent, 3);
+            assertTrue(label + found.volume + " instead of " + known, found.volume <= known * (1 + fraction) + rounding);
+            if (orBelow)
+            {
+                assertTrue(label + found.volume + " below " + known, found.volume >= known * (1 - fraction) - rounding);
+            }
+            return found;
         }
     }
 }

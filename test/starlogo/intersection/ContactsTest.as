@@ -11,7 +11,8 @@ package starlogo.intersection
 
     /**
      * Every feature of a structure (face, edge, corner, side, cap) against every feature of another, in a miss, an
-     * exact contact, a touch and a deep hit, turned against each other in several ways, the whole of it under several transforms.
+     * exact contact, a touch and a deep hit, turned against each other in several ways, the whole of it under several
+     * transforms.
      */
     public class ContactsTest
     {
@@ -19,7 +20,7 @@ package starlogo.intersection
         private static const CONTACT:Number = 0;
         private static const TOUCH:Number = -1e-6;
         private static const DEEP:Number = -0.1;
-        // contact is exact, but for rounding, where positions are no larger than the structures: in these first transforms
+        // the first transforms: they keep an exact contact but for rounding, positions being no larger than structures
         private static const PRECISE_TRANSFORMS:int = 2;
         private static const SPINS:Array = [0, Math.PI / 2, 1e-9, 1e-4, 0.7];
 
@@ -94,7 +95,8 @@ package starlogo.intersection
             }
         }
 
-        private static function checkUnderTransforms(name:String, isHit:Boolean, a:BoundingStructure, b:BoundingStructure, transforms:int):void
+        private static function checkUnderTransforms(name:String, isHit:Boolean, a:BoundingStructure, b:BoundingStructure,
+                transforms:int):void
         {
             for (var i:int = 0; i < transforms; i++)
             {
@@ -150,7 +152,8 @@ package starlogo.intersection
 
         private static function spheresFeatures():Array
         {
-            return [feature("pole", sphere().center, new Vector3D(0, 0, 1), 0.4), feature("side", sphere().center, new Vector3D(1, -2, 2), 0.4)];
+            return [feature("pole", sphere().center, new Vector3D(0, 0, 1), 0.4),
+                    feature("side", sphere().center, new Vector3D(1, -2, 2), 0.4)];
         }
 
         private static function capsule():Capsule
@@ -163,24 +166,30 @@ package starlogo.intersection
             var start:Vector3D = capsule().start;
             var end:Vector3D = capsule().end;
             var middle:Vector3D = new Vector3D(0.1, 0.2, 0.3);
-            return [feature("tip", start, new Vector3D(4, 0, -3), 0.25), feature("cap", end, new Vector3D(-3, 3, 4), 0.25),
-                    feature("side", middle, new Vector3D(3, 0, 4), 0.25), feature("flank", middle, new Vector3D(0, -1, 0), 0.25)];
+            return [feature("tip", start, new Vector3D(4, 0, -3), 0.25),
+                    feature("cap", end, new Vector3D(-3, 3, 4), 0.25),
+                    feature("side", middle, new Vector3D(3, 0, 4), 0.25),
+                    feature("flank", middle, new Vector3D(0, -1, 0), 0.25)];
         }
 
         private static function box():Box
         {
-            return new Box(new Vector3D(-0.2, 0.1, 0.4), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0), new Vector3D(0, 0, 1), 0.5, 0.3, 0.7);
+            return new Box(new Vector3D(-0.2, 0.1, 0.4), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0),
+                    new Vector3D(0, 0, 1), 0.5, 0.3, 0.7);
         }
 
         private static function boxsFeatures():Array
         {
             var features:Array = [];
-            for each (var signs:Array in [[1, 0, 0], [0, -1, 0], [0, 0, 1], [1, 1, 0], [0, -1, 1], [-1, 0, -1], [1, 1, 1], [-1, 1, -1]])
+            var directions:Array = [
+                    [1, 0, 0], [0, -1, 0], [0, 0, 1], [1, 1, 0], [0, -1, 1], [-1, 0, -1], [1, 1, 1], [-1, 1, -1]];
+            for each (var signs:Array in directions)
             {
                 var local:Vector3D = new Vector3D(signs[0], signs[1], signs[2]);
                 var names:Array = ["", "face", "edge", "corner"];
                 var name:String = names[int(local.lengthSquared)] + " " + signs;
-                features.push(feature(name, turned(box(), new Vector3D(0.5 * local.x, 0.3 * local.y, 0.7 * local.z)).add(box().center), turned(box(), local), 0));
+                var point:Vector3D = turned(box(), new Vector3D(0.5 * local.x, 0.3 * local.y, 0.7 * local.z));
+                features.push(feature(name, point.add(box().center), turned(box(), local), 0));
             }
             return features;
         }
@@ -202,7 +211,8 @@ package starlogo.intersection
             return [name, point, out];
         }
 
-        private static function placement(size:Number, heading:Number, pitch:Number, roll:Number, x:Number, y:Number, z:Number):Placement
+        private static function placement(size:Number, heading:Number, pitch:Number, roll:Number,
+                x:Number, y:Number, z:Number):Placement
         {
             var result:Placement = new Placement();
             result.size = size;

@@ -66,7 +66,7 @@ package starlogo.intersection
             intersects(new Sphere(new Vector3D(), 1), null);
         }
 
-        /** Where rounding decides, it decides alike for (a, b) and (b, a). */
+        /** Where rounding decides, it decides alike for (a, b) and (b, a), and the extents never contradict a hit. */
         [Test]
         public function givesTheSameAnswerForBothOrdersAtContact():void
         {
@@ -82,7 +82,7 @@ package starlogo.intersection
                     var b:BoundingStructure = structures.ofKind(kind, 1, 0);
                     var inside:Number = 0;
                     var outside:Number = 5;
-                    var direction:Vector3D = structures.direction();
+                    var direction:Vector3D = i % 2 == 0 ? structures.direction() : Vector3D.X_AXIS;
                     for (var step:int = 0; step < 60; step++)
                     {
                         var distance:Number = (inside + outside) / 2;
@@ -90,6 +90,7 @@ package starlogo.intersection
                         moved.translate(new Vector3D(direction.x * distance, direction.y * distance, direction.z * distance));
                         var isHit:Boolean = intersects(a, moved);
                         assertEquals("kind " + kind + ", pair " + i + ", step " + step, isHit, intersects(moved, a));
+                        assertTrue("extents of kind " + kind + ", pair " + i, !isHit || doExtentsMeet(a, moved));
                         inside = isHit ? distance : inside;
                         outside = isHit ? outside : distance;
                         hits += isHit ? 1 : 0;
@@ -120,6 +121,30 @@ package starlogo.intersection
             }
         }
 
+        /** A capsule without a radius has no room for rounding where it enters the box. */
+        [Test]
+        public function findsSegmentsThatPierceBoxes():void
+        {
+            var random:SeededRandom = new SeededRandom(29);
+            var structures:RandomStructures = new RandomStructures(random);
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var box:Box = structures.box(1, 3);
+                if (random.chance(0.2))
+                {
+                    box.halfX = 0;
+                }
+                var direction:Vector3D = random.chance(0.2) ? box.axisX : structures.direction();
+                var through:Vector3D = box.center;
+                var before:Number = random.between(0.1, 5);
+                var after:Number = random.between(0.1, 5);
+                var segment:Capsule = new Capsule(
+                        new Vector3D(through.x - before * direction.x, through.y - before * direction.y, through.z - before * direction.z),
+                        new Vector3D(through.x + after * direction.x, through.y + after * direction.y, through.z + after * direction.z), 0);
+                assertTrue("pair " + i, intersects(segment, box));
+            }
+        }
+
         [Test]
         public function touchingCounts():void
         {
@@ -136,6 +161,21 @@ package starlogo.intersection
             assertTrue(intersects(capsule, new Capsule(new Vector3D(1, 1, 0), new Vector3D(2, 1, 0), 0.5)));
             assertTrue(intersects(new Capsule(new Vector3D(0, 3, 0), new Vector3D(0, -3, 0), 0.5), box));
             assertTrue(intersects(box, upper));
+        }
+
+        private static function doExtentsMeet(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            var extents:Vector.<Number> = new Vector.<Number>(12, true);
+            a.extentsInto(extents);
+            b.extentsInto(extents, 6);
+            for (var i:int = 0; i < 6; i += 2)
+            {
+                if (extents[i] > extents[i + 7] || extents[i + 6] > extents[i + 1])
+                {
+                    return false;
+                }
+            }
+            return true;
         }
     }
 }

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
@@ -54,7 +56,8 @@ package starlogo.models
         [Test]
         public function takesTheSmallestAndLargestNumbers():void
         {
-            assertEquals("-0.5,0,0,0.5,0,0", new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0, 0]).vertices.join());
+            assertEquals("-0.5,0,0,0.5,0,0", new Model("small", new <Number>[0, 0, 0, Number.MIN_VALUE * 2, 0,
+                            0]).vertices.join());
             assertEquals("-0.5,0,0,0.5,0,0", new Model("large", new <Number>[0, 0, 0, 1.7e308, 0, 0]).vertices.join());
         }
 
@@ -67,13 +70,45 @@ package starlogo.models
                 var vertices:Vector.<Number> = cloud(random, 30);
                 var expected:Vector.<Number> = new Model("a", vertices).vertices;
                 var scale:Number = random.logBetween(1e-3, 1e3);
-                var offset:Vector.<Number> = new <Number>[random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)];
+                var offset:Vector.<Number> = new <Number>[random.between(-9, 9), random.between(-9, 9),
+                        random.between(-9, 9)];
                 for (var i:int = 0; i < vertices.length; i++)
                 {
                     vertices[i] = (vertices[i] + offset[i % 3]) * scale;
                 }
                 assertUnitFrame(new Model("b", vertices), expected);
             }
+        }
+
+        [Test]
+        public function keepsItsShapeHoweverItWasTurned():void
+        {
+            var random:SeededRandom = new SeededRandom(6);
+            for (var run:int = 0; run < 200; run++)
+            {
+                var vertices:Vector.<Number> = cloud(random, 30);
+                var placement:Matrix3D = new Matrix3D();
+                placement.appendRotation(random.between(0, 360), new Vector3D(random.normal(), random.normal(), random.normal()));
+                placement.appendTranslation(random.normal(), random.normal(), random.normal());
+                placement.appendScale(random.logBetween(0.1, 10), random.logBetween(0.1, 10), random.logBetween(0.1, 10));
+                var turned:Vector.<Number> = new Vector.<Number>(vertices.length);
+                placement.transformVectors(vertices, turned);
+                var model:Model = new Model("a", turned);
+                assertUnitFrame(model, model.vertices);
+                var ratio:Number = distance(model.vertices, 0, 3) / distance(turned, 0, 3);
+                for (var i:int = 6; i < turned.length; i += 3)
+                {
+                    assertTrue(Math.abs(distance(model.vertices, 0, i) / distance(turned, 0, i) / ratio - 1) < 1e-9);
+                }
+            }
+        }
+
+        private static function distance(vertices:Vector.<Number>, a:int, b:int):Number
+        {
+            var x:Number = vertices[a] - vertices[b];
+            var y:Number = vertices[a + 1] - vertices[b + 1];
+            var z:Number = vertices[a + 2] - vertices[b + 2];
+            return Math.sqrt(x * x + y * y + z * z);
         }
 
         [Test]
@@ -91,7 +126,8 @@ package starlogo.models
             refuses("triangle 1: there is no vertex 1", "a", new <Number>[1, 2, 3], new <uint>[0, 0, 0, 0, 0, 1]);
         }
 
-        private static function refuses(words:String, name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
+        private static function refuses(words:String, name:String, vertices:Vector.<Number>,
+                triangles:Vector.<uint> = null):void
         {
             var error:ModelError = Failures.of(function():void
                 {

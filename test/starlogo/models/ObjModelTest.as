@@ -22,7 +22,8 @@ package starlogo.models
         [Test]
         public function readsEveryFormOfCorner():void
         {
-            for each (var face:String in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/9/1 2/9/1 3/9/1", "f -4 -3 -2",
+            for each (var face:String in ["f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//2 3//3", "f 1/9/1 2/9/1 3/9/1",
+                        "f -4 -3 -2",
                         "f -4/-1 2//-1 3", "f 1/ 2/ 3/"])
             {
                 assertEquals(face, "0,1,2", new ObjModel("a", SQUARE + face).triangles.join());
@@ -32,7 +33,8 @@ package starlogo.models
         [Test]
         public function countsNegativeIndicesFromTheLatestVertex():void
         {
-            var model:ObjModel = new ObjModel("a", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf -3 -2 -1");
+            var model:ObjModel = new ObjModel("a",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 1\nv 1 0 1\nv 1 1 1\nf -3 -2 -1");
             assertEquals("0,1,2,3,4,5", model.triangles.join());
         }
 
@@ -47,6 +49,7 @@ package starlogo.models
                     "# a # \\\nv 0 0 0 # one\nv 1 0 0 #two\nv 1 1 0\n#f 1 2 2\nf 1 2 3 # f",
                     "v 0 \\\n 0 0\nv 1 0 0\\\n\nv 1 1 0\nf 1 \\\n2 \\\r\n3",
                     "g one\no two\ns off\nmtllib a.mtl\nv 0 0 0 1\nv 1 0 0 0.5\nusemtl f\nvt 1 2\nvn 1 2 3\nv 1 1 0 1 0.5 0\nf 1 2 3\nl 1 2\np 1",
+                    "v 0,0 0 0\nv 1,0 0 0\nv 1 10,0e-1 0\nf 1 2 3",
                     "v 0. .0 -0\nv +1.0 0e5 0E-2\nv 1e0 10.e-1 0e+0\nf 1 2 3\nf 1 2\nf"];
             for each (var text:String in LAYOUTS)
             {
@@ -100,7 +103,8 @@ package starlogo.models
             fails("line 1", "three finite numbers", "v 1 2");
             fails("line 2", "\"v 1 nan 2\"", "v 0 0 0\nv 1 nan 2");
             fails("line 1", "three finite numbers", "v 1e999 0 0");
-            fails("line 1", "three finite numbers", "v 1,5 0 0");
+            fails("line 1", "three finite numbers", "v 1,5,5 0 0");
+            fails("line 1", "three finite numbers", "v 1,500.5 0 0");
             fails("line 1", "three finite numbers", "v 1 2 # 3");
             fails("line 5", "no vertex 5", SQUARE + "f 1 2 5\nf 1 2 3");
             fails("line 5", "counts back", SQUARE + "f 1 2 -5");

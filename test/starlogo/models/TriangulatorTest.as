@@ -16,8 +16,10 @@ package starlogo.models
         {
             check("pentagon", 14, [[[0, 0], [4, 0], [4, 3], [2, 4], [0, 3]]]);
             check("arrow", 9, [[[0, 0], [4, 0], [4, 4], [2, 2], [1, 1.5], [0, 1]]], false);
-            check("comb", 11, [[[0, 0], [5, 0], [5, 3], [4, 3], [4, 1], [3, 1], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]]]);
-            check("spiral", 24, [[[0, 0], [7, 0], [7, 6], [1, 6], [1, 2], [5, 2], [5, 4], [4, 4], [4, 3], [2, 3], [2, 5], [6, 5], [6, 1], [0, 1]]], false);
+            check("comb", 11, [[[0, 0], [5, 0], [5, 3], [4, 3], [4, 1], [3, 1], [3, 3], [2, 3], [2, 1], [1, 1], [1,
+                                3], [0, 3]]]);
+            check("spiral", 24, [[[0, 0], [7, 0], [7, 6], [1, 6], [1, 2], [5, 2], [5, 4], [4, 4], [4, 3], [2, 3], [2,
+                                5], [6, 5], [6, 1], [0, 1]]], false);
         }
 
         [Test]
@@ -27,7 +29,8 @@ package starlogo.models
             check("a hole turning the other way", 15, [SQUARE, [[1, 1], [1, 2], [2, 2], [2, 1]]]);
             check("four holes", 12, [SQUARE, hole(0.5, 0.5), hole(2.5, 0.5), hole(2.5, 2.5), hole(0.5, 2.5)]);
             check("holes in a row", 13, [SQUARE, hole(0.5, 1), hole(1.75, 1), hole(2.9, 1)]);
-            check("a hole behind a dent", 13.625, [[[0, 0], [4, 0], [4, 1.5], [2.5, 1.75], [4, 2], [4, 4], [0, 4]], hole(0.5, 1), hole(0.5, 2.5)], false);
+            check("a hole behind a dent", 13.625, [[[0, 0], [4, 0], [4, 1.5], [2.5, 1.75], [4, 2], [4, 4], [0, 4]],
+                        hole(0.5, 1), hole(0.5, 2.5)], false);
             check("a hole outside is no hole", 16, [SQUARE, hole(9, 1)]);
         }
 
@@ -67,6 +70,40 @@ package starlogo.models
         }
 
         [Test]
+        public function leavesRandomHolesOpen():void
+        {
+            var random:SeededRandom = new SeededRandom(77);
+            for (var i:int = 0; i < 100; i++)
+            {
+                var loops:Array = [SQUARE.concat()];
+                var expected:Number = 16;
+                for (var cell:int = 0; cell < 16; cell++)
+                {
+                    if (random.chance(0.6))
+                    {
+                        var star:Array = starIn(cell % 4 + 0.5, int(cell / 4) + 0.5, random);
+                        expected -= area(star);
+                        loops.push(random.chance() ? star : star.reverse());
+                    }
+                }
+                check("holes " + i, expected, loops);
+            }
+        }
+
+        private static function starIn(x:Number, y:Number, random:SeededRandom):Array
+        {
+            var star:Array = [];
+            var corners:int = random.integer(3, 9);
+            for (var i:int = 0; i < corners; i++)
+            {
+                var radius:Number = random.between(0.1, 0.49);
+                var angle:Number = 2 * Math.PI * i / corners;
+                star.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
+            }
+            return star;
+        }
+
+        [Test]
         public function endsOnPolygonsOfManyCorners():void
         {
             var gear:Array = [];
@@ -98,7 +135,8 @@ package starlogo.models
             for (var i:int = 0; i < turns; i++)
             {
                 var found:Number = run(loops, placement);
-                assertTrue(what + ", turn " + i + ": area " + found + ", not " + expected, Math.abs(found - expected) < 1e-5);
+                assertTrue(what + ", turn " + i + ": area " + found + ", not " + expected,
+                        Math.abs(found - expected) < 1e-5);
                 placement.appendRotation(77, new Vector3D(1, 2, 3));
                 placement.appendTranslation(1, -2, 0.5);
                 loops[0].push(loops[0].shift());
@@ -131,7 +169,8 @@ package starlogo.models
                 var a:Array = at(flat, triangles[i]);
                 var b:Array = at(flat, triangles[i + 1]);
                 var c:Array = at(flat, triangles[i + 2]);
-                assertTrue("turns like the outline", ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) * side > -1e-9);
+                assertTrue("turns like the outline",
+                        ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) * side > -1e-9);
             }
             return Surfaces.area(vertices, triangles);
         }

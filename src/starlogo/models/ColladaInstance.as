@@ -1,0 +1,27 @@
+package starlogo.models
+{
+    /** A geometry in a COLLADA scene, and where it is. */
+    internal final class ColladaInstance
+    {
+        /** The element "geometry". */
+        public var geometry:XML;
+
+        /** Where it is in the scene. */
+        public var transform:ColladaTransform;
+
+        /** The element that placed it there. */
+        public var element:XML;
+
+        /**
+         * @param geometry the element "geometry"
+         * @param transform where it is in the scene
+         * @param element the element that placed it there
+         */
+        public function ColladaInstance(geometry:XML, transform:ColladaTransform, element:XML)
+        {
+            this.geometry = geometry;
+            this.transform = transform;
+            this.element = element;
+        }
+    }
+}

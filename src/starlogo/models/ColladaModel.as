@@ -1,0 +1,52 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+
+    /**
+     * A model from a COLLADA document, 1.4 or 1.5.
+     *
+     * <p>Read is the scene that the document shows: its nodes with all their transformations, the geometries that
+     * they place (directly, through nodes of a library, or through controllers: a skin at rest, where its bind shape
+     * matrix puts it, and a morph as its base), and of these every primitive with a surface: triangles, polylist,
+     * polygons with holes, tristrips and trifans. A document without a scene gives all geometries of its library. The
+     * axis that points up is turned to z. Elements are known by their names, in any namespace or none; numbers may
+     * have a decimal comma. The unit plays no part, since a model is scaled anyway; nor do materials, lights,
+     * cameras, animations, splines and solids.</p>
+     *
+     * <p>Where there are surfaces, points that none of them uses are left out; where there are none, the points of
+     * the geometries make a model without triangles. Triangles of a mirrored node are turned round, so that they
+     * still face outwards. A scene may have 50,000 nodes, a million vertices and two million triangles; more is an
+     * error, for a small file can ask for any number. Cost: linear in the text and the scene, and for concave
+     * polygons up to quadratic in their corners.</p>
+     */
+    public class ColladaModel extends Model
+    {
+        /**
+         * Reads a model; <code>Model</code> says how it is normalised.
+         *
+         * @param name what agents call the shape, not empty
+         * @param source the document's text
+         * @throws ModelError if the text is no COLLADA document or its scene has no geometry, a number, count, index
+         *     or reference is wrong, nodes place each other in a circle, or as for <code>Model</code>; it names the
+         *     element
+         */
+        public function ColladaModel(name:String, source:String)
+        {
+            var reader:ColladaReader = new ColladaReader(name, source).readAll();
+            super(name, reader.vertices, reader.triangles);
+        }
+
+        /**
+         * Reads a model from a file's bytes: a document (UTF-8, UTF-16, ISO 8859-1 or Windows-1252) or a zipped one
+         * (.zae).
+         *
+         * @param name what agents call the shape, not empty
+         * @param bytes the whole file; its position is left anywhere
+         * @throws ModelError as the constructor does, or if an archive is damaged or has no document in it
+         */
+        public static function fromBytes(name:String, bytes:ByteArray):ColladaModel
+        {
+            return new ColladaModel(name, ModelFile.colladaText(name, bytes));
+        }
+    }
+}

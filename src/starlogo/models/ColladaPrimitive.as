@@ -1,0 +1,314 @@
+package starlogo.models
+{
+    /**
+     * Reads one element of a COLLADA mesh that carries surfaces: triangles, polylist, polygons, tristrips or trifans.
+     */
+    internal final class ColladaPrimitive
+    {
+        private static const CORNERS_PER_STEP:int = 1500;
+        private static const MAX_OFFSET:int = 255;
+        private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
+
+        private var _document:ColladaDocument;
+        private var _element:XML;
+        private var _firstPosition:int;
+        private var _positionCount:int;
+        private var _isUsed:Vector.<uint>;
+        private var _triangles:Vector.<uint>;
+        private var _triangulator:Triangulator;
+
+        // where corners find their position's index: every _stride words, from the word _offset
+        private var _stride:int;
+        private var _offset:int;
+
+        // the lists of corners (p) that are not read yet, and what is left of the present one
+        private var _lists:Array = [];
+        private var _words:Array = [];
+        private var _word:int = 0;
+        private var _sizes:Array = null;
+        private var _size:int = 0;
+
+        /**
+         * @param document the document
+         * @param element the primitive
+         * @param positions where among the mesh's points its own begin, and how many there are
+         * @param isUsed a number for each point of the mesh; set to 1 where a corner is
+         * @param triangles where the triangles go
+         * @param triangulator cuts the polygons, into the same triangles
+         */
+        public function ColladaPrimitive(document:ColladaDocument, element:XML, positions:ColladaPositions,
+                isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
+        {
+            _document = document;
+            _element = element;
+            _firstPosition = positions.first;
+            _positionCount = positions.count;
+            _isUsed = isUsed;
+            _triangles = triangles;
+            _triangulator = triangulator;
+            readInputs();
+            for each (var list:XML in ColladaDocument.children(element, "p"))
+            {
+                _lists.push(list);
+            }
+            checkLists();
+        }
+
+        /** Whether an element is a primitive with surfaces. */
+        internal static function isSurface(element:XML):Boolean
+        {
+            return NAMES.indexOf(element.localName()) >= 0;
+        }
+
+        /**
+         * The input of a primitive that places its corners.
+         *
+         * @throws ModelError if there is none
+         */
+        internal static function positionInput(document:ColladaDocument, element:XML):XML
+        {
+            var position:XML = null;
+            for each (var input:XML in ColladaDocument.children(element, "input"))
+            {
+                if (input.@semantic == "VERTEX")
+                {
+                    return input;
+                }
+                if (input.@semantic == "POSITION")
+                {
+                    position = input;
+                }
+            }
+            if (position == null)
+            {
+                throw document.error(element, "expected an <input> with the semantic VERTEX");
+            }
+            return position;
+        }
+
+        /**
+         * Reads on.
+         *
+         * @return whether there is more to read
+         */
+        public function step():Boolean
+        {
+            switch (_element.localName())
+            {
+                case "triangles":
+                    return readTriangles();
+                case "polylist":
+                    return readPolylist();
+                case "polygons":
+                    return readPolygons();
+                case "tristrips":
+                    return readStrips(false);
+                default:
+                    return readStrips(true);
+            }
+        }
+
+        private function readInputs():void
+        {
+            _stride = 1;
+            for each (var input:XML in ColladaDocument.children(_element, "input"))
+            {
+                var offset:Number = _document.integer(input, "offset", 0);
+                if (offset > MAX_OFFSET)
+                {
+                    throw _document.error(input, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
+                }
+                _stride = Math.max(_stride, offset + 1);
+            }
+            _offset = _document.integer(positionInput(_document, _element), "offset", 0);
+        }
+
+        private function checkLists():void
+        {
+            switch (_element.localName())
+            {
+                case "triangles":
+                    _words = allWords();
+                    if (cornersIn(_words) % 3 != 0)
+                    {
+                        throw _document.error(_element, "expected three corners for each triangle, but found " +
+                                cornersIn(_words));
+                    }
+                    _document.checkCount(_element, cornersIn(_words) / 3, "triangles");
+                    break;
+                case "polylist":
+                    _words = allWords();
+                    readSizes();
+                    break;
+                case "polygons":
+                    for each (var polygon:XML in ColladaDocument.children(_element, "ph"))
+                    {
+                        _lists.push(polygon);
+                    }
+                    _document.checkCount(_element, _lists.length, "polygons");
+                    break;
+                default:
+                    _document.checkCount(_element, _lists.length, "lists of corners <p>");
+                    break;
+            }
+        }
+
+        private function readSizes():void
+        {
+            var vcount:XML = ColladaDocument.child(_element, "vcount");
+            _sizes = vcount == null ? [] : ColladaDocument.words(vcount);
+            _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
+            var sum:Number = 0;
+            for each (var word:String in _sizes)
+            {
+                var size:Number = Number(word);
+                if (!(size >= 0 && size <= _words.length && size == int(size)))
+                {
+                    throw _document.error(vcount, "expected how many corners a polygon has, but found \"" +
+                            Words.shorten(word) + "\"");
+                }
+                sum += size;
+            }
+            if (sum != cornersIn(_words))
+            {
+                throw _document.error(_element, "its <vcount> adds up to " + sum + " corners, but <p> has " +
+                        cornersIn(_words));
+            }
+        }
+
+        private function allWords():Array
+        {
+            if (_lists.length == 1)
+            {
+                return ColladaDocument.words(_lists[0]);
+            }
+            var words:Array = [];
+            for each (var list:XML in _lists)
+            {
+                words = words.concat(ColladaDocument.words(list));
+            }
+            return words;
+        }
+
+        private function cornersIn(words:Array):int
+        {
+            if (words.length % _stride != 0)
+            {
+                throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " +
+                        words.length +
+                        " in all");
+            }
+            return words.length / _stride;
+        }
+
+        private function readTriangles():Boolean
+        {
+            var end:int = Math.min(_words.length, _word + CORNERS_PER_STEP * _stride);
+            var at:int = _triangles.length;
+            while (_word < end)
+            {
+                _triangles[at++] = cornerAt(_word);
+                _word += _stride;
+            }
+            return _word < _words.length;
+        }
+
+        private function readPolylist():Boolean
+        {
+            var end:int = _word + CORNERS_PER_STEP * _stride;
+            while (_size < _sizes.length && _word <= end)
+            {
+                var count:int = Number(_sizes[_size++]);
+                if (count == 4)
+                {
+                    _triangulator.addQuad(cornerAt(_word), cornerAt(_word + _stride), cornerAt(_word + 2 * _stride),
+                            cornerAt(_word + 3 * _stride));
+                }
+                else if (count > 2)
+                {
+                    _triangulator.addPolygon(new <Vector.<uint>>[corners(_words, _word, count)]);
+                }
+                _word += count * _stride;
+            }
+            return _size < _sizes.length;
+        }
+
+        private function readPolygons():Boolean
+        {
+            for (var read:int = 0; read < CORNERS_PER_STEP && _lists.length > 0; )
+            {
+                var element:XML = _lists.shift();
+                var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+                if (element.localName() == "ph")
+                {
+                    loops.push(loopOf(_document.requiredChild(element, "p")));
+                    for each (var hole:XML in ColladaDocument.children(element, "h"))
+                    {
+                        loops.push(loopOf(hole));
+                    }
+                }
+                else
+                {
+                    loops.push(loopOf(element));
+                }
+                read += 10 + loops[0].length;
+                if (loops[0].length > 2)
+                {
+                    _triangulator.addPolygon(loops);
+                }
+            }
+            return _lists.length > 0;
+        }
+
+        private function readStrips(isFan:Boolean):Boolean
+        {
+            for (var read:int = 0; read < CORNERS_PER_STEP && _lists.length > 0; )
+            {
+                var strip:Vector.<uint> = loopOf(_lists.shift());
+                for (var i:int = 2; i < strip.length; i++)
+                {
+                    var first:uint = isFan ? strip[0] : strip[i - 2 + (i & 1)];
+                    var second:uint = isFan ? strip[i - 1] : strip[i - 1 - (i & 1)];
+                    if (first != second && second != strip[i] && strip[i] != first)
+                    {
+                        _triangles.push(first, second, strip[i]);
+                    }
+                }
+                read += 10 + strip.length;
+            }
+            return _lists.length > 0;
+        }
+
+        private function loopOf(element:XML):Vector.<uint>
+        {
+            _words = ColladaDocument.words(element);
+            return corners(_words, 0, cornersIn(_words));
+        }
+
+        private function corners(words:Array, start:int, count:int):Vector.<uint>
+        {
+            var result:Vector.<uint> = new Vector.<uint>(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                result[i] = cornerAt(start + i * _stride);
+            }
+            return result;
+        }
+
+        /** The point of the corner whose indices begin at a word. */
+        private function cornerAt(word:int):uint
+        {
+            var value:Number = Number(_words[int(word + _offset)]);
+            var index:int = int(value);
+            if (index != value || index < 0 || index >= _positionCount)
+            {
+                throw _document.error(_element, "expected a position's index, 0 to " + (_positionCount - 1) +
+                        ", but found \"" +
+                        Words.shorten(_words[word + _offset]) + "\"");
+            }
+            index += _firstPosition;
+            _isUsed[index] = 1;
+            return index;
+        }
+    }
+}

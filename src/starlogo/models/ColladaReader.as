@@ -1,0 +1,195 @@
+package starlogo.models
+{
+    /** Reads a COLLADA document; ColladaModel says what of it. */
+    internal final class ColladaReader implements IModelReader
+    {
+        /** How many vertices, and triangles, a scene may have: instances may make any number of a small file's. */
+        internal static const MAX_VERTICES:int = 1000000;
+
+        /** @copy #MAX_VERTICES */
+        internal static const MAX_TRIANGLES:int = 2000000;
+
+        private var _name:String;
+        private var _source:String;
+        private var _document:ColladaDocument = null;
+        private var _scene:ColladaScene = null;
+        private var _isWalking:Boolean = true;
+        private var _instance:int = 0;
+        private var _meshes:Object = {};
+        private var _mesh:ColladaMesh = null;
+        private var _isDone:Boolean = false;
+
+        private var _vertices:Vector.<Number> = new Vector.<Number>();
+        private var _triangles:Vector.<uint> = new Vector.<uint>();
+        // the points of geometries without surfaces: of use only where no geometry has any
+        private var _loosePoints:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * @param name the model's name
+         * @param source the document's text
+         */
+        public function ColladaReader(name:String, source:String)
+        {
+            _name = name;
+            _source = source;
+        }
+
+        /** @inheritDoc */
+        public function get vertices():Vector.<Number>
+        {
+            return _vertices;
+        }
+
+        /** @inheritDoc */
+        public function get triangles():Vector.<uint>
+        {
+            return _triangles;
+        }
+
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            if (_isDone)
+            {
+                return 1;
+            }
+            return _instance == 0 ? 0 : 0.9 * _instance / _scene.instances.length;
+        }
+
+        /** Reads all of it, and is ready with the vertices and triangles. */
+        public function readAll():ColladaReader
+        {
+            while (!_isDone)
+            {
+                step();
+            }
+            return this;
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            if (_document == null)
+            {
+                _document = new ColladaDocument(_name, _source);
+            }
+            else if (_scene == null)
+            {
+                _scene = new ColladaScene(_document);
+            }
+            else if (_isWalking)
+            {
+                _isWalking = _scene.step();
+            }
+            else
+            {
+                readInstances();
+            }
+            return !_isDone;
+        }
+
+        private function readInstances():void
+        {
+            if (_instance == _scene.instances.length)
+            {
+                finish();
+                return;
+            }
+            var instance:ColladaInstance = _scene.instances[_instance];
+            if (_mesh == null)
+            {
+                _mesh = meshOf(instance.geometry);
+            }
+            else if (!_mesh.step())
+            {
+                place(_mesh, instance);
+                _mesh = null;
+                _instance++;
+            }
+        }
+
+        /** A geometry is read once, however often the scene has it. */
+        private function meshOf(geometry:XML):ColladaMesh
+        {
+            var key:String = "#" + geometry.@id; // an id may be the name of a property that each Object has
+            if (key == "#" || _meshes[key] == null)
+            {
+                _meshes[key] = new ColladaMesh(_document, geometry);
+            }
+            return _meshes[key];
+        }
+
+        private function place(mesh:ColladaMesh, instance:ColladaInstance):void
+        {
+            var points:Vector.<Number> = mesh.hasSurfaces ? _vertices : _loosePoints;
+            var first:int = points.length / 3;
+            var vertexCount:int = first + mesh.vertices.length / 3;
+            var triangleCount:int = (_triangles.length + mesh.triangles.length) / 3;
+            if (vertexCount > MAX_VERTICES || triangleCount > MAX_TRIANGLES)
+            {
+                throw _document.error(instance.element, "the scene has more than " + MAX_VERTICES + " vertices or " +
+                        MAX_TRIANGLES + " triangles");
+            }
+            if (!instance.transform.addPoints(mesh.vertices, points))
+            {
+                throw _document.error(instance.element, "its transformed coordinates are too large to be finite numbers");
+            }
+            addTriangles(mesh.triangles, first, instance.transform.isMirror);
+        }
+
+        private function addTriangles(triangles:Vector.<uint>, first:int, isMirrored:Boolean):void
+        {
+            var length:int = triangles.length;
+            var at:int = _triangles.length;
+            _triangles.length += length;
+            var second:int = isMirrored ? 2 : 1;
+            var third:int = isMirrored ? 1 : 2;
+            for (var i:int = 0; i < length; i += 3)
+            {
+                _triangles[at] = triangles[i] + first;
+                _triangles[int(at + second)] = triangles[int(i + 1)] + first;
+                _triangles[int(at + third)] = triangles[int(i + 2)] + first;
+                at += 3;
+            }
+        }
+
+        private function finish():void
+        {
+            if (_vertices.length == 0)
+            {
+                _vertices = _loosePoints;
+            }
+            if (_vertices.length == 0)
+            {
+                throw new ModelError(_name, "", "no vertices: expected a scene or a library with a geometry in it");
+            }
+            UpAxis.turn(_vertices, upAxis());
+            _source = null;
+            _document = null;
+            _isDone = true;
+        }
+
+        private function upAxis():String
+        {
+            var asset:XML = ColladaDocument.child(_document.root, "asset");
+            var element:XML = asset == null ? null : ColladaDocument.child(asset, "up_axis");
+            if (element == null)
+            {
+                return UpAxis.Y;
+            }
+            var text:String = ColladaDocument.words(element).join(" ");
+            switch (text)
+            {
+                case "X_UP":
+                    return UpAxis.X;
+                case "Y_UP":
+                    return UpAxis.Y;
+                case "Z_UP":
+                    return UpAxis.Z;
+                default:
+                    throw _document.error(element, "expected X_UP, Y_UP or Z_UP, but found \"" +
+                            Words.shorten(text) + "\"");
+            }
+        }
+    }
+}

@@ -1,0 +1,151 @@
+package starlogo.models
+{
+    /**
+     * Walks through the scene of a COLLADA document and finds the geometries in it; without a scene, all geometries of
+     * the library as they are.
+     */
+    internal final class ColladaScene
+    {
+        private static const NODES_PER_STEP:int = 20;
+        private static const MAX_DEPTH:int = 256;
+
+        /** How many nodes a scene may have: with nodes that place others twice, a small file may have any number. */
+        internal static const MAX_NODES:int = 50000;
+
+        private var _document:ColladaDocument;
+        private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+        private var _visited:int = 0;
+        private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
+
+        /**
+         * @param document the document
+         */
+        public function ColladaScene(document:ColladaDocument)
+        {
+            _document = document;
+            var scene:XML = ColladaDocument.child(document.root, "scene");
+            var instance:XML = scene == null ? null : ColladaDocument.child(scene, "instance_visual_scene");
+            if (instance != null)
+            {
+                _pending.push(new ColladaNode(document.target(instance, "url", ["visual_scene"]), null));
+            }
+            else
+            {
+                addLibrary();
+            }
+        }
+
+        /** When all is walked through: the geometries, in the document's order. */
+        public function get instances():Vector.<ColladaInstance>
+        {
+            return _instances;
+        }
+
+        /**
+         * Walks on.
+         *
+         * @return whether there is more
+         */
+        public function step():Boolean
+        {
+            for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
+            {
+                visit(_pending.pop());
+            }
+            return _pending.length > 0;
+        }
+
+        private function addLibrary():void
+        {
+            for each (var library:XML in ColladaDocument.children(_document.root, "library_geometries"))
+            {
+                for each (var geometry:XML in ColladaDocument.children(library, "geometry"))
+                {
+                    _instances.push(new ColladaInstance(geometry, new ColladaTransform(), geometry));
+                }
+            }
+        }
+
+        private function visit(node:ColladaNode):void
+        {
+            checkSize(node);
+            var nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+            var elements:XMLList = node.element.elements();
+            for each (var element:XML in elements)
+            {
+                switch (element.localName())
+                {
+                    case "instance_geometry":
+                        addGeometry(element, node.transform);
+                        break;
+                    case "instance_controller":
+                        addController(element, node.transform);
+                        break;
+                    case "instance_node":
+                        nodes.push(new ColladaNode(instanced(element, node), node));
+                        break;
+                    case "node":
+                        nodes.push(new ColladaNode(element, node));
+                        break;
+                    default:
+                        var local:ColladaTransform = ColladaTransform.of(_document, element);
+                        node.transform = local == null ? node.transform : node.transform.after(local);
+                        break;
+                }
+            }
+            while (nodes.length > 0)
+            {
+                _pending.push(nodes.pop());
+            }
+        }
+
+        private function checkSize(node:ColladaNode):void
+        {
+            if (++_visited > MAX_NODES)
+            {
+                throw _document.error(node.element, "the scene has more than " + MAX_NODES +
+                        " nodes, those of each instance_node counted");
+            }
+            if (node.depth > MAX_DEPTH)
+            {
+                throw _document.error(node.element, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            }
+        }
+
+        private function instanced(element:XML, node:ColladaNode):XML
+        {
+            var target:XML = _document.target(element, "url", ["node"]);
+            if (node.isWithin(target.@id))
+            {
+                throw _document.error(element, "recursive instance_node: it places the node \"" +
+                        Words.shorten(target.@id) +
+                        "\" within itself");
+            }
+            return target;
+        }
+
+        private function addGeometry(element:XML, transform:ColladaTransform):void
+        {
+            _instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), transform, element));
+        }
+
+        /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */
+        private function addController(element:XML, transform:ColladaTransform):void
+        {
+            var target:XML = _document.target(element, "url", ["controller"]);
+            for (var i:int = 0; target.localName() == "controller"; i++)
+            {
+                var skin:XML = ColladaDocument.child(target, "skin");
+                var deformer:XML = skin || _document.requiredChild(target, "morph");
+                var shape:XML = skin == null ? null : ColladaDocument.child(skin, "bind_shape_matrix");
+                transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
+                target = _document.target(deformer, "source", ["geometry", "controller"]);
+                if (i > MAX_DEPTH)
+                {
+                    throw _document.error(element, "its controllers deform each other in a circle");
+                }
+            }
+            _instances.push(new ColladaInstance(target, transform, element));
+        }
+    }
+}

@@ -1,0 +1,109 @@
+package starlogo.models
+{
+    /** Reads the points of a COLLADA source, its array as its accessor sees it, in small steps. */
+    internal final class ColladaSource
+    {
+        private static const POINTS_PER_STEP:int = 2000;
+
+        private var _document:ColladaDocument;
+        private var _array:XML;
+        private var _words:Array;
+        private var _columns:Vector.<int>;
+        private var _stride:int;
+        private var _word:int;
+        private var _count:int;
+        private var _points:Vector.<Number>;
+        private var _at:int;
+
+        /**
+         * @param document the document
+         * @param source the element
+         * @param points where its points go, after those that are there: x, y, z, ...
+         */
+        public function ColladaSource(document:ColladaDocument, source:XML, points:Vector.<Number>)
+        {
+            _document = document;
+            _points = points;
+            var accessor:XML = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
+            _array = document.target(accessor, "source", ["float_array", "int_array"], source);
+            _words = ColladaDocument.words(_array);
+            document.checkCount(_array, _words.length, "numbers");
+            readAccessor(accessor);
+            _at = points.length;
+            points.length += 3 * _count;
+        }
+
+        /** How many points it has. */
+        public function get count():int
+        {
+            return _count;
+        }
+
+        /**
+         * Reads on.
+         *
+         * @return whether there is more to read
+         */
+        public function step():Boolean
+        {
+            var x:int = _columns[0];
+            var y:int = _columns[1];
+            var z:int = _columns[2];
+            var end:int = Math.min(_points.length, _at + 3 * POINTS_PER_STEP);
+            while (_at < end)
+            {
+                _points[_at++] = numberAt(_word + x);
+                _points[_at++] = numberAt(_word + y);
+                _points[_at++] = numberAt(_word + z);
+                _word += _stride;
+            }
+            return _at < _points.length;
+        }
+
+        private function numberAt(word:int):Number
+        {
+            var number:Number = Number(_words[word]);
+            return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
+        }
+
+        private function readAccessor(accessor:XML):void
+        {
+            var length:int = _words.length;
+            var stride:Number = _document.integer(accessor, "stride", 1);
+            var offset:Number = _document.integer(accessor, "offset", 0);
+            _columns = columnsOf(accessor, stride);
+            var wanted:Number = _document.integer(accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
+            var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
+            if (wanted > 0 && last >= length)
+            {
+                throw _document.error(accessor, "its count of " + wanted + " with a stride of " + stride +
+                        " reaches beyond the " +
+                        length + " numbers of its array");
+            }
+            _stride = stride;
+            _word = offset;
+            _count = wanted;
+        }
+
+        /** Which of an accessor's parameters are x, y and z: by their names, else the first three. */
+        private function columnsOf(accessor:XML, stride:Number):Vector.<int>
+        {
+            var names:Array = [];
+            for each (var param:XML in ColladaDocument.children(accessor, "param"))
+            {
+                names.push(param.@name.toString());
+            }
+            var columns:Vector.<int> = new <int>[names.indexOf("X"), names.indexOf("Y"), names.indexOf("Z")];
+            if (columns.indexOf(-1) >= 0)
+            {
+                columns = new <int>[0, 1, 2];
+            }
+            if (names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride)
+            {
+                throw _document.error(accessor,
+                        "expected the parameters X, Y and Z of points, within its stride of " + stride);
+            }
+            return columns;
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+
+    /** Makes text of a model file's bytes: whatever the encoding, and out of a zip archive. */
+    internal final class ModelFile
+    {
+        private static const UTF_8:String = "utf-8";
+        private static const UTF_16_LOW_FIRST:String = "unicode";
+        private static const UTF_16_HIGH_FIRST:String = "unicodeFFFE";
+        private static const HEAD_LENGTH:int = 1024;
+        private static const DECLARATION_LENGTH:int = 100;
+
+        /** All is static. */
+        public function ModelFile()
+        {
+        }
+
+        /**
+         * The text of a file.
+         *
+         * @throws ModelError if the bytes are no text: an image, say
+         */
+        internal static function text(name:String, bytes:ByteArray):String
+        {
+            if (bytes == null || bytes.length == 0)
+            {
+                throw new ModelError(name, "", "the file is empty");
+            }
+            var encoding:String = encodingOf(bytes);
+            if (encoding != UTF_16_LOW_FIRST && encoding != UTF_16_HIGH_FIRST)
+            {
+                checkText(name, bytes);
+            }
+            bytes.position = 0;
+            var length:int = bytes.length;
+            var text:String = encoding == UTF_8 ? bytes.readUTFBytes(length) : bytes.readMultiByte(length, encoding);
+            return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
+        }
+
+        /** The text of a COLLADA document, or of the one in a zip archive. */
+        internal static function colladaText(name:String, bytes:ByteArray):String
+        {
+            if (bytes == null || !ZipArchive.isArchive(bytes))
+            {
+                return text(name, bytes);
+            }
+            var archive:ZipArchive = new ZipArchive(name, bytes);
+            return text(name, archive.read(documentIn(name, archive)));
+        }
+
+        /** The document that an archive's manifest names, or else the first one in it. */
+        private static function documentIn(name:String, archive:ZipArchive):String
+        {
+            if (archive.has("manifest.xml"))
+            {
+                var words:Array = text(name, archive.read("manifest.xml")).split(/<[^>]*>/);
+                for each (var word:String in words)
+                {
+                    var path:String = unescape(word.replace(/^\s*(\.\/)?|\s*(#.*)?$/g, ""));
+                    if (archive.has(path))
+                    {
+                        return path;
+                    }
+                }
+            }
+            for each (var file:String in archive.files)
+            {
+                if (file.substr(-4).toLowerCase() == ".dae")
+                {
+                    return file;
+                }
+            }
+            throw new ModelError(name, "", "the archive has no COLLADA document (.dae) in it");
+        }
+
+        private static function encodingOf(bytes:ByteArray):String
+        {
+            if (bytes.length >= 2)
+            {
+                var mark:int = bytes[0] << 8 | bytes[1];
+                if (mark == 0xFFFE || mark == 0x3C00) // a byte-order mark, or a "<" without one
+                {
+                    return UTF_16_LOW_FIRST;
+                }
+                if (mark == 0xFEFF || mark == 0x003C)
+                {
+                    return UTF_16_HIGH_FIRST;
+                }
+            }
+            bytes.position = 0;
+            var start:String = bytes.readUTFBytes(Math.min(bytes.length, DECLARATION_LENGTH));
+            var declaration:Array = start.match(/^<\?xml[^>]*encoding=["'](iso-8859-1|windows-1252)["']/i);
+            return declaration == null ? UTF_8 : declaration[1].toLowerCase();
+        }
+
+        // the player ends a text at its first zero
+        private static function checkText(name:String, bytes:ByteArray):void
+        {
+            bytes.position = 0;
+            var isPlain:Boolean = bytes.readUTFBytes(bytes.length).length == bytes.length;
+            var length:int = isPlain ? Math.min(bytes.length, HEAD_LENGTH) : bytes.length;
+            for (var i:int = 0; i < length; i++)
+            {
+                if (bytes[i] == 0)
+                {
+                    throw new ModelError(name, "", "this is no text but some binary file: expected a model");
+                }
+            }
+        }
+    }
+}

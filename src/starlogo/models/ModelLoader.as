@@ -1,0 +1,259 @@
+package starlogo.models
+{
+    import flash.display.Shape;
+    import flash.events.ErrorEvent;
+    import flash.events.Event;
+    import flash.events.EventDispatcher;
+    import flash.events.ProgressEvent;
+    import flash.utils.ByteArray;
+    import flash.utils.getTimer;
+
+    /** A model is loaded: agents may have its shape. @eventType starlogo.models.ModelEvent.LOADED */
+    [Event(name="modelLoaded", type="starlogo.models.ModelEvent")]
+
+    /**
+     * A model can't be loaded: the text names it and says why. The others go on. @eventType
+     * flash.events.ErrorEvent.ERROR
+     */
+    [Event(name="error", type="flash.events.ErrorEvent")]
+
+    /**
+     * Once a frame while there is work: <code>bytesLoaded</code> of <code>bytesTotal</code> hundredths of models are
+     * done, of all since the loader was last idle. @eventType flash.events.ProgressEvent.PROGRESS
+     */
+    [Event(name="progress", type="flash.events.ProgressEvent")]
+
+    /** No model is left to load, whether all were loaded or not. @eventType flash.events.Event.COMPLETE */
+    [Event(name="complete", type="flash.events.Event")]
+
+    /** All loads were cancelled. @eventType flash.events.Event.CANCEL */
+    [Event(name="cancel", type="flash.events.Event")]
+
+    /**
+     * Loads models while a game runs: fetches their files, reads them and hands them to a receiver, in steps that leave
+     * the frames their time.
+     *
+     * <p>Models wait in a queue and are worked on in its order, each as soon as its file is there. Every frame the loader
+     * works for about <code>budget</code> milliseconds. It can't stop within a step: most take less than a millisecond,
+     * the longest for a file of 5,000 vertices a few (the player takes XML in one piece).</p>
+     *
+     * <p>The reader is chosen by content and name: a zip archive, a text that begins with a tag, and files named .dae and
+     * .zae are COLLADA, anything else OBJ. Agents may have a shape from when its ModelEvent comes; before that the
+     * collision systems do not know it.</p>
+     *
+     * @example
+     * <listing version="3.0">
+     * var loader:ModelLoader = new ModelLoader(greatLand);
+     * loader.addEventListener(Event.COMPLETE, startGame);
+     * loader.addEventListener(ErrorEvent.ERROR, showError);
+     * loader.load("bear", "assets/bear.dae");
+     * </listing>
+     */
+    public class ModelLoader extends EventDispatcher
+    {
+        /** Milliseconds of work a frame. At 0 it is one step a frame. */
+        public var budget:Number;
+
+        private var _receiver:IModelReceiver;
+        private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
+        private var _frames:Shape = new Shape();
+        private var _doneCount:int = 0;
+        private var _longestFrame:int = 0;
+
+        /**
+         * @param receiver takes the models in
+         * @param budget milliseconds of work a frame
+         */
+        public function ModelLoader(receiver:IModelReceiver, budget:Number = 8)
+        {
+            _receiver = receiver;
+            this.budget = budget;
+        }
+
+        /** How many models are not loaded yet. */
+        public function get pendingCount():int
+        {
+            return _queue.length;
+        }
+
+        /** The longest time it has worked in one frame so far, in milliseconds. */
+        public function get longestFrame():int
+        {
+            return _longestFrame;
+        }
+
+        /** Whether a model of a name is on its way: asked for, but not loaded yet. */
+        public function isPending(name:String):Boolean
+        {
+            for each (var pending:ModelLoad in _queue)
+            {
+                if (pending.name == name)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /**
+         * Loads a model from a file. What goes wrong comes as an ErrorEvent.
+         *
+         * @param name what agents call the shape
+         * @param url where the file is: OBJ, COLLADA or zipped COLLADA
+         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"
+         */
+        public function load(name:String, url:String, upAxis:String = "z"):void
+        {
+            var added:ModelLoad = add(name, upAxis);
+            added.fetch(url);
+        }
+
+        /**
+         * Loads a model from a file's bytes.
+         *
+         * @param name what agents call the shape
+         * @param bytes the whole file: OBJ, COLLADA or zipped COLLADA; not to be changed until the model is loaded
+         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"
+         */
+        public function loadBytes(name:String, bytes:ByteArray, upAxis:String = "z"):void
+        {
+            add(name, upAxis).takeBytes(bytes);
+        }
+
+        /**
+         * Loads a model from text.
+         *
+         * @param name what agents call the shape
+         * @param text OBJ or COLLADA
+         * @param upAxis the axis that points up in OBJ text: "x", "y" or "z"
+         */
+        public function loadText(name:String, text:String, upAxis:String = "z"):void
+        {
+            add(name, upAxis).takeText(text);
+        }
+
+        /**
+         * Forgets the loads of one name, or all. What they have done so far is undone; models that are loaded stay.
+         *
+         * @param name the name; null for all
+         */
+        public function cancel(name:String = null):void
+        {
+            var count:int = _queue.length;
+            for (var i:int = count - 1; i >= 0; i--)
+            {
+                if (name == null || _queue[i].name == name)
+                {
+                    _queue[i].cancel();
+                    _queue.splice(i, 1);
+                }
+            }
+            if (_queue.length == 0 && count > 0)
+            {
+                rest();
+                dispatchEvent(new Event(Event.CANCEL));
+            }
+        }
+
+        private function add(name:String, upAxis:String):ModelLoad
+        {
+            var added:ModelLoad = new ModelLoad(name, upAxis, _receiver);
+            _queue.push(added);
+            _frames.addEventListener(Event.ENTER_FRAME, onFrame);
+            return added;
+        }
+
+        private function rest():void
+        {
+            _frames.removeEventListener(Event.ENTER_FRAME, onFrame);
+            _doneCount = 0;
+        }
+
+        private function onFrame(event:Event):void
+        {
+            var start:int = getTimer();
+            var next:ModelLoad = nextReady();
+            while (next != null)
+            {
+                work(next);
+                if (getTimer() - start >= budget)
+                {
+                    break;
+                }
+                next = nextReady();
+            }
+            _longestFrame = Math.max(_longestFrame, getTimer() - start);
+            report();
+        }
+
+        private function nextReady():ModelLoad
+        {
+            for each (var pending:ModelLoad in _queue)
+            {
+                if (pending.isReady)
+                {
+                    return pending;
+                }
+            }
+            return null;
+        }
+
+        /** Does a step; whatever goes wrong in it ends this load, not the others. */
+        private function work(load:ModelLoad):void
+        {
+            var hasMore:Boolean = false;
+            var problem:String = null;
+            try
+            {
+                hasMore = load.step();
+            }
+            catch (error:ModelError)
+            {
+                problem = error.message;
+            }
+            catch (error:Error)
+            {
+                problem = new ModelError(load.name, "", "it can't be taken in: " + error.message).message;
+            }
+            var place:int = _queue.indexOf(load); // a step may have cancelled its own load
+            if (!hasMore && place >= 0)
+            {
+                _queue.splice(place, 1);
+                _doneCount++;
+                tell(load, problem);
+            }
+        }
+
+        private function tell(load:ModelLoad, problem:String):void
+        {
+            if (problem == null)
+            {
+                dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
+            }
+            else
+            {
+                dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem));
+            }
+        }
+
+        private function report():void
+        {
+            if (!_frames.hasEventListener(Event.ENTER_FRAME))
+            {
+                return; // a handler has cancelled the rest
+            }
+            var done:Number = _doneCount;
+            for each (var pending:ModelLoad in _queue)
+            {
+                done += pending.progress;
+            }
+            var total:Number = 100 * (_doneCount + _queue.length);
+            dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
+            if (_queue.length == 0 && _frames.hasEventListener(Event.ENTER_FRAME))
+            {
+                rest();
+                dispatchEvent(new Event(Event.COMPLETE));
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package starlogo.models
+{
+    /** Splits text by means of what is native in the player: there a character at a time is slow. */
+    internal final class Words
+    {
+        /** All is static. */
+        public function Words()
+        {
+        }
+
+        /** The words of a text, divided by any white space; none in a text without words. */
+        internal static function of(text:String):Array
+        {
+            text = replaceAll(text, "\n", " ");
+            text = replaceAll(text, "\r", " ");
+            text = singleSpaced(replaceAll(text, "\t", " "));
+            var start:int = text.charCodeAt(0) == 0x20 ? 1 : 0;
+            var end:int = text.charCodeAt(text.length - 1) == 0x20 ? text.length - 1 : text.length;
+            return end > start ? text.substring(start, end).split(" ") : [];
+        }
+
+        /** The text with one space wherever there are more in a row. */
+        internal static function singleSpaced(text:String):String
+        {
+            while (text.indexOf("  ") >= 0)
+            {
+                text = replaceAll(text, "  ", " ");
+            }
+            return text;
+        }
+
+        /** The text with every occurrence of a piece replaced. */
+        internal static function replaceAll(text:String, piece:String, replacement:String):String
+        {
+            return text.indexOf(piece) < 0 ? text : text.split(piece).join(replacement);
+        }
+
+        /**
+         * The number that a word is, or NaN. A decimal comma is understood: programs write it that leave number formats
+         * to the system's language.
+         */
+        internal static function toNumber(word:String):Number
+        {
+            var number:Number = Number(word);
+            var isPlain:Boolean = number == number || word.indexOf(",") < 0 || word.indexOf(".") >= 0;
+            return isPlain ? number : Number(word.replace(",", "."));
+        }
+
+        /** A text's beginning, for messages. */
+        internal static function shorten(text:String):String
+        {
+            return text.length > 60 ? text.substr(0, 60) + "..." : text;
+        }
+    }
+}

@@ -1,0 +1,181 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+
+    /**
+     * The files in a zip archive (PKWARE, APPNOTE.TXT), stored or deflated. Encrypted and split archives, and those
+     * above 4 GB, are errors.
+     */
+    internal final class ZipArchive
+    {
+        /** How large a file may be when it is unpacked, in bytes. */
+        internal static const MAX_SIZE:uint = 67108864;
+
+        private static const LOCAL_HEADER:uint = 0x04034B50;
+        private static const CENTRAL_HEADER:uint = 0x02014B50;
+        private static const END_OF_DIRECTORY:uint = 0x06054B50;
+        private static const END_LENGTH:int = 22;
+        private static const LONGEST_COMMENT:int = 65535;
+        private static const CENTRAL_LENGTH:int = 46;
+        private static const LOCAL_LENGTH:int = 30;
+        private static const STORED:int = 0;
+        private static const DEFLATED:int = 8;
+
+        private var _name:String;
+        private var _bytes:ByteArray;
+        private var _files:Array = [];
+        private var _headers:Object = {}; // where a file's header in the directory is, by its path
+
+        /**
+         * @param name the model's name
+         * @param bytes the archive; its endianness is set
+         * @throws ModelError if it is damaged
+         */
+        public function ZipArchive(name:String, bytes:ByteArray)
+        {
+            _name = name;
+            _bytes = bytes;
+            _bytes.endian = Endian.LITTLE_ENDIAN;
+            readDirectory(findDirectory());
+        }
+
+        /** Whether bytes begin like a zip archive. */
+        internal static function isArchive(bytes:ByteArray):Boolean
+        {
+            return bytes.length >= 4 && bytes[0] == 0x50 && bytes[1] == 0x4B && bytes[2] == 3 && bytes[3] == 4;
+        }
+
+        /** The paths of the files. */
+        public function get files():Array
+        {
+            return _files;
+        }
+
+        /** Whether there is a file. */
+        public function has(path:String):Boolean
+        {
+            return _headers.hasOwnProperty(path);
+        }
+
+        /** Unpacks a file. */
+        public function read(path:String):ByteArray
+        {
+            var header:int = _headers[path];
+            var isEncrypted:Boolean = (shortAt(header + 8) & 1) == 1;
+            var method:int = shortAt(header + 10);
+            var packedSize:uint = wordAt(header + 20);
+            var size:uint = wordAt(header + 24);
+            var local:uint = wordAt(header + 42);
+            if (isEncrypted || method != STORED && method != DEFLATED)
+            {
+                throw error(path + " is encrypted or packed in a way other than \"deflate\"");
+            }
+            if (size > MAX_SIZE)
+            {
+                throw error(path + " has " + size + " bytes unpacked: expected at most " + MAX_SIZE);
+            }
+            if (!isWithin(local, LOCAL_LENGTH) || wordAt(local) != LOCAL_HEADER)
+            {
+                throw error(path + " is not where the archive says");
+            }
+            var start:Number = local + LOCAL_LENGTH + shortAt(local + 26) + shortAt(local + 28);
+            if (!isWithin(start, packedSize))
+            {
+                throw error(path + " is cut off");
+            }
+            return unpack(path, start, packedSize, size, method);
+        }
+
+        private function unpack(path:String, start:uint, packedSize:uint, size:uint, method:int):ByteArray
+        {
+            var content:ByteArray = new ByteArray();
+            if (packedSize > 0)
+            {
+                content.writeBytes(_bytes, start, packedSize);
+            }
+            if (method == DEFLATED)
+            {
+                inflate(path, content);
+            }
+            if (content.length != size)
+            {
+                throw error(path + " should have " + size + " bytes unpacked, but has " + content.length);
+            }
+            content.position = 0;
+            return content;
+        }
+
+        private function inflate(path:String, content:ByteArray):void
+        {
+            try
+            {
+                content.inflate();
+            }
+            catch (failure:Error)
+            {
+                throw error(path + " can't be unpacked: " + failure.message);
+            }
+        }
+
+        /** Where the record is that ends the archive: before a comment, so it is searched for backwards. */
+        private function findDirectory():int
+        {
+            var last:int = _bytes.length - END_LENGTH;
+            for (var i:int = last; i >= 0 && i >= last - LONGEST_COMMENT; i--)
+            {
+                if (_bytes[i] == 0x50 && wordAt(i) == END_OF_DIRECTORY)
+                {
+                    return i;
+                }
+            }
+            throw error("it is cut off: its directory is missing");
+        }
+
+        private function readDirectory(end:int):void
+        {
+            var count:int = shortAt(end + 10);
+            var header:Number = wordAt(end + 16);
+            for (var i:int = 0; i < count; i++)
+            {
+                if (!isWithin(header, CENTRAL_LENGTH) || wordAt(header) != CENTRAL_HEADER)
+                {
+                    throw error("its directory is damaged at file " + (i + 1) + " of " + count);
+                }
+                var pathLength:int = shortAt(header + 28);
+                var length:int = CENTRAL_LENGTH + pathLength + shortAt(header + 30) + shortAt(header + 32);
+                if (!isWithin(header, length))
+                {
+                    throw error("its directory is cut off at file " + (i + 1) + " of " + count);
+                }
+                _bytes.position = header + CENTRAL_LENGTH;
+                var path:String = _bytes.readUTFBytes(pathLength);
+                _files.push(path);
+                _headers[path] = int(header);
+                header += length;
+            }
+        }
+
+        private function isWithin(start:Number, length:Number):Boolean
+        {
+            return start + length <= _bytes.length;
+        }
+
+        private function shortAt(position:int):int
+        {
+            _bytes.position = position;
+            return _bytes.readUnsignedShort();
+        }
+
+        private function wordAt(position:int):uint
+        {
+            _bytes.position = position;
+            return _bytes.readUnsignedInt();
+        }
+
+        private function error(problem:String):ModelError
+        {
+            return new ModelError(_name, "", "the zip archive can't be read: " + problem);
+        }
+    }
+}

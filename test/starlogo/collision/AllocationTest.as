@@ -1,0 +1,139 @@
+package starlogo.collision
+{
+    import headless.Host;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.SeededRandom;
+
+    /**
+     * Steady frames allocate nothing. The player collects no garbage while a test runs, so that whatever a frame allocates
+     * makes the player's memory grow; each test first fills what room there was.
+     */
+    public class AllocationTest
+    {
+        private static const FRAMES:int = 1000;
+        private static const AGENTS:int = 200;
+
+        // Memory grows by pages of 64 KiB, and after fillUp the next is due: a page or two is less than a byte an agent.
+        private static const NOTHING:Number = 2 * 65536;
+
+        private var _greatLand:GreatLand;
+        private var _agents:Vector.<Agent>;
+        private var _kept:Array = [];
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.cylinder());
+            _agents = new Vector.<Agent>();
+            var random:SeededRandom = new SeededRandom(41);
+            for (var i:int = 0; i < AGENTS; i++)
+            {
+                var agent:Agent = new Agent(random.pick(["sphere", "cube", "cylinder"]), random.pick(["bears", "balls", "walls"]));
+                agent.moveTo(random.between(-8, 8), random.between(-8, 8), random.between(0, 1));
+                agent.size = random.pick([0.25, 1, 1, 3]);
+                _agents.push(agent);
+            }
+        }
+
+        [Test]
+        public function theMeasureSeesOneSmallObjectAnAgent():void
+        {
+            var grown:Number = growth(function():void
+                {
+                    for (var i:int = 0; i < AGENTS; i++)
+                    {
+                        _kept[0] = new Measured();
+                    }
+                });
+            assertTrue("one object an agent and frame: " + grown + " bytes", grown > 4 * 1024 * 1024);
+        }
+
+        [Test]
+        public function binColliderAllocatesNothing():void
+        {
+            assertAllocatesNothing(new BinCollider(_greatLand));
+        }
+
+        [Test]
+        public function tightestFitColliderAllocatesNothing():void
+        {
+            assertAllocatesNothing(new TightestFitCollider(_greatLand));
+        }
+
+        private function assertAllocatesNothing(collider:CollisionSystem):void
+        {
+            var collision:Collision = new Collision(collider);
+            var calls:int = 0;
+            collision.onCollision("bears", "bears", count);
+            collision.onCollision("balls", "walls", count);
+            var grown:Number = growth(function():void
+                {
+                    moveAll();
+                    collision.update(_agents);
+                });
+            assertTrue("handlers were called", calls > FRAMES);
+            assertTrue(grown + " bytes in " + FRAMES + " frames", grown <= NOTHING);
+
+            function count(a:Agent, b:Agent):void
+            {
+                calls++;
+            }
+        }
+
+        // Back and forth, so that the crowd stays as it is.
+        private function moveAll():void
+        {
+            for (var i:int = 0; i < AGENTS; i++)
+            {
+                var agent:Agent = _agents[i];
+                agent.heading += 7;
+                agent.moveTo(-agent.x, agent.y, agent.z);
+            }
+        }
+
+        // How much the player's memory grows in the frames, warm-up apart.
+        private function growth(frame:Function):Number
+        {
+            for (var i:int = 0; i < 10; i++)
+            {
+                frame();
+            }
+            fillUp();
+            var before:Number = Host.memory;
+            assertTrue("the runner tells the memory", before > 0);
+            for (i = 0; i < FRAMES; i++)
+            {
+                frame();
+            }
+            var grown:Number = Host.memory - before;
+            _kept = [];
+            return grown;
+        }
+
+        // Takes all the room that the player has left, until it has to ask for more.
+        private function fillUp():void
+        {
+            _kept = [];
+            var before:Number = Host.memory;
+            while (Host.memory == before)
+            {
+                for (var i:int = 0; i < 1000; i++)
+                {
+                    _kept.push(new Measured());
+                }
+            }
+        }
+    }
+}
+
+/** A small object. */
+final class Measured
+{
+    public var x:Number;
+}

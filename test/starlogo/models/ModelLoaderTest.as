@@ -1,0 +1,222 @@
+package starlogo.models
+{
+    import flash.events.ErrorEvent;
+    import flash.events.Event;
+    import flash.events.ProgressEvent;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+    import support.Collada;
+    import support.Fixtures;
+    import support.SlowReceiver;
+    import support.Zip;
+
+    public class ModelLoaderTest
+    {
+        public static const FIXTURES:Array = ["/assimp/OBJ/spider.obj"];
+
+        private static const FILES:Array = ["OBJ/spider.obj", "OBJ/WusonOBJ.obj", "OBJ/regr01.obj", "OBJ/box.obj",
+                "Collada/duck.dae",
+                "Collada/duck.zae", "Collada/COLLADA.dae", "Collada/Cinema4D.dae", "Collada/sphere.dae",
+                "Collada/teapots.DAE",
+                "Collada/regr01.dae", "Collada/cube_tristrips.dae"];
+        private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+        private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0",
+                    Collada.triangles("0 1 2")));
+
+        private var _receiver:SlowReceiver;
+        private var _loader:ModelLoader;
+        private var _log:Array;
+
+        [Before]
+        public function setUp():void
+        {
+            _receiver = new SlowReceiver(0);
+            _loader = new ModelLoader(_receiver);
+            _log = [];
+            _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
+                {
+                    _log.push(event.model.name);
+                });
+            _loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
+                {
+                    _log.push(event.text);
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function choosesTheReader():void
+        {
+            _loader.loadText("obj text", OBJ);
+            _loader.loadText("COLLADA text", "\uFEFF \n" + DOCUMENT);
+            _loader.loadBytes("obj bytes", bytesOf(OBJ), "y");
+            _loader.loadBytes("COLLADA bytes", bytesOf(DOCUMENT));
+            _loader.loadBytes("archive", Zip.of(["a.dae", DOCUMENT]));
+            whenComplete(function():void
+                {
+                    assertEquals("obj text,COLLADA text,obj bytes,COLLADA bytes,archive", _log.join());
+                    assertEquals(_log.join(), _receiver.received.join());
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function fetchesFiles():void
+        {
+            _loader.load("missing", "/fixtures/models/missing.obj");
+            _loader.load("list", "/fixtures/models/expected.json?x=.dae");
+            _loader.load("nowhere", null);
+            _loader.loadText("text", OBJ);
+            assertTrue(_loader.isPending("missing"));
+            whenComplete(function():void
+                {
+                    _log.sort();
+                    assertEquals(4, _log.length);
+                    assertTrue(_log[0], _log[0].indexOf("model \"list\": no vertices") == 0);
+                    assertTrue(_log[1], _log[1].indexOf("model \"missing\": its file can't be fetched") == 0);
+                    assertTrue(_log[2], _log[2].indexOf("model \"nowhere\": there is no address") == 0);
+                    assertEquals("text", _log[3]);
+                    assertFalse(_loader.isPending("missing"));
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function goesOnAfterAnError():void
+        {
+            _loader.loadText("broken", "v 1 2");
+            _loader.loadText("", OBJ);
+            _loader.loadText("refused", OBJ);
+            _loader.loadText("good", OBJ);
+            _receiver.refuse("refused");
+            whenComplete(function():void
+                {
+                    assertEquals(4, _log.length);
+                    assertTrue(_log[0], _log[0].indexOf("model \"broken\", line 1: ") == 0);
+                    assertTrue(_log[1], _log[1].indexOf("needs a name") > 0);
+                    assertEquals("model \"refused\": it can't be taken in: no", _log[2]);
+                    assertEquals("good", _log[3]);
+                    assertEquals("good", _receiver.received.join());
+                });
+        }
+
+        [Test(async, timeout="10000")]
+        public function keepsToItsBudget():void
+        {
+            var progress:Array = [];
+            _receiver.stepMs = 1;
+            _loader.budget = 5;
+            for (var i:int = 0; i < 12; i++)
+            {
+                _loader.loadText("model " + i, grid(20));
+            }
+            _loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    assertEquals(1200, event.bytesTotal);
+                    assertTrue(progress.length == 0 || progress[progress.length - 1] <= event.bytesLoaded);
+                    progress.push(event.bytesLoaded);
+                });
+            whenComplete(function():void
+                {
+                    trace("  12 models in " + progress.length + " frames, the longest " + _loader.longestFrame +
+                            " ms of " + _loader.budget);
+                    assertEquals(12, _receiver.received.length);
+                    assertTrue("several frames: " + progress.length, progress.length > 3);
+                    assertEquals(1200, progress.pop());
+                });
+        }
+
+        [Test(async, timeout="20000")]
+        public function keepsToItsBudgetWithRealFiles():void
+        {
+            Fixtures.assume("/assimp/OBJ/spider.obj", "the package assimp-testmodels is not installed");
+            _loader.budget = 10;
+            for each (var file:String in FILES)
+            {
+                _loader.load(file, "/assimp/" + file);
+            }
+            whenComplete(function():void
+                {
+                    assertEquals(12, _receiver.received.length);
+                    trace("  12 files: the longest frame takes " + _loader.longestFrame + " ms of " + _loader.budget);
+                });
+        }
+
+        [Test]
+        public function cancelsAll():void
+        {
+            var cancelled:int = 0;
+            _loader.addEventListener(Event.CANCEL, function(event:Event):void
+                {
+                    cancelled++;
+                });
+            _loader.load("file", "/fixtures/models/expected.json");
+            _loader.loadText("text", OBJ);
+            assertEquals(2, _loader.pendingCount);
+            _loader.cancel("text");
+            assertEquals(1, _loader.pendingCount);
+            assertEquals(0, cancelled);
+            _loader.cancel();
+            assertEquals(0, _loader.pendingCount);
+            assertEquals(1, cancelled);
+        }
+
+        [Test(async, timeout="5000")]
+        public function cancelsOneAmongOthers():void
+        {
+            _receiver.stepMs = 20;
+            _loader.loadText("first", OBJ);
+            _loader.loadText("second", OBJ);
+            _loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    if (event.bytesLoaded >= 50)
+                    {
+                        _loader.cancel("first");
+                    }
+                });
+            whenComplete(function():void
+                {
+                    assertEquals("second", _log.join());
+                    assertEquals("second", _receiver.received.join());
+                });
+        }
+
+        private function whenComplete(check:Function):void
+        {
+            Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals(0, _loader.pendingCount);
+                    check();
+                }, 5000);
+        }
+
+        private static function bytesOf(text:String):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeUTFBytes(text);
+            return bytes;
+        }
+
+        private static function grid(size:int):String
+        {
+            var lines:Array = [];
+            for (var y:int = 0; y <= size; y++)
+            {
+                for (var x:int = 0; x <= size; x++)
+                {
+                    lines.push("v " + x + " " + y + " " + x * y % 7);
+                }
+            }
+            for (y = 0; y < size; y++)
+            {
+                for (x = 1; x <= size; x++)
+                {
+                    var corner:int = y * (size + 1) + x;
+                    lines.push("f " + corner + " " + (corner + 1) + " " + (corner + size + 2) + " " + (corner +
+                                size + 1));
+                }
+            }
+            return lines.join("\n");
+        }
+    }
+}

@@ -1,0 +1,134 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+    import flash.utils.getTimer;
+    import org.flexunit.asserts.assertTrue;
+    import support.Collada;
+    import support.Mutations;
+    import support.SeededRandom;
+    import support.Zip;
+
+    /** Damaged files: each loads, or fails with a ModelError, and soon. */
+    public class ModelMutationsTest
+    {
+        private static const LONGEST_MS:int = 10000;
+
+        private static const OBJ:String = "# a house\nmtllib house.mtl\no house\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1e0 0\r\n" +
+            "v -1.5e-1 0.5 +2.\nv\t.5  .5 2.5 # top\nvt 0 0\nvt 1 1\nvn 0 0 1\ng walls\nusemtl brick\ns off\nf 1/1/1 2/2/1 3/1/1 4/2/1\n" +
+            "f 1 2 6\nf 2//1 3//1 -1//1\nf -4/1 4/1 \\\n 6/1\nf 4 1 5 6\nl 1 2\np 3\ng roof\nv 2 0 0\nv 2 2 0\nv 1 1 1\nv 0 2 0\nv 0 0 1\n" +
+            "f 7 8 9 10 11\nf 1 2 3 4 5 6 7 8\n";
+
+        private static const LIBRARIES:String = Collada.geometry("a",
+                "0 0 0 4 0 0 4 4 0 0 4 0 1 1 0 2 1 0 2 2 0 1 2 1.5e0",
+                Collada.triangles("0 1 2 0 2 3") + Collada.polylist("4 3 5", "0 1 2 3 4 5 6 0 1 6 2 7") +
+                '<polygons count="2">' + Collada.INPUT + '<p>0 1 2</p><ph><p>0 1 2 3</p><h>4 5 6 7</h></ph></polygons>' +
+                '<tristrips count="1"><input semantic="NORMAL" source="#p" offset="1"/>' + Collada.INPUT +
+                '<p>0 0 1 1 3 0 2 9</p></tristrips>' +
+                '<trifans count="1">' + Collada.INPUT + "<p>0 1 2 3</p></trifans>") +
+            '<library_nodes><node id="n"><skew>20 1 0 0 0 1 0</skew><instance_geometry url="#a"/></node></library_nodes>' +
+            '<library_controllers><controller id="c"><skin source="#m"><bind_shape_matrix>3 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1' +
+            '</bind_shape_matrix></skin></controller><controller id="m"><morph source="#a"/></controller></library_controllers>';
+        private static const COLLADA:String = '<?xml version="1.0" encoding="utf-8"?>\n' + Collada.scene(LIBRARIES,
+                '<node id="top">' +
+                '<translate>1 2 3</translate><rotate>0 0 1 45</rotate><scale>1 2 3</scale><lookat>1 2 3 4 5 6 0 0 1</lookat>' +
+                '<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#a"/><node id="inner"><instance_controller url="#c"/>' +
+                '</node><instance_node url="#n"/></node>');
+
+        [Test]
+        public function objText():void
+        {
+            mutate("OBJ", 6000, 101, objOf);
+        }
+
+        [Test]
+        public function moreObjText():void
+        {
+            mutate("OBJ", 6000, 102, objOf);
+        }
+
+        [Test]
+        public function colladaText():void
+        {
+            mutate("COLLADA", 2500, 201, colladaOf);
+        }
+
+        [Test]
+        public function moreColladaText():void
+        {
+            mutate("COLLADA", 2500, 202, colladaOf);
+        }
+
+        [Test]
+        public function yetMoreColladaText():void
+        {
+            mutate("COLLADA", 2500, 203, colladaOf);
+        }
+
+        [Test]
+        public function archives():void
+        {
+            mutate("archive", 2500, 301, archiveOf);
+        }
+
+        [Test]
+        public function bytesOfEitherFormat():void
+        {
+            mutate("bytes", 1500, 401, bytesOf);
+        }
+
+        private static function objOf(random:SeededRandom):Model
+        {
+            return new ObjModel("mutation", Mutations.ofText(OBJ, random));
+        }
+
+        private static function colladaOf(random:SeededRandom):Model
+        {
+            return new ColladaModel("mutation", Mutations.ofText(COLLADA, random));
+        }
+
+        private static function archiveOf(random:SeededRandom):Model
+        {
+            var archive:ByteArray = Zip.of(["manifest.xml", "<dae_root>./a.dae</dae_root>", "a.dae", COLLADA],
+                    random.chance());
+            return ColladaModel.fromBytes("mutation", Mutations.ofBytes(archive, random));
+        }
+
+        private static function bytesOf(random:SeededRandom):Model
+        {
+            var isObj:Boolean = random.chance();
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeMultiByte(isObj ? OBJ : COLLADA, random.pick(["utf-8", "unicode"]));
+            bytes = Mutations.ofBytes(bytes, random);
+            return isObj ? ObjModel.fromBytes("mutation", bytes) : ColladaModel.fromBytes("mutation", bytes);
+        }
+
+        private static function mutate(what:String, count:int, seed:int, read:Function):void
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var longest:int = 0;
+            var loaded:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var start:int = getTimer();
+                loaded += loads(read, random) ? 1 : 0;
+                longest = Math.max(longest, getTimer() - start);
+            }
+            trace("  " + count + " mutations of " + what + ": " + loaded + " load, the longest takes " + longest + " ms");
+            assertTrue("longest: " + longest + " ms", longest < LONGEST_MS);
+            assertTrue("some load, some fail: " + loaded, loaded > count / 50 && loaded < count);
+        }
+
+        private static function loads(read:Function, random:SeededRandom):Boolean
+        {
+            try
+            {
+                return read(random).vertices.length > 0;
+            }
+            catch (error:ModelError)
+            {
+                return false;
+            }
+            return false;
+        }
+    }
+}

@@ -1,0 +1,35 @@
+package support
+{
+    import starlogo.models.IModelReceiver;
+    import starlogo.models.ISteps;
+    import starlogo.models.Model;
+
+    /** Receives models in ten steps that each take their time. */
+    public class SlowReceiver implements IModelReceiver
+    {
+        /** How long a step takes, in ms. */
+        public var stepMs:int;
+
+        /** The names of the models that were received to the end. */
+        public var received:Array = [];
+
+        private var _refused:Array = [];
+
+        public function SlowReceiver(stepMs:int)
+        {
+            this.stepMs = stepMs;
+        }
+
+        /** Fails on the models of a name, in a middle step. */
+        public function refuse(name:String):void
+        {
+            _refused.push(name);
+        }
+
+        /** @inheritDoc */
+        public function receive(model:Model):ISteps
+        {
+            return new SlowSteps(this, model.name, _refused.indexOf(model.name) >= 0);
+        }
+    }
+}

@@ -2,6 +2,7 @@ package support
 {
     import flash.utils.ByteArray;
     import starlogo.agents.Agent;
+    import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
 
@@ -11,8 +12,11 @@ package support
      */
     public final class Placements
     {
-        /** The files without the models. */
-        public static const RECORDS:Array = ["/fixtures/placements/manifest.json", "/fixtures/placements/placements.bin"];
+        /** What is read. */
+        public static const FIXTURES:Array = ["/fixtures/placements/manifest.json", "/fixtures/placements/placements.bin",
+                "/assimp/OBJ/spider.obj", "/assimp/OBJ/WusonOBJ.obj", "/assimp/OBJ/box.obj", "/assimp/Collada/duck.dae",
+                "/assimp/Collada/teapot_instancenodes.DAE", "/assimp/Collada/sphere.dae", "/assimp/Collada/human.zae",
+                "/models/bunny.obj", "/models/teapot.obj", "/models/dragon4.obj", "/models/dragon3.obj"];
 
         private static const RECORD_BYTES:int = 60;
 
@@ -36,9 +40,9 @@ package support
 
         public function Placements()
         {
-            _manifest = JSON.parse(Fixtures.text(RECORDS[0]));
-            _bytes = Fixtures.bytes(RECORDS[1]);
-            for each (var entry:Object in _manifest.modelList)
+            _manifest = JSON.parse(Fixtures.text(FIXTURES[0]));
+            _bytes = Fixtures.bytes(FIXTURES[1]);
+            for each (var entry:Object in _manifest.models)
             {
                 names.push(entry.name);
             }
@@ -56,18 +60,23 @@ package support
             return _manifest.count;
         }
 
-        /** Whether a model's file is there, in a format that the engine reads. */
+        /** Whether a model's file is there. */
         public function hasModel(name:String):Boolean
         {
             var entry:Object = entryOf(name);
-            return /\.obj$/i.test(entry.file) && Fixtures.has(address(entry.source, entry.file));
+            return Fixtures.has(address(entry.source, entry.file));
         }
 
         /** Reads a model. */
         public function model(name:String):Model
         {
             var entry:Object = entryOf(name);
-            return new ObjModel(name, Fixtures.text(address(entry.source, entry.file)), entry.up);
+            var file:String = address(entry.source, entry.file);
+            if (/\.obj$/.test(file))
+            {
+                return new ObjModel(name, Fixtures.text(file), entry.up);
+            }
+            return ColladaModel.fromBytes(name, Fixtures.bytes(file));
         }
 
         /** Reads a placement, and puts the agent of its first model and that of the second where it says. */
@@ -103,7 +112,7 @@ package support
 
         private function entryOf(name:String):Object
         {
-            for each (var entry:Object in _manifest.modelList)
+            for each (var entry:Object in _manifest.models)
             {
                 if (entry.name == name)
                 {

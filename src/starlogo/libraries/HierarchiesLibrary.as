@@ -21,8 +21,8 @@ package starlogo.libraries
         private static const PREFIX:String = ":";
 
         /**
-         * A node of no more vertices than this is a leaf (§4.4); of no more triangles than this, where the model has
-         * triangles. At least 1.
+         * A node of no more vertices than this is a leaf (§4.4), and so is a single triangle. The vertices of a node's
+         * triangles count once each. At least 1.
          */
         public var minVerticesToSplit:int = 5;
 

@@ -49,6 +49,30 @@ package starlogo.libraries
             hasTriangles = triangles != null;
         }
 
+        /** How many vertices some items have, each counted once. */
+        engine function countVertices(first:int, end:int):int
+        {
+            if (!hasTriangles)
+            {
+                return end - first;
+            }
+            var isCounted:Object = {};
+            var count:int = 0;
+            for (var i:int = first; i < end; i++)
+            {
+                var corner:int = 3 * order[i];
+                for (var last:int = corner + 3; corner < last; corner++)
+                {
+                    if (isCounted[_triangles[corner]] == undefined)
+                    {
+                        isCounted[_triangles[corner]] = true;
+                        count++;
+                    }
+                }
+            }
+            return count;
+        }
+
         /** Computes once what exact tests need beyond the boxes. */
         engine function prepareTriangles():void
         {

@@ -19,7 +19,7 @@ package starlogo.libraries
      */
     internal final class HierarchyBuilder
     {
-        private var _minItemsToSplit:int;
+        private var _minVerticesToSplit:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
         private var _boundsKind:int;
@@ -36,14 +36,14 @@ package starlogo.libraries
         private var _margin:Number;
 
         /**
-         * @param minItemsToSplit a node of no more items is a leaf
+         * @param minVerticesToSplit a node of no more vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean
          * @param boundsKind which structures the nodes have
          */
-        public function HierarchyBuilder(minItemsToSplit:int, maxDepth:int, splitByMean:Boolean, boundsKind:int)
+        public function HierarchyBuilder(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, boundsKind:int)
         {
-            _minItemsToSplit = minItemsToSplit;
+            _minVerticesToSplit = minVerticesToSplit;
             _maxDepth = maxDepth;
             _splitByMean = splitByMean;
             _boundsKind = boundsKind;
@@ -73,12 +73,11 @@ package starlogo.libraries
             for (i = 0; i < _nodes.length; i++)
             {
                 var node:HierarchyNode = _nodes[i];
-                if (node.level < _maxDepth && node.end - node.first > _minItemsToSplit)
+                if (node.level < _maxDepth && hasEnough(node))
                 {
                     divide(node);
                 }
             }
-            countVertices();
             if (_boundsKind != BoundingStructure.BOX)
             {
                 fitStructures();
@@ -197,6 +196,18 @@ package starlogo.libraries
                 node.innerRadius = halfZ;
             }
             return node;
+        }
+
+        private function hasEnough(node:HierarchyNode):Boolean
+        {
+            var count:int = node.end - node.first;
+            if (_triangles == null || count == 1)
+            {
+                return _triangles == null && count > _minVerticesToSplit;
+            }
+            // so many different triangles have more vertices in any case
+            var few:int = _minVerticesToSplit;
+            return count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few;
         }
 
         private function divide(node:HierarchyNode):void
@@ -370,54 +381,6 @@ package starlogo.libraries
             node.right = makeNode(node.level + 1, i, node.end, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             _nodes.push(node.left, node.right);
             return true;
-        }
-
-        // Leaves first: a parent stands before its children.
-        private function countVertices():void
-        {
-            var counts:Vector.<int> = _triangles == null ? null : countOwnVertices();
-            for (var i:int = _nodes.length - 1; i >= 0; i--)
-            {
-                var node:HierarchyNode = _nodes[i];
-                if (!node.isLeaf)
-                {
-                    node.vertexCount = node.left.vertexCount + node.right.vertexCount;
-                }
-                else if (counts == null)
-                {
-                    node.vertexCount = node.end - node.first;
-                }
-                else
-                {
-                    for (var k:int = node.first; k < node.end; k++)
-                    {
-                        node.vertexCount += counts[_order[k]];
-                    }
-                }
-            }
-        }
-
-        /** How many vertices each triangle is the first one to use. */
-        private function countOwnVertices():Vector.<int>
-        {
-            var counts:Vector.<int> = new Vector.<int>(_triangles.length / 3, true);
-            var isUsed:Vector.<Boolean> = new Vector.<Boolean>(_vertices.length / 3, true);
-            var corner:int = 0;
-            for (var triangle:int = 0; triangle < counts.length; triangle++)
-            {
-                var count:int = 0;
-                for (var end:int = corner + 3; corner < end; corner++)
-                {
-                    var vertex:int = _triangles[corner];
-                    if (!isUsed[vertex])
-                    {
-                        isUsed[vertex] = true;
-                        count++;
-                    }
-                }
-                counts[triangle] = count;
-            }
-            return counts;
         }
 
         private function fitStructures():void

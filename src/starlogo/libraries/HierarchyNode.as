@@ -17,13 +17,6 @@ package starlogo.libraries
      */
     public final class HierarchyNode
     {
-        /**
-         * How many of the model's vertices are under the node; those of two children add up to their parent's. A vertex
-         * that several triangles share counts for the first of them in the model's list only, so that a node with
-         * triangles may count none. A vertex that no triangle uses counts nowhere.
-         */
-        public var vertexCount:int = 0;
-
         /** The child on the low side of the split, or null. */
         public var left:HierarchyNode;
 
@@ -75,9 +68,24 @@ package starlogo.libraries
         /** The sphere or capsule; null where the box is the node's structure, until somebody asks for it. */
         engine var structure:BoundingStructure;
 
+        private var _vertexCount:int = 0;
+
         /** Made by the HierarchiesLibrary. */
         public function HierarchyNode()
         {
+        }
+
+        /**
+         * How many vertices are under the node: those of its triangles, each once, where the model has triangles. The
+         * counts of two children then add up to more than their parent's where they share vertices.
+         */
+        public function get vertexCount():int
+        {
+            if (_vertexCount == 0)
+            {
+                _vertexCount = hierarchy.countVertices(first, end);
+            }
+            return _vertexCount;
         }
 
         /**

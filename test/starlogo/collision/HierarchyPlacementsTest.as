@@ -16,9 +16,7 @@ package starlogo.collision
      */
     public class HierarchyPlacementsTest
     {
-        public static const FIXTURES:Array = Placements.RECORDS.concat("/assimp/OBJ/spider.obj", "/assimp/OBJ/WusonOBJ.obj",
-                "/assimp/OBJ/box.obj", "/assimp/Collada/duck.dae", "/assimp/Collada/teapot_instancenodes.DAE",
-                "/assimp/Collada/sphere.dae", "/models/bunny.obj", "/models/teapot.obj", "/models/dragon4.obj", "/models/dragon3.obj");
+        public static const FIXTURES:Array = Placements.FIXTURES;
 
         private static const DEPTHS:Array = [1, 3, 5, 10];
         private static const FULL:int = 60;

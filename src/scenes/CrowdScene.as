@@ -14,7 +14,7 @@ package scenes
          * @param count how many agents
          * @param shapes their shapes, in turn
          */
-        public function CrowdScene(count:int, ...shapes)
+        public function CrowdScene(count:int, shapes:Array)
         {
             super(count + " agents in one bin: " + shapes.join(", "));
             for (var i:int = 0; i < count; i++)

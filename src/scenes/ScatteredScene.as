@@ -18,7 +18,7 @@ package scenes
          * @param count how many agents
          * @param shapes their shapes, in turn
          */
-        public function ScatteredScene(count:int, ...shapes)
+        public function ScatteredScene(count:int, shapes:Array)
         {
             super(count + " agents scattered: " + shapes.join(", "));
             for (var i:int = 0; i < count; i++)

@@ -5,6 +5,7 @@ package benchmark
     import starlogo.collision.BinCollider;
     import starlogo.models.BuiltInModel;
     import support.SeededRandom;
+    import timing.Measurement;
     import timing.Table;
 
     /**

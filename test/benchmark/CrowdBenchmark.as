@@ -3,7 +3,8 @@ package benchmark
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import literal.LiteralTightestFitCollider;
-    import scenes.CrowdScene;
+    import scenes.Scene;
+    import scenes.Scenes;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
@@ -14,6 +15,7 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
     import support.Fixtures;
+    import timing.Measurement;
     import timing.Table;
 
     /**
@@ -29,7 +31,7 @@ package benchmark
         private static const ROUNDS:int = 9;
         private static const COUNT:int = 100;
 
-        private var _scene:CrowdScene;
+        private var _scene:Scene;
         private var _collision:Collision;
         private var _tightest:TightestFitCollider;
         private var _literal:LiteralTightestFitCollider;
@@ -46,7 +48,7 @@ package benchmark
             _literal = new LiteralTightestFitCollider(greatLand.boundingStructures);
             var table:Table = new Table("100 agents, 4,950 pairs", "ms", "ratio", "to", "thesis ms");
 
-            _scene = new CrowdScene(COUNT, "bear");
+            _scene = Scenes.crowd(COUNT, "bears");
             turnAll();
             placeBoxes(greatLand.boundingStructures.tightestFit("bear") as Box);
             var tests:Measurement = new Measurement("the box-box tests alone", testBoxes, 1);
@@ -59,7 +61,7 @@ package benchmark
             table.add("bears: and call 9,900 handlers", ms(withHandlers), ratio(withHandlers, tests), "the tests alone", "");
             table.add("bears: the literal thesis collider", ms(literalFrame), ratio(literalFrame, frame), "find all collisions", "1300");
 
-            _scene = new CrowdScene(COUNT, "sphere");
+            _scene = Scenes.crowd(COUNT, "spheres");
             var bins:BinCollider = new BinCollider(greatLand);
             var binFrame:Measurement = new Measurement("BinCollider", function():void
                 {

@@ -1,6 +1,7 @@
 package benchmark
 {
     import starlogo.bounding.BoundingStructure;
+    import timing.Measurement;
 
     /**
      * Times the pair tests on random pairs of which 40 % meet, and on pairs that all meet, as multiples of the

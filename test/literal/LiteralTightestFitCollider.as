@@ -36,7 +36,8 @@ package literal
             return intersects(structureA, structureB);
         }
 
-        private function inWorld(agent:Agent):BoundingStructure
+        /** The structure of an agent, copied and transformed. */
+        public function inWorld(agent:Agent):BoundingStructure
         {
             var structure:BoundingStructure = _library.tightestFit(agent.shape).clone();
             var rotation:Matrix3D = new Matrix3D();

@@ -1,4 +1,4 @@
-package benchmark
+package timing
 {
     import flash.utils.getTimer;
 
@@ -10,17 +10,20 @@ package benchmark
         /** What is measured. */
         public var name:String;
 
+        /** What the method does besides what is to be measured, measured in turn; its median is taken off. Or null. */
+        public var overhead:Measurement;
+
         private var _method:Function;
-        private var _count:int;
+        private var _count:Number;
         private var _repeats:int = 0;
         private var _times:Array = [];
 
         /**
          * @param name what is measured
          * @param method called without arguments
-         * @param count how often it does the thing in one call
+         * @param count how often it does the thing in one call; less than 1 where it does a part of it
          */
-        public function Measurement(name:String, method:Function, count:int)
+        public function Measurement(name:String, method:Function, count:Number)
         {
             this.name = name;
             _method = method;
@@ -46,29 +49,35 @@ package benchmark
         /** The median, in nanoseconds for one. */
         public function get nanoseconds():Number
         {
-            return medianOf(_times);
+            return samples.median;
         }
 
         /** How many times as long this takes as the base, in the same round each: the median. */
         public function timesAsLongAs(base:Measurement):Number
         {
-            var ratios:Array = [];
-            for (var i:int = 0; i < _times.length; i++)
-            {
-                ratios.push(_times[i] / base._times[i]);
-            }
-            return medianOf(ratios);
+            return multiplesOf(base).median;
         }
 
-        private static function medianOf(values:Array):Number
+        /** The nanoseconds for one, as often as they were measured. */
+        public function get samples():Samples
         {
-            var sorted:Array = values.concat();
-            sorted.sort(Array.NUMERIC);
-            return sorted[int(sorted.length / 2)];
+            return new Samples(times());
         }
 
-        /** Finds how often to call the method for a sample that the millisecond clock resolves. */
-        private function warmUp():void
+        /** How many times as long as the base this took, in each round. */
+        public function multiplesOf(base:Measurement):Samples
+        {
+            var own:Array = times();
+            var ratios:Array = [];
+            for (var i:int = 0; i < own.length; i++)
+            {
+                ratios.push(own[i] / base._times[i]);
+            }
+            return new Samples(ratios);
+        }
+
+        /** Finds how often to call the method for a sample that the millisecond clock resolves; nothing of it counts. */
+        public function warmUp():void
         {
             var start:int = getTimer();
             while (getTimer() - start < SAMPLE_MS)
@@ -78,7 +87,8 @@ package benchmark
             }
         }
 
-        private function sample():void
+        /** Takes one sample. */
+        public function sample():void
         {
             var start:int = getTimer();
             for (var i:int = 0; i < _repeats; i++)
@@ -86,6 +96,21 @@ package benchmark
                 _method();
             }
             _times.push((getTimer() - start) * 1e6 / _count / _repeats);
+        }
+
+        private function times():Array
+        {
+            if (overhead == null)
+            {
+                return _times;
+            }
+            var less:Number = overhead.samples.median;
+            var remaining:Array = [];
+            for (var i:int = 0; i < _times.length; i++)
+            {
+                remaining.push(_times[i] - less);
+            }
+            return remaining;
         }
     }
 }

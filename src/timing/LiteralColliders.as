@@ -1,0 +1,49 @@
+package timing
+{
+    import literal.LiteralBinCollider;
+    import literal.LiteralHierarchicalCollider;
+    import literal.LiteralTightestFitCollider;
+    import starlogo.GreatLand;
+    import starlogo.models.Model;
+
+    /** The thesis's collider to the letter beside each collider. */
+    public final class LiteralColliders
+    {
+        private var _bins:LiteralBinCollider = new LiteralBinCollider();
+        private var _tightest:LiteralTightestFitCollider;
+        private var _hierarchical:LiteralHierarchicalCollider = new LiteralHierarchicalCollider();
+
+        /**
+         * @param greatLand has the tightest fits
+         * @param models those of which hierarchies are built
+         */
+        public function LiteralColliders(greatLand:GreatLand, models:Array)
+        {
+            _tightest = new LiteralTightestFitCollider(greatLand.boundingStructures);
+            for each (var model:Model in models)
+            {
+                _hierarchical.add(model.name, model.vertices);
+            }
+        }
+
+        /**
+         * The function that tells whether two agents collide, or null where the thesis leaves out how that goes.
+         *
+         * @param name one of Settings.COLLIDERS
+         */
+        public function pairTest(name:String):Function
+        {
+            switch (name)
+            {
+                case "BinCollider":
+                    return _bins.areColliding;
+                case "TightestFitCollider":
+                    return _tightest.areColliding;
+                case "HierarchicalCollider":
+                    return _hierarchical.areColliding;
+                default:
+                    return null;
+            }
+        }
+    }
+}

@@ -1,0 +1,111 @@
+import { bySubject, castOf, growth } from './figures.mjs';
+
+/**
+ * What the page draws, by figure: {kind, height, labels or series, unit}. Colours are names that the page's style knows:
+ * engine, literal, thesis, and one for each collider.
+ */
+export function chartsOf(entries) {
+	const of = (figure) => entries.filter((entry) => entry.figure === figure);
+	const charts = {
+		volumes: volumes(of('volumes')),
+		fits: compared(of('fits'), (found) => found.engine, 'ms'),
+		access: compared(of('access'), (found) => found.engine, 'µs', 1e3),
+		tests: multiples(of('tests')),
+		hierarchies: compared(of('hierarchies'), (found) => found['engine, vertices'], 'ms'),
+		crowds: crowds(of('crowds')),
+		combination: combination(of('combination')),
+		scattered: scattered(of('scattered')),
+	};
+	return Object.fromEntries(Object.entries(charts).filter(([, chart]) => chart));
+}
+
+function bars(labels, unit, series, options = {}) {
+	const shown = series.filter(({ values }) => values.some((value) => value !== null));
+	return { kind: 'bars', unit, labels, series: shown, height: 340, ...options };
+}
+
+const scaled = (value, factor = 1) => (value === null || value === undefined ? null : value * factor);
+
+function compared(entries, ours, unit, factor = 1) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const subjects = bySubject(entries);
+	return bars(subjects.map(([name]) => name), unit, [
+		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(ours(found).value, factor)), ranges: subjects.map(([, found]) => range(ours(found))) },
+		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.value, factor)) },
+		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, factor)) },
+	]);
+}
+
+function multiples(entries) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const subjects = bySubject(entries);
+	const thesisBase = 0.000319;
+	return bars(subjects.map(([name]) => name), '× sphere-sphere', [
+		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(found.engine.multiple)) },
+		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.multiple)) },
+		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, 1 / thesisBase)) },
+	]);
+}
+
+function volumes(entries) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const subjects = bySubject(entries);
+	const least = (found, names) => Math.min(...names.map((name) => found[name].value));
+	const ofThesis = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule'];
+	return bars(subjects.map(([name]) => name), 'cubic patches', [
+		{ name: 'smallest sphere known', color: 'sphere', values: subjects.map(([, found]) => found['minimal sphere'].value) },
+		{ name: 'tightest of the thesis\'s algorithms', color: 'engine', values: subjects.map(([, found]) => least(found, ofThesis)) },
+		{ name: 'smallest structure known', color: 'minimal', values: subjects.map(([, found]) => least(found, ['minimal sphere', 'minimal box', 'minimal capsule'])) },
+	]);
+}
+
+const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
+
+function crowds(entries) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const most = Math.max(...entries.map((entry) => entry.agents ?? 0));
+	const count = entries.some((entry) => entry.agents === 100) ? 100 : most;
+	const subjects = bySubject(entries).filter(([name]) => name.startsWith(`${count} `));
+	const rows = COLLIDERS.flatMap((collider) => subjects.filter(([, found]) => found[collider])
+		.map(([name, found]) => ({ name: [collider.replace('Collider', ''), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
+	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
+		{ name: 'this engine', color: 'engine', values: rows.map(({ entry }) => entry.value) },
+		{ name: 'literal algorithm', color: 'literal', values: rows.map(({ literal }) => scaled(literal?.value)) },
+		{ name: 'thesis, 2015', color: 'thesis', values: rows.map(({ entry }) => scaled(entry.thesis)) },
+	], { line: [40, 'a frame at 25 a second'] });
+}
+
+function combination(entries) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const subjects = bySubject(entries);
+	const labels = Object.keys(subjects[0][1]);
+	const colors = ['engine', 'TightestFitCollider', 'sphere'];
+	return bars(labels, 'ms a frame', subjects.map(([name, found], i) => ({ name, color: colors[i % 3], values: labels.map((label) => scaled(found[label]?.value)) })),
+		{ linear: true, height: 260 });
+}
+
+function scattered(entries) {
+	if (entries.length === 0) {
+		return undefined;
+	}
+	const casts = growth(entries);
+	// one cast to a chart: the mix, or what there is
+	const { cast, exponents } = casts.find((each) => each.cast === 'mix') ?? casts[0];
+	const series = COLLIDERS.map((collider) => ({
+		name: `${collider}${exponents[collider] === undefined ? '' : `: n^${exponents[collider].toFixed(2)}`}`,
+		color: collider,
+		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value)
+			.map((entry) => ({ x: entry.agents, y: entry.value })),
+	})).filter(({ points }) => points.length > 0);
+	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${cast})`, series, line: [40, 'a frame at 25 a second'] };
+}

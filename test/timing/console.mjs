@@ -1,0 +1,50 @@
+import { FIGURES } from './figures.mjs';
+import { ratio, time } from './format.mjs';
+
+const WIDTH = 100;
+
+/** All figures as text, in lines of at most 100 characters. */
+export function tables(entries) {
+	const parts = [];
+	for (const figure of FIGURES) {
+		const own = entries.filter((entry) => entry.figure === figure.id);
+		if (own.length > 0) {
+			const head = figure.subhead ? [figure.head, figure.subhead] : [figure.head];
+			parts.push([figure.title, '', table(head, figure.rows(own), figure.text ?? 1), '', wrap(figure.note)].join('\n'));
+		}
+	}
+	return parts.join('\n\n\n');
+}
+
+/** Rows of cells in columns, the first of them flush left and the others flush right. */
+function table(head, rows, textColumns) {
+	// a column that is empty everywhere is left out
+	const columns = head[0].map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
+	const widths = columns.map((column) => Math.max(...[...head, ...rows].map((row) => row[column].length)));
+	const line = (row) => columns.map((column, i) => (column < textColumns ? row[column].padEnd(widths[i]) : row[column].padStart(widths[i])))
+		.join('  ').trimEnd();
+	const rule = '─'.repeat(widths.reduce((sum, width) => sum + width + 2, -2));
+	return [...head.map(line), rule, ...rows.map(line)].join('\n');
+}
+
+function wrap(text) {
+	const lines = [''];
+	for (const word of text.split(' ')) {
+		if (lines.at(-1).length + word.length + 1 > WIDTH) {
+			lines.push('');
+		}
+		lines[lines.length - 1] += (lines.at(-1) ? ' ' : '') + word;
+	}
+	return lines.join('\n');
+}
+
+/** What changed since another report. */
+export function comparison(changed, olderDate) {
+	if (changed.length === 0) {
+		return `Since ${olderDate}: nothing is faster or slower beyond the noise.`;
+	}
+	const rows = changed.map(({ key, before, after, change }) => [key, ratio(before.multiple), ratio(after.multiple),
+		`${time(before.value)} to ${time(after.value)}`, change > 1 ? `${ratio(change)} slower` : `${ratio(1 / change)} faster`]);
+	return `Since ${olderDate}, beyond the noise, as multiples of the sphere-sphere test:\n\n`
+		+ table([['what', 'before', 'now', 'time', '']], rows, 1);
+}

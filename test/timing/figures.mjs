@@ -1,0 +1,174 @@
+import { exponent } from './statistics.mjs';
+import { percent, ratio, significant, time } from './format.mjs';
+
+/**
+ * The figures of the report: from the entries of a run to rows of cells. A cell is a string; a row's first cell is its
+ * name. Both the console and the page show these.
+ */
+
+const STRUCTURES = ['naive sphere', 'Ritter sphere', 'axis-aligned box', 'z-aligned box', 'oriented box', 'oriented capsule',
+	'minimal sphere', 'minimal box', 'minimal capsule'];
+const COLLIDERS = ['BinCollider', 'TightestFitCollider', 'HierarchicalCollider', 'CombinationCollider'];
+const THESIS_SPHERE_TEST = 0.000319;
+
+/** Entries by subject, in their order: [subject, {variant: entry}]. */
+export function bySubject(entries) {
+	const subjects = new Map();
+	for (const entry of entries) {
+		if (!subjects.has(entry.subject)) {
+			subjects.set(entry.subject, {});
+		}
+		subjects.get(entry.subject)[entry.variant] = entry;
+	}
+	return [...subjects];
+}
+
+/** A time with its spread, or why there is none. */
+export function measured(entry) {
+	if (!entry) {
+		return '';
+	}
+	return entry.refused ? entry.refused : `${time(entry.value)} ±${percent((entry.high - entry.low) / 2 / entry.value)}`;
+}
+
+/** How many times as long as ours the literal algorithm takes; both must be there. */
+export function faster(ours, literal) {
+	return ours?.value && literal?.value ? literal.value / ours.value : undefined;
+}
+
+const multiple = (entry) => (entry?.multiple ? ratio(entry.multiple) : '');
+const thesisTime = (entry) => (entry?.thesis === undefined ? '' : time(entry.thesis));
+const times = (value) => (value === undefined ? '' : ratio(value));
+const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : time(entry.value));
+
+/** The least of a model's volumes that the thesis's algorithms give, by number. */
+function volumeRows(entries) {
+	return bySubject(entries).flatMap(([model, found]) => {
+		const all = STRUCTURES.map((name) => found[name]);
+		const least = Math.min(...all.slice(0, 6).map((entry) => entry.value));
+		return [
+			[`${model} (${all[0].vertices})`, ...all.map((entry, i) => significant(entry.value, 3) + (i < 6 && entry.value === least ? '*' : ''))],
+			['  thesis', ...all.map((entry) => (entry.thesis === undefined ? '' : entry.thesis.toFixed(3)))],
+		];
+	});
+}
+
+function modelRows(entries, more) {
+	return bySubject(entries).map(([model, found]) => [model, ...more(found), measured(found.engine), multiple(found.engine),
+		short(found.literal), times(faster(found.engine, found.literal)), thesisTime(found.engine)]);
+}
+
+function testRows(entries) {
+	return bySubject(entries).map(([test, found]) => {
+		const { engine, literal } = found;
+		return [test, measured(engine), multiple(engine), multiple(found['engine, all hit']), short(literal), multiple(literal),
+			times(faster(engine, literal)), thesisTime(engine), engine.thesis ? ratio(engine.thesis / THESIS_SPHERE_TEST) : ''];
+	});
+}
+
+function gameRows(entries) {
+	return bySubject(entries).flatMap(([scene, found]) => Object.keys(found).filter((name) => !name.endsWith(', literal')).map((name, i) => {
+		const entry = found[name];
+		const literal = found[`${name}, literal`];
+		return [i === 0 ? scene : '', name, measured(entry), multiple(entry), short(literal), times(faster(entry, literal)),
+			thesisTime(entry), String(entry.collisions), entry.agrees ? 'yes' : 'NO'];
+	}));
+}
+
+function scatteredRows(entries) {
+	const found = bySubject(entries);
+	const rows = found.map(([scene, variants]) => [scene, ...COLLIDERS.map((name) => measured(variants[name])),
+		[...new Set(COLLIDERS.map((name) => variants[name]?.collisions).filter((count) => count !== undefined))].join(' '),
+		Object.values(variants).every((entry) => entry.agrees) ? 'yes' : 'NO']);
+	for (const { cast, exponents } of growth(entries)) {
+		rows.push([`exponent, ${cast}`, ...COLLIDERS.map((name) => (exponents[name] === undefined ? '' : exponents[name].toFixed(2))), '', '']);
+	}
+	return rows;
+}
+
+/** The fitted exponents of the scattered games' times: [{cast, exponents: {collider: exponent}}]. */
+export function growth(entries) {
+	const casts = [...new Set(entries.map((entry) => castOf(entry)))];
+	return casts.map((cast) => ({
+		cast,
+		exponents: Object.fromEntries(COLLIDERS.map((name) => [name,
+			exponent(entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value).map((entry) => [entry.agents, entry.value]))])
+			.filter(([, value]) => value !== undefined)),
+	}));
+}
+
+/** Who plays in a game: the subject without its number. */
+export function castOf(entry) {
+	return entry.subject.slice(entry.subject.indexOf(' ') + 1);
+}
+
+/** Every figure: its name, what it shows, its columns and how its rows come from the entries. */
+export const FIGURES = [
+	{
+		id: 'volumes', title: 'Figure 6-1: volumes of bounding structures, in cubic patches',
+		head: ['model (vertices)', 'naive', 'Ritter', 'aligned', 'z-box', 'box', 'capsule', 'min.', 'min.', 'min.'],
+		subhead: ['', 'sphere', 'sphere', 'box', '10°', '10°', '', 'sphere', 'box', 'capsule'],
+		rows: volumeRows,
+		note: '* the tightest of the thesis\'s six. The smallest known sphere, box and capsule are on the right. The sphere of the'
+			+ ' BinCollider has 0.524. All but the built-in models are the project\'s own, of the same kinds and vertex counts as the thesis\'s.',
+	},
+	{
+		id: 'fits', title: 'Figure 6-2: time to find the tightest fit',
+		head: ['model', 'vertices', 'tightest', 'engine', '× sphere test', 'literal', 'faster', 'thesis'],
+		rows: (entries) => modelRows(entries, (found) => [String(found.engine.vertices), found.engine.tightest]),
+		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).',
+	},
+	{
+		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
+		head: ['model', 'engine', '× sphere test', 'literal', 'faster', 'thesis'],
+		rows: (entries) => modelRows(entries, () => []),
+		note: 'Of an agent that has moved and turned, both included. The engine does this once for an agent that has moved, the'
+			+ ' literal collider for either agent of each pair.',
+	},
+	{
+		id: 'tests', title: 'Figure 6-4: time of an intersection test',
+		head: ['test', 'engine', '× sphere', 'all hit', 'literal', '× sphere', 'faster', 'thesis', '× sphere'],
+		rows: testRows,
+		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
+			+ ' same run, the thesis\'s as one of its own. A literal test that is right is the engine\'s and not repeated.',
+	},
+	{
+		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
+		head: ['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'literal', 'faster', 'thesis'],
+		rows: (entries) => bySubject(entries).map(([model, found]) => [model, String(found.engine.vertices), measured(found.engine),
+			measured(found['engine, vertices']), multiple(found['engine, vertices']), short(found.literal),
+			times(faster(found['engine, vertices'], found.literal)), thesisTime(found.engine)]),
+		note: 'Ten levels, nodes of five vertices or fewer not split. The engine builds of triangles; of vertices alone, as the thesis'
+			+ ' does, to compare.',
+	},
+	{
+		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
+		head: ['crowd', 'collider', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'collisions', 'all pairs'],
+		text: 2,
+		rows: gameRows,
+		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once; the thesis counts'
+			+ ' it twice. One agent of the CombinationCollider\'s crowds is hierarchical.',
+	},
+	{
+		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
+		head: ['crowd', 'of them', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'collisions', 'all pairs'],
+		text: 2,
+		rows: gameRows,
+		note: 'The thesis has no number here but says that it lies between those of the other two colliders.',
+	},
+	{
+		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
+		head: ['game', 'bins', 'tightest fit', 'hierarchical', 'combination', 'collisions', 'all pairs'],
+		rows: scatteredRows,
+		note: 'Unit agents all over SpaceLand\'s 100 by 100 patches, all moving. Collisions: of each collider, where they differ.'
+			+ ' Exponent: of the agents\' number, fitted to the times.',
+	},
+	{
+		id: 'monitor', title: 'The monitor in a running game',
+		head: ['game', 'what', ''],
+		text: 2,
+		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
+			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`]),
+		note: 'A frame at 25 a second has 40 ms. What the player takes to draw the monitor is not in it.',
+	},
+];

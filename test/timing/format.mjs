@@ -1,0 +1,24 @@
+/** A number with so many significant digits, not in scientific notation. */
+export function significant(value, digits) {
+	if (value === 0) {
+		return '0';
+	}
+	const decimals = digits - 1 - Math.floor(Math.log10(Math.abs(value)));
+	return value.toFixed(Math.min(Math.max(decimals, 0), digits));
+}
+
+/** Milliseconds in the unit that suits them. */
+export function time(ms) {
+	const [factor, unit] = ms < 0.0009995 ? [1e6, 'ns'] : ms < 0.9995 ? [1e3, 'µs'] : ms < 9999.5 ? [1, 'ms'] : [1e-3, 's'];
+	return `${significant(ms * factor, 3)} ${unit}`;
+}
+
+/** How many times as much. */
+export function ratio(value) {
+	return `${value < 99.95 ? significant(value, 2) : Math.round(value).toLocaleString('en')}×`;
+}
+
+/** A part in hundredths. */
+export function percent(part) {
+	return `${Math.round(part * 100)} %`;
+}

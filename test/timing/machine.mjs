@@ -1,0 +1,40 @@
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import os from 'node:os';
+
+const modules = new URL('../../node_modules/', import.meta.url);
+
+/** What the run ran on; nothing that tells whose it is. */
+export function machine() {
+	const cpus = os.cpus();
+	return {
+		processor: cpus[0]?.model.trim() ?? 'unknown',
+		cores: cpus.length,
+		memoryGB: Math.round(os.totalmem() / 2 ** 30),
+		system: `${os.type()} ${os.release()} ${os.arch()}`,
+	};
+}
+
+/** What it ran with. */
+export function versions(player) {
+	return {
+		engine: version(new URL('../../package.json', import.meta.url)),
+		commit: output('git', ['describe', '--always', '--dirty']),
+		player: `Ruffle ${version(new URL('@ruffle-rs/ruffle/package.json', modules))} as ${player}`,
+		browser: output(process.env.CHROME || '/usr/bin/chromium', ['--version']),
+		compiler: `flex-sdk ${version(new URL('flex-sdk/package.json', modules))}`,
+		node: process.version,
+	};
+}
+
+function version(file) {
+	return JSON.parse(readFileSync(file, 'utf8')).version;
+}
+
+function output(command, args) {
+	try {
+		return execFileSync(command, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim().split('\n')[0];
+	} catch {
+		return 'unknown';
+	}
+}

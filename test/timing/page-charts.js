@@ -1,0 +1,120 @@
+// Runs in the page, after the chart library: draws `charts`, in the colours of the style's variables.
+
+const dark = window.matchMedia('(prefers-color-scheme: dark)');
+const drawn = [];
+
+function color(name) {
+	return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+function compact(value) {
+	return value >= 1000 ? value.toLocaleString('en') : String(Number(value.toPrecision(3)));
+}
+
+function logarithmic(title, extra) {
+	return {
+		type: 'logarithmic',
+		title: { display: true, text: title, color: color('quiet') },
+		grid: { color: color('grid') },
+		border: { color: color('grid') },
+		// powers of ten alone: the marks between them crowd
+		ticks: { color: color('quiet'), callback: (value) => (Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6 ? compact(value) : null) },
+		...extra,
+	};
+}
+
+// A dashed line across at a value, with its name.
+const limit = {
+	id: 'limit',
+	afterDatasetsDraw(chart, _, { at, name }) {
+		const { ctx, chartArea: { left, right, top, bottom }, scales: { y } } = chart;
+		const height = at === undefined ? NaN : y.getPixelForValue(at);
+		if (!(height >= top && height <= bottom)) {
+			return;
+		}
+		ctx.save();
+		ctx.strokeStyle = ctx.fillStyle = color('limit');
+		ctx.setLineDash([5, 4]);
+		ctx.beginPath();
+		ctx.moveTo(left, height);
+		ctx.lineTo(right, height);
+		ctx.stroke();
+		ctx.font = '12px system-ui, sans-serif';
+		ctx.textAlign = 'left';
+		ctx.fillText(name, left + 8, height - 6);
+		ctx.restore();
+	},
+};
+
+function common(chart) {
+	return {
+		animation: false,
+		responsive: true,
+		maintainAspectRatio: false,
+		plugins: {
+			legend: { position: 'top', align: 'start', labels: { color: color('text'), usePointStyle: true, boxHeight: 8, padding: 18 } },
+			tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${compact(item.parsed.y)} ${chart.unit}` } },
+			limit: chart.line ? { at: chart.line[0], name: chart.line[1] } : {},
+		},
+	};
+}
+
+function barChart(chart) {
+	return {
+		type: 'bar',
+		data: {
+			labels: chart.labels,
+			datasets: chart.series.map((series) => ({
+				label: series.name, data: series.values, backgroundColor: color(series.color), pointStyle: 'rectRounded',
+				borderRadius: 3, categoryPercentage: 0.74, barPercentage: 0.92,
+			})),
+		},
+		options: {
+			...common(chart),
+			scales: {
+				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 60 } },
+				y: chart.linear
+					? { beginAtZero: true, title: { display: true, text: chart.unit, color: color('quiet') }, grid: { color: color('grid') }, ticks: { color: color('quiet') } }
+					: logarithmic(chart.unit),
+			},
+		},
+		plugins: [limit],
+	};
+}
+
+function lineChart(chart) {
+	return {
+		type: 'scatter',
+		data: {
+			datasets: chart.series.map((series) => ({
+				label: series.name, data: series.points, showLine: true, borderColor: color(series.color), backgroundColor: color(series.color),
+				borderWidth: 2, pointRadius: 4, pointStyle: 'circle',
+			})),
+		},
+		options: { ...common(chart), scales: { x: logarithmic(chart.xUnit), y: logarithmic(chart.unit) } },
+		plugins: [limit],
+	};
+}
+
+function drawAll() {
+	while (drawn.length > 0) {
+		drawn.pop().destroy();
+	}
+	Chart.defaults.font.family = 'system-ui, sans-serif';
+	Chart.defaults.font.size = 12;
+	for (const [id, chart] of Object.entries(charts)) {
+		drawn.push(new Chart(document.getElementById(id), chart.kind === 'bars' ? barChart(chart) : lineChart(chart)));
+	}
+}
+
+drawAll();
+dark.addEventListener('change', drawAll);
+// on paper it is light
+window.addEventListener('beforeprint', () => {
+	document.documentElement.classList.add('paper');
+	drawAll();
+});
+window.addEventListener('afterprint', () => {
+	document.documentElement.classList.remove('paper');
+	drawAll();
+});

@@ -1,0 +1,107 @@
+import { readFile } from 'node:fs/promises';
+import { chartsOf } from './charts.mjs';
+import { FIGURES, bySubject, faster } from './figures.mjs';
+import { ratio, significant, time } from './format.mjs';
+
+const library = new URL('../../node_modules/chart.js/dist/chart.umd.min.js', import.meta.url);
+const own = (name) => readFile(new URL(name, import.meta.url), 'utf8');
+
+/** The report as one self-contained page of HTML. */
+export async function page(report) {
+	const [style, draw, chart] = await Promise.all([own('page.css'), own('page-charts.js'), readFile(library, 'utf8')]);
+	const charts = chartsOf(report.entries);
+	const date = report.created.slice(0, 16).replace('T', ' ');
+	return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>Collision engine: timing report</title>
+<style>${style}</style>
+</head>
+<body>
+<header>
+<h1>Collision engine: timing report</h1>
+<p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on ${date} UTC. Blue is this engine,
+amber the thesis's algorithms word for word in the same player, grey the thesis's own numbers of 2015.</p>
+<dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
+</header>
+<main>
+${FIGURES.map((figure) => section(figure, report.entries, charts)).join('\n')}
+</main>
+<footer>
+<p>Times are medians ± half the range of the repetitions (of five or more, without the fastest and the slowest), after a
+warm-up; what varies by more than 30 % is not reported. “×” is a multiple of the sphere-sphere test, measured in turns
+with it: only these compare across machines.</p>
+<p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
+</footer>
+<script>${chart.replaceAll('</script', '<\\/script')}</script>
+<script>const charts = ${JSON.stringify(charts).replaceAll('<', '\\u003c')};
+${draw}</script>
+</body>
+</html>
+`;
+}
+
+function section(figure, entries, charts) {
+	const mine = entries.filter((entry) => entry.figure === figure.id);
+	if (mine.length === 0) {
+		return '';
+	}
+	const picture = charts[figure.id] ? `<div class="chart" style="height:${charts[figure.id].height}px"><canvas id="${figure.id}" role="img" aria-label="${escape(figure.title)}"></canvas></div>` : '';
+	return `<section>
+<h2>${escape(figure.title)}</h2>
+${picture}
+<div class="scroll">${table(figure, figure.rows(mine))}</div>
+<p class="note">${escape(figure.note)}</p>
+</section>`;
+}
+
+function table(figure, rows) {
+	const columns = figure.head.map((_, column) => column).filter((column) => column === 0 || rows.some((row) => row[column]));
+	const heads = columns.map((column) => [figure.head[column], figure.subhead?.[column]].filter(Boolean).map(escape).join(' '));
+	const type = (column) => (column < (figure.text ?? 1) ? ' class="text"' : '');
+	const cell = (text, column) => (column === 0 ? `<th scope="row">${escape(text.trim())}</th>` : `<td${type(column)}>${mark(text)}</td>`);
+	return `<table><thead><tr>${columns.map((column, i) => `<th scope="col"${type(column)}>${heads[i]}</th>`).join('')}</tr></thead>
+<tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;
+}
+
+const rowClass = (row) => (row[0] === '  thesis' ? ' class="thesis"' : row[0].startsWith('exponent') ? ' class="sum"' : '');
+
+/** A cell's text: what is tightest stands out, a spread stands back. */
+function mark(text) {
+	return escape(text).replace(/^(.*)\*$/, '<strong>$1</strong>').replace(/ (±.*)$/, ' <small>$1</small>');
+}
+
+/** What to know at a glance. */
+function tiles({ entries, exponents }) {
+	const of = (figure) => entries.filter((entry) => entry.figure === figure);
+	const found = [];
+	const tests = Object.fromEntries(bySubject(of('tests')));
+	if (tests.sphereSphere?.engine.value) {
+		found.push([time(tests.sphereSphere.engine.value), 'a sphere-sphere test']);
+	}
+	if (faster(tests.boxBox?.engine, tests.boxBox?.literal)) {
+		found.push([ratio(faster(tests.boxBox.engine, tests.boxBox.literal)), 'faster box-box test']);
+	}
+	const fits = bySubject(of('fits')).map(([, fit]) => faster(fit.engine, fit.literal)).filter(Boolean).sort((a, b) => a - b);
+	if (fits.length > 0) {
+		found.push([ratio(fits[fits.length >> 1]), 'faster tightest fits (median model)']);
+	}
+	const bears = Object.fromEntries(bySubject(of('crowds')))['100 bears'];
+	if (bears?.TightestFitCollider?.value) {
+		found.push([time(bears.TightestFitCollider.value), 'a frame of 100 colliding bears (thesis: 1300 ms)']);
+	}
+	const exponent = exponents.flatMap(({ exponents: fitted }) => fitted.TightestFitCollider ?? []).at(-1);
+	if (exponent !== undefined) {
+		found.push([significant(exponent, 3), 'exponent of scattered games, by agents']);
+	}
+	return found;
+}
+
+const words = (name) => name.replace(/GB$/, ' in GB').replace(/^memory$/, 'memory');
+
+function escape(text) {
+	return String(text).replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+}

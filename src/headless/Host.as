@@ -1,6 +1,7 @@
 package headless
 {
     import flash.external.ExternalInterface;
+    import flash.utils.getTimer;
 
     /**
      * What a document class tells the headless runner (test/headless): files to write, and that it is done.
@@ -37,6 +38,13 @@ package headless
         {
             var bytes:* = tell("headless.memory");
             return bytes == null ? -1 : bytes;
+        }
+
+        /** Milliseconds from some moment on, with fractions: getTimer counts whole ones. That where the runner is not there. */
+        public static function get now():Number
+        {
+            var ms:* = tell("headless.now");
+            return ms == null ? getTimer() : ms;
         }
 
         private static function tell(name:String, ...args):*

@@ -17,8 +17,9 @@ package scenes
         /**
          * @param count how many agents
          * @param shapes their shapes, in turn
+         * @param size of each
          */
-        public function ScatteredScene(count:int, shapes:Array)
+        public function ScatteredScene(count:int, shapes:Array, size:Number = 1)
         {
             super(count + " agents scattered: " + shapes.join(", "));
             for (var i:int = 0; i < count; i++)
@@ -26,6 +27,7 @@ package scenes
                 var agent:Agent = new Agent(shapes[i % shapes.length]);
                 agent.moveTo(between(-HALF_WIDTH, HALF_WIDTH), between(-HALF_WIDTH, HALF_WIDTH), 0);
                 agent.heading = between(0, 360);
+                agent.size = size;
                 agents.push(agent);
             }
         }

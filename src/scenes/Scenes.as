@@ -36,7 +36,19 @@ package scenes
         }
 
         /**
-         * Agents all over SpaceLand.
+         * Agents all over SpaceLand, of such a size that any number of them covers as much of the ground as a thousand of
+         * size 1 do: each collides as often.
+         *
+         * @param count how many agents
+         * @param cast who they are, one of CASTS
+         */
+        public static function scatteredAsDense(count:int, cast:String):Scene
+        {
+            return new ScatteredScene(count, shapesOf(cast), Math.sqrt(1000 / count));
+        }
+
+        /**
+         * Agents of size 1 all over SpaceLand: the more there are, the more often each collides.
          *
          * @param count how many agents
          * @param cast who they are, one of CASTS

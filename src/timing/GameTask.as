@@ -76,7 +76,11 @@ package timing
                     {
                         for (var i:int = 0; i < pairs.length; i += 2)
                         {
-                            _literalTest(pairs[i], pairs[i + 1]);
+                            if (_literalTest(pairs[i], pairs[i + 1]))
+                            {
+                                changeColor(pairs[i], pairs[i + 1]);
+                                changeColor(pairs[i + 1], pairs[i]);
+                            }
                         }
                     }, pairs.length / scene.agents.length / (scene.agents.length - 1));
             }

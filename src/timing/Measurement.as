@@ -1,6 +1,6 @@
 package timing
 {
-    import flash.utils.getTimer;
+    import headless.Host;
 
     /** Something that is timed, and how long it took. */
     public final class Measurement
@@ -76,11 +76,11 @@ package timing
             return new Samples(ratios);
         }
 
-        /** Finds how often to call the method for a sample that the millisecond clock resolves; nothing of it counts. */
+        /** Finds how often to call the method for a sample long enough for the clock; nothing of it counts. */
         public function warmUp():void
         {
-            var start:int = getTimer();
-            while (getTimer() - start < SAMPLE_MS)
+            var start:Number = Host.now;
+            while (Host.now - start < SAMPLE_MS)
             {
                 _method();
                 _repeats++;
@@ -90,12 +90,12 @@ package timing
         /** Takes one sample. */
         public function sample():void
         {
-            var start:int = getTimer();
+            var start:Number = Host.now;
             for (var i:int = 0; i < _repeats; i++)
             {
                 _method();
             }
-            _times.push((getTimer() - start) * 1e6 / _count / _repeats);
+            _times.push((Host.now - start) * 1e6 / _count / _repeats);
         }
 
         private function times():Array

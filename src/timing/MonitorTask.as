@@ -3,20 +3,24 @@ package timing
     import flash.display.Stage;
     import flash.events.Event;
     import scenes.Scene;
+    import scenes.Scenes;
+    import starlogo.agents.Agent;
     import starlogo.collision.Collision;
     import starlogo.collision.CollisionSystem;
     import starlogo.timing.CollisionMonitor;
     import starlogo.timing.CollisionRecorder;
+    import support.EveryPairSystem;
 
     /**
      * Plays a game with the CollisionMonitor on the stage and a CollisionRecorder about its collider, and measures what a
-     * frame of the monitor takes.
+     * frame of the monitor takes, and a collision of the recorder.
      */
     public final class MonitorTask extends MeasuringTask
     {
         private static const FRAMES:int = 200;
         private static const MONITORED_FRAMES:int = 240;
         private static const FRAME_MS:Number = 40;
+        private static const CROWD:int = 100;
 
         /** What is played. */
         public var scene:Scene;
@@ -28,6 +32,7 @@ package timing
         private var _collision:Collision;
         private var _monitor:CollisionMonitor;
         private var _time:Measurement;
+        private var _recording:Measurement;
         private var _played:int = 0;
 
         /**
@@ -56,6 +61,7 @@ package timing
             _monitor.y = 180;
             _collision.update(scene.agents);
             _time = measure("monitor", showFrames, FRAMES);
+            prepareRecording();
         }
 
         /** @inheritDoc */
@@ -79,8 +85,27 @@ package timing
                 return false;
             }
             var entry:Object = _results.addTime("monitor", scene.agents.length + " agents", "a frame of the monitor", _time, _base);
+            _results.addTime("monitor", "recorder", "a collision recorded", _recording, _base);
             _results.addNumber("monitor", scene.agents.length + " agents", "part of a frame at 25 a second", 100 * entry.value / FRAME_MS, "%");
             return true;
+        }
+
+        // A system that finds every pair, with a recorder and without.
+        private function prepareRecording():void
+        {
+            var crowd:Vector.<Agent> = Scenes.crowd(CROWD, "spheres").agents;
+            var found:Vector.<Agent> = new Vector.<Agent>();
+            var plain:EveryPairSystem = new EveryPairSystem();
+            var recording:CollisionRecorder = new CollisionRecorder(plain);
+            var pairs:int = CROWD * (CROWD - 1) / 2;
+            _recording = measure("recorder", function():void
+                {
+                    recording.findCollisions(crowd, found);
+                }, pairs);
+            measureOverhead(_recording, "every pair", function():void
+                {
+                    plain.findCollisions(crowd, found);
+                }, pairs);
         }
 
         private function showFrames():void

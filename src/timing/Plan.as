@@ -126,21 +126,29 @@ package timing
         {
             for each (var cast:String in _settings.casts)
             {
-                for each (var count:int in _settings.games)
+                planGames(cast, Scenes.scattered, "");
+                planGames(cast, Scenes.scatteredAsDense, ", as dense");
+            }
+        }
+
+        private function planGames(cast:String, make:Function, suffix:String):void
+        {
+            for each (var count:int in _settings.games)
+            {
+                for each (var collider:String in _settings.colliders)
                 {
-                    for each (var collider:String in _settings.colliders)
-                    {
-                        var scene:Scene = Scenes.scattered(count, cast);
-                        makeSomeHierarchical(scene, collider == "CombinationCollider" ? 1 : 0);
-                        addGame("scattered", count + " " + cast, collider, collider, scene, undefined);
-                    }
+                    var scene:Scene = make(count, cast);
+                    makeSomeHierarchical(scene, collider == "CombinationCollider" ? 1 : 0);
+                    addGame("scattered", count + " " + cast + suffix, collider, collider, scene, undefined);
                 }
             }
         }
 
         private function planMonitor():void
         {
-            tasks.push(new MonitorTask(_stage, Scenes.scattered(MONITORED_GAME, "mix"), Colliders.make("CombinationCollider", _greatLand), _settings, _results));
+            var scene:Scene = Scenes.scattered(MONITORED_GAME, "mix");
+            makeSomeHierarchical(scene, MONITORED_GAME / 10);
+            tasks.push(new MonitorTask(_stage, scene, Colliders.make("CombinationCollider", _greatLand), _settings, _results));
         }
 
         private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void

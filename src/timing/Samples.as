@@ -30,16 +30,16 @@ package timing
             return count % 2 == 1 ? _sorted[middle] : (_sorted[middle - 1] + _sorted[middle]) / 2;
         }
 
-        /** The least, not counting one that may be an accident where there are five or more. */
+        /** The least, without a fifth that may be accidents: one of five samples, two of ten. */
         public function get low():Number
         {
-            return _sorted[count < 5 ? 0 : 1];
+            return _sorted[int(count / 5)];
         }
 
-        /** The greatest, as the least. */
+        /** The greatest, without a fifth that may be accidents. */
         public function get high():Number
         {
-            return _sorted[count < 5 ? count - 1 : count - 2];
+            return _sorted[count - 1 - int(count / 5)];
         }
 
         /** Half the distance between the least and the greatest, in parts of the median. */

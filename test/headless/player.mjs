@@ -95,6 +95,7 @@ async function start({ url, parameters }) {
 	window.headless = {
 		// the answer comes later than the call, and the SWF does not wait for it
 		writeFile: (file, text) => { window.headlessWriteFile(file, text); },
+		now: () => performance.now(),
 		memory: () => window.playerMemory?.buffer.byteLength ?? -1,
 		exit: (status) => { window.headlessExit(status); },
 	};

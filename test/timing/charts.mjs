@@ -32,7 +32,7 @@ function compared(entries, ours, unit, factor = 1) {
 	}
 	const subjects = bySubject(entries);
 	return bars(subjects.map(([name]) => name), unit, [
-		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(ours(found).value, factor)), ranges: subjects.map(([, found]) => range(ours(found))) },
+		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(ours(found).value, factor)) },
 		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.value, factor)) },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, factor)) },
 	]);
@@ -98,14 +98,15 @@ function scattered(entries) {
 	if (entries.length === 0) {
 		return undefined;
 	}
-	const casts = growth(entries);
-	// one cast to a chart: the mix, or what there is
-	const { cast, exponents } = casts.find((each) => each.cast === 'mix') ?? casts[0];
-	const series = COLLIDERS.map((collider) => ({
-		name: `${collider}${exponents[collider] === undefined ? '' : `: n^${exponents[collider].toFixed(2)}`}`,
+	const all = growth(entries);
+	const first = all.find(({ cast }) => cast === 'mix') ?? all[0];
+	const casts = [first, ...all.filter(({ cast }) => cast === `${first.cast}, as dense`)];
+	const series = casts.flatMap(({ cast, exponents }, i) => COLLIDERS.map((collider) => ({
+		name: `${collider.replace('Collider', '')}${i === 0 ? '' : ', as dense'}: n^${exponents[collider]?.toFixed(2) ?? '?'}`,
 		color: collider,
+		isDashed: i > 0,
 		points: entries.filter((entry) => entry.variant === collider && castOf(entry) === cast && entry.value)
 			.map((entry) => ({ x: entry.agents, y: entry.value })),
-	})).filter(({ points }) => points.length > 0);
-	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${cast})`, series, line: [40, 'a frame at 25 a second'] };
+	}))).filter(({ points }) => points.length > 0);
+	return { kind: 'lines', height: 420, unit: 'ms a frame', xUnit: `agents (${first.cast})`, series, line: [40, 'a frame at 25 a second'] };
 }

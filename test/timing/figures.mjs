@@ -70,31 +70,43 @@ function gameRows(entries) {
 	return bySubject(entries).flatMap(([scene, found]) => Object.keys(found).filter((name) => !name.endsWith(', literal')).map((name, i) => {
 		const entry = found[name];
 		const literal = found[`${name}, literal`];
-		return [i === 0 ? scene : '', name, measured(entry), multiple(entry), short(literal), times(faster(entry, literal)),
+		return [i === 0 ? scene : '', name.replace('Collider', ''), measured(entry), multiple(entry), short(literal), times(faster(entry, literal)),
 			thesisTime(entry), String(entry.collisions), entry.agrees ? 'yes' : 'NO'];
 	}));
 }
 
 function scatteredRows(entries) {
-	const found = bySubject(entries);
-	const rows = found.map(([scene, variants]) => [scene, ...COLLIDERS.map((name) => measured(variants[name])),
-		[...new Set(COLLIDERS.map((name) => variants[name]?.collisions).filter((count) => count !== undefined))].join(' '),
-		Object.values(variants).every((entry) => entry.agrees) ? 'yes' : 'NO']);
-	for (const { cast, exponents } of growth(entries)) {
-		rows.push([`exponent, ${cast}`, ...COLLIDERS.map((name) => (exponents[name] === undefined ? '' : exponents[name].toFixed(2))), '', '']);
-	}
-	return rows;
+	return growth(entries).flatMap(({ cast, exponents, exponentsByWork }) => {
+		const games = bySubject(entries.filter((entry) => castOf(entry) === cast)).map(([scene, found]) => [scene,
+			...COLLIDERS.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
+			Object.values(found).every((entry) => entry.agrees) ? 'yes' : 'NO']);
+		const row = (name, values) => [name, ...COLLIDERS.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
+		return [...games, row('exponent', exponents), row('  of collisions too', exponentsByWork)];
+	});
 }
 
-/** The fitted exponents of the scattered games' times: [{cast, exponents: {collider: exponent}}]. */
+function range(counts) {
+	const [least, most] = [Math.min(...counts), Math.max(...counts)];
+	return least === most ? String(least) : `${least}–${most}`;
+}
+
+/**
+ * The fitted exponents of the scattered games' times, of the number of agents and of that of agents and collisions:
+ * [{cast, exponents: {collider: exponent}, exponentsByWork: {collider: exponent}}].
+ */
 export function growth(entries) {
 	const casts = [...new Set(entries.map((entry) => castOf(entry)))];
-	return casts.map((cast) => ({
-		cast,
-		exponents: Object.fromEntries(COLLIDERS.map((name) => [name,
-			exponent(entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value).map((entry) => [entry.agents, entry.value]))])
-			.filter(([, value]) => value !== undefined)),
-	}));
+	return casts.map((cast) => {
+		const fitted = (size) => Object.fromEntries(COLLIDERS
+			.map((name) => [name, entries.filter((entry) => entry.variant === name && castOf(entry) === cast && entry.value)])
+			.map(([name, games]) => [name, exponent(games.map((entry) => [size(entry), entry.value]))])
+			.filter(([, value]) => value !== undefined));
+		return {
+			cast,
+			exponents: fitted((entry) => entry.agents),
+			exponentsByWork: fitted((entry) => entry.agents + entry.collisions),
+		};
+	});
 }
 
 /** Who plays in a game: the subject without its number. */
@@ -143,7 +155,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
-		head: ['crowd', 'collider', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'collisions', 'all pairs'],
+		head: ['crowd', 'collider', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
 		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once; the thesis counts'
@@ -151,17 +163,19 @@ export const FIGURES = [
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
-		head: ['crowd', 'of them', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'collisions', 'all pairs'],
+		head: ['crowd', 'of them', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
 		note: 'The thesis has no number here but says that it lies between those of the other two colliders.',
 	},
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
-		head: ['game', 'bins', 'tightest fit', 'hierarchical', 'combination', 'collisions', 'all pairs'],
+		head: ['game', 'bins', 'tightest fit', 'hierarchical', 'combination', 'collisions', 'checked'],
 		rows: scatteredRows,
-		note: 'Unit agents all over SpaceLand\'s 100 by 100 patches, all moving. Collisions: of each collider, where they differ.'
-			+ ' Exponent: of the agents\' number, fitted to the times.',
+		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes that cover as much of the ground, whatever'
+			+ ' their number. Collisions: of the colliders.'
+			+ ' Exponent: of the number of agents, fitted to the times, and of the number of agents and collisions: those of agents of'
+			+ ' size 1 grow with the square of their number.',
 	},
 	{
 		id: 'monitor', title: 'The monitor in a running game',
@@ -169,6 +183,7 @@ export const FIGURES = [
 		text: 2,
 		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
 			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`]),
-		note: 'A frame at 25 a second has 40 ms. What the player takes to draw the monitor is not in it.',
+		note: 'A frame at 25 a second has 40 ms. What the player takes to draw the monitor is not in it. The CollisionRecorder costs what'
+			+ ' recording its collisions does.',
 	},
 ];

@@ -3,8 +3,9 @@ export function significant(value, digits) {
 	if (value === 0) {
 		return '0';
 	}
-	const decimals = digits - 1 - Math.floor(Math.log10(Math.abs(value)));
-	return value.toFixed(Math.min(Math.max(decimals, 0), digits));
+	const rounded = Number(value.toPrecision(digits));
+	const decimals = digits - 1 - Math.floor(Math.log10(Math.abs(rounded)));
+	return rounded.toFixed(Math.min(Math.max(decimals, 0), digits));
 }
 
 /** Milliseconds in the unit that suits them. */
@@ -13,9 +14,9 @@ export function time(ms) {
 	return `${significant(ms * factor, 3)} ${unit}`;
 }
 
-/** How many times as much. */
+/** How many times as much: two significant digits, three of large numbers. */
 export function ratio(value) {
-	return `${value < 99.95 ? significant(value, 2) : Math.round(value).toLocaleString('en')}×`;
+	return `${value < 99.5 ? significant(value, 2) : Number(value.toPrecision(3)).toLocaleString('en')}×`;
 }
 
 /** A part in hundredths. */

@@ -11,15 +11,18 @@ function compact(value) {
 	return value >= 1000 ? value.toLocaleString('en') : String(Number(value.toPrecision(3)));
 }
 
-function logarithmic(title, extra) {
+// From the power of ten below the least, with room for its bar, to above the greatest.
+function logarithmic(title, values) {
+	const found = values.filter((value) => value > 0);
 	return {
 		type: 'logarithmic',
+		min: 10 ** Math.floor(Math.log10(Math.min(...found)) - 0.15),
+		max: Math.max(...found) * 1.3,
 		title: { display: true, text: title, color: color('quiet') },
 		grid: { color: color('grid') },
 		border: { color: color('grid') },
 		// powers of ten alone: the marks between them crowd
 		ticks: { color: color('quiet'), callback: (value) => (Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6 ? compact(value) : null) },
-		...extra,
 	};
 }
 
@@ -72,10 +75,10 @@ function barChart(chart) {
 		options: {
 			...common(chart),
 			scales: {
-				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 60 } },
+				x: { grid: { display: false }, border: { color: color('grid') }, ticks: { color: color('text'), autoSkip: false, maxRotation: 0, font: { size: chart.labels.length > 10 ? 11 : 12 } } },
 				y: chart.linear
 					? { beginAtZero: true, title: { display: true, text: chart.unit, color: color('quiet') }, grid: { color: color('grid') }, ticks: { color: color('quiet') } }
-					: logarithmic(chart.unit),
+					: logarithmic(chart.unit, chart.series.flatMap((series) => series.values)),
 			},
 		},
 		plugins: [limit],
@@ -83,15 +86,20 @@ function barChart(chart) {
 }
 
 function lineChart(chart) {
+	const points = chart.series.flatMap((series) => series.points);
 	return {
 		type: 'scatter',
 		data: {
 			datasets: chart.series.map((series) => ({
 				label: series.name, data: series.points, showLine: true, borderColor: color(series.color), backgroundColor: color(series.color),
-				borderWidth: 2, pointRadius: 4, pointStyle: 'circle',
+				borderWidth: 2, borderDash: series.isDashed ? [6, 4] : [], pointRadius: 4, pointStyle: series.isDashed ? 'rect' : 'circle',
 			})),
 		},
-		options: { ...common(chart), scales: { x: logarithmic(chart.xUnit), y: logarithmic(chart.unit) } },
+		options: { ...common(chart), scales: {
+				x: { ...logarithmic(chart.xUnit, points.map(({ x }) => x)), min: Math.min(...points.map(({ x }) => x)) * 0.9 },
+				y: logarithmic(chart.unit, points.map(({ y }) => y)),
+			},
+		},
 		plugins: [limit],
 	};
 }

@@ -31,8 +31,7 @@ amber the thesis's algorithms word for word in the same player, grey the thesis'
 ${FIGURES.map((figure) => section(figure, report.entries, charts)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions (of five or more, without the fastest and the slowest), after a
-warm-up; what varies by more than 30 % is not reported. “×” is a multiple of the sphere-sphere test, measured in turns
+<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; what varies by more than 30 % is not reported. “×” is a multiple of the sphere-sphere test, measured in turns
 with it: only these compare across machines.</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
@@ -67,7 +66,7 @@ function table(figure, rows) {
 <tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
 
-const rowClass = (row) => (row[0] === '  thesis' ? ' class="thesis"' : row[0].startsWith('exponent') ? ' class="sum"' : '');
+const rowClass = (row) => (row[0] === '  thesis' ? ' class="thesis"' : /^exponent|^  of/.test(row[0]) ? ' class="sum"' : '');
 
 /** A cell's text: what is tightest stands out, a spread stands back. */
 function mark(text) {
@@ -93,9 +92,9 @@ function tiles({ entries, exponents }) {
 	if (bears?.TightestFitCollider?.value) {
 		found.push([time(bears.TightestFitCollider.value), 'a frame of 100 colliding bears (thesis: 1300 ms)']);
 	}
-	const exponent = exponents.flatMap(({ exponents: fitted }) => fitted.TightestFitCollider ?? []).at(-1);
+	const exponent = exponents.find(({ cast }) => cast.endsWith('as dense'))?.exponents.TightestFitCollider;
 	if (exponent !== undefined) {
-		found.push([significant(exponent, 3), 'exponent of scattered games, by agents']);
+		found.push([significant(exponent, 3), 'exponent of scattered games, by agents, as dense']);
 	}
 	return found;
 }

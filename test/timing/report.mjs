@@ -39,7 +39,7 @@ await writeFile(file('report.html'), await page(report));
 const text = tables(report.entries);
 await writeFile(file('timing.txt'), text + '\n');
 console.log(`\n${text}\n`);
-console.log('Times are medians ± half the range of the repetitions (of five or more, without the fastest and the slowest).');
+console.log('Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
 if (older) {
 	console.log('\n' + comparison(changes(older.entries, report.entries), older.created.slice(0, 16).replace('T', ' ')));
 }

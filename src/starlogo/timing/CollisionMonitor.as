@@ -27,7 +27,8 @@ package starlogo.timing
      *
      * <p>It shows frames a second, the milliseconds of collision detection in a frame and their last 180 frames as a graph
      * (of the height of a frame at 25 a second), agents, candidate pairs, tests by kind, node visits, collisions and
-     * memory: what the last update did, and times as the mean of some frames. Its last line is what it costs itself.</p>
+     * memory: what the last update did, and times as the mean of some frames. Its last line is what it costs itself, in
+     * parts of such a frame too.</p>
      *
      * <p>A key hides and shows it; hidden, it does nothing. Drag it where it is in nobody's way.</p>
      */
@@ -223,7 +224,7 @@ package starlogo.timing
             _numbers.text = did.agents + "\n" + did.candidatePairs + "\n" + did.sphereSphereTests + "\n" + did.sphereCapsuleTests + "\n"
                 + did.sphereBoxTests + "\n" + did.capsuleCapsuleTests + "\n" + did.capsuleBoxTests + "\n" + did.boxBoxTests + "\n"
                 + did.hierarchyTests + "\n" + did.nodeVisits + "\n" + did.triangleTests + "\n" + did.collisions + "\n"
-                + did.handlerCalls + "\n" + (System.totalMemory / 1048576).toFixed(1) + " MB\n" + ownMsPerFrame.toFixed(2) + " ms";
+                + did.handlerCalls + "\n" + (System.totalMemory / 1048576).toFixed(1) + " MB\n" + ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %";
         }
 
         private function draw():void

@@ -1,0 +1,94 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { comparison, tables } from './console.mjs';
+import { csv } from './csv.mjs';
+import { FIGURES, growth } from './figures.mjs';
+import { percent, ratio, significant, time } from './format.mjs';
+import { page } from './page.mjs';
+import { changes, exponent } from './statistics.mjs';
+
+const timed = (figure, subject, variant, value, more = {}) => ({
+	figure, subject, variant, value, unit: 'ms', low: value * 0.98, high: value * 1.04, samples: 5,
+	multiple: value * 4000, multipleLow: value * 3900, multipleHigh: value * 4100, ...more,
+});
+
+const entries = [
+	timed('fits', 'bear', 'engine', 6.8, { thesis: 555, vertices: 547, tightest: 'box' }),
+	timed('fits', 'bear', 'literal', 243),
+	timed('tests', 'sphereSphere', 'engine', 0.00024, { thesis: 0.000319 }),
+	timed('tests', 'sphereSphere', 'engine, all hit', 0.00024),
+	timed('tests', 'boxBox', 'engine', 0.0019, { thesis: 0.11717 }),
+	timed('tests', 'boxBox', 'engine, all hit', 0.0021),
+	timed('tests', 'boxBox', 'literal', 0.065),
+	timed('crowds', '100 bears', 'TightestFitCollider', 17.5, { thesis: 1300, agents: 100, collisions: 4950, agrees: true }),
+	timed('crowds', '100 bears', 'TightestFitCollider, literal', 432),
+	timed('crowds', '100 bears', 'BinCollider', null, { agents: 100, collisions: 4950, agrees: false, refused: 'spread of 79 %' }),
+	...[100, 1000, 10000].map((agents) => timed('scattered', `${agents} mix`, 'BinCollider', agents * 0.002, { agents, collisions: 0, agrees: true })),
+];
+
+test('numbers read well', () => {
+	assert.equal(significant(0.0123456, 3), '0.012');
+	assert.equal(significant(123.456, 3), '123');
+	assert.equal(significant(0, 3), '0');
+	assert.equal(time(0.00024), '240 ns');
+	assert.equal(time(0.0019), '1.90 µs');
+	assert.equal(time(0.9999), '1.00 ms');
+	assert.equal(time(1300), '1300 ms');
+	assert.equal(time(12345), '12.3 s');
+	assert.equal(ratio(2.345), '2.3×');
+	assert.equal(ratio(258096), '258,000×');
+	assert.equal(percent(0.042), '4 %');
+});
+
+test('the exponent of a power is found', () => {
+	assert.ok(Math.abs(exponent([[1, 3], [10, 3 * 10 ** 1.2], [100, 3 * 100 ** 1.2]]) - 1.2) < 1e-9);
+	assert.equal(exponent([[5, 3]]), undefined);
+	assert.ok(Math.abs(growth(entries.filter((entry) => entry.figure === 'scattered'))[0].exponents.BinCollider - 1) < 1e-9);
+});
+
+test('tables are at most 100 columns wide and say what is not reported', () => {
+	const text = tables(entries);
+	for (const line of text.split('\n')) {
+		assert.ok(line.length <= 100, line);
+	}
+	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× +243 ms +36× +555 ms/);
+	assert.match(text, /spread of 79 %/);
+	assert.match(text, /NO$/m);
+});
+
+test('a comparison names what changed beyond the noise, and nothing else', () => {
+	const slower = entries.map((entry) => (entry.subject === 'bear' && entry.variant === 'engine'
+		? timed('fits', 'bear', 'engine', entry.value * 1.5) : entry));
+	assert.deepEqual(changes(entries, entries), []);
+	const changed = changes(entries, slower);
+	assert.equal(changed.length, 1);
+	assert.equal(changed[0].key, 'fits / bear / engine');
+	assert.ok(Math.abs(changed[0].change - 1.5) < 1e-9);
+	assert.match(comparison(changed, 'yesterday'), /fits \/ bear \/ engine .* 1\.5× slower/);
+	assert.match(comparison(changes(slower, entries), 'yesterday'), /1\.5× faster/);
+	assert.match(comparison([], 'yesterday'), /nothing is faster or slower/);
+});
+
+test('a change within five per cent, or within the ranges, is noise', () => {
+	const scaled = (factor, width) => entries.map((entry) => ({ ...entry, multiple: entry.multiple * factor,
+		multipleLow: entry.multiple * factor * (1 - width), multipleHigh: entry.multiple * factor * (1 + width) }));
+	assert.deepEqual(changes(scaled(1, 0.001), scaled(1.04, 0.001)), []);
+	assert.deepEqual(changes(scaled(1, 0.2), scaled(1.3, 0.2)), []);
+	assert.notDeepEqual(changes(scaled(1, 0.05), scaled(1.3, 0.05)), []);
+});
+
+test('CSV has a line for each entry and quotes what has commas', () => {
+	const lines = csv(entries).split('\r\n');
+	assert.equal(lines.length, entries.length + 2);
+	assert.match(lines[0], /^figure,subject,variant,value,unit,/);
+	assert.ok(lines.some((line) => line.includes('"TightestFitCollider, literal"')));
+});
+
+test('the page is self-contained and has every figure there are entries of', async () => {
+	const html = await page({ created: '2026-01-02T03:04:05Z', machine: { processor: '<fast>' }, versions: {}, exponents: [], entries });
+	assert.doesNotMatch(html, /<(link|img|iframe)\b|<script[^>]+src=|@import/);
+	for (const figure of FIGURES) {
+		assert.equal(html.includes(figure.title), entries.some((entry) => entry.figure === figure.id), figure.id);
+	}
+	assert.match(html, /&lt;fast&gt;/);
+});

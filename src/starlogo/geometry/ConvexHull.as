@@ -15,6 +15,9 @@ package starlogo.geometry
      */
     public final class ConvexHull
     {
+        // Beyond it the cubes and squares of coordinates overflow.
+        private static const LARGEST:Number = 1e100;
+
         private var _vertices:Vector.<Number>;
         private var _count:int;
         private var _dimension:int;
@@ -35,7 +38,7 @@ package starlogo.geometry
          *
          * @param vertices x, y, z of each vertex, in any one unit; kept, not copied, and never changed
          * @throws ArgumentError if it is null or empty, has a length that is no multiple of 3, or holds a number that is not
-         *         finite
+         *         finite or beyond 1e100
          */
         public function ConvexHull(vertices:Vector.<Number>)
         {
@@ -223,6 +226,10 @@ package starlogo.geometry
             for (var i:int = 0; i < 6; i++)
             {
                 largest = Math.max(largest, Math.abs(box[i]));
+            }
+            if (largest > LARGEST)
+            {
+                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
             }
             var flat:Number = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
             var a:int = farthestFrom((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);

@@ -2,6 +2,8 @@ package
 {
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.HierarchicalCrowdBenchmark;
+    import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
@@ -14,7 +16,8 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark];
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, HierarchyBenchmark,
+                HierarchicalCrowdBenchmark];
 
         private var _pending:Array;
 

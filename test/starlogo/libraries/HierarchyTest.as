@@ -20,18 +20,21 @@ package starlogo.libraries
                 "/assets/tree.obj", "/assets/seagull.dae", "/assets/person.dae", "/assets/fireman.dae", "/assets/dragon.dae"];
 
         [Test]
-        public function modelsOfTheGameAreWellFormed():void
+        public function smallModelsOfTheGameAreWellFormed():void
         {
-            var library:HierarchiesLibrary = new HierarchiesLibrary();
-            for each (var address:String in FIXTURES)
-            {
-                var model:Model = read(address);
-                library.splitByMean = !library.splitByMean;
-                library.add(address, model.vertices, model.triangles);
-                assertWellFormed(library, address, model.vertices, model.triangles);
-                library.add(address, model.vertices);
-                assertWellFormed(library, address, model.vertices);
-            }
+            FIXTURES.slice(0, 5).forEach(checkModel);
+        }
+
+        [Test]
+        public function largerModelsOfTheGameAreWellFormed():void
+        {
+            FIXTURES.slice(5, 8).forEach(checkModel);
+        }
+
+        [Test]
+        public function theDragonIsWellFormed():void
+        {
+            FIXTURES.slice(8).forEach(checkModel);
         }
 
         [Test]
@@ -90,16 +93,26 @@ package starlogo.libraries
             assertTrue("in the hollow", !hierarchy.isInside(0, 0, 0.5));
         }
 
+        private static function checkModel(address:String, index:int, all:Array):void
+        {
+            var model:Model = read(address);
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.splitByMean = index % 2 == 1;
+            library.add(address, model.vertices, model.triangles);
+            assertWellFormed(library, address, model.vertices, model.triangles);
+            library.add(address, model.vertices);
+            assertWellFormed(library, address, model.vertices);
+        }
+
         // Points at random, and right beside the surface.
         private static function compareWithSolidAngles(address:String, seed:uint):void
         {
-            Fixtures.assume(address, "the models of the game are needed");
             var model:Model = read(address);
             var hierarchy:Hierarchy = hierarchyOf(model.vertices, model.triangles);
             assertTrue("closed", hierarchy.surface.isClosed);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
-            for (var i:int = 0; i < 400; i++)
+            for (var i:int = 0; i < 150; i++)
             {
                 var near:int = 3 * random.integer(0, model.vertices.length / 3 - 1);
                 var spread:Number = random.pick([0.2, 0.01]);
@@ -110,7 +123,7 @@ package starlogo.libraries
                 inside += expected ? 1 : 0;
                 assertEquals("point " + i, expected, hierarchy.isInside(x, y, z));
             }
-            assertTrue("inside: " + inside, inside > 60 && inside < 340);
+            assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }
 
         private static function windingAround(model:Model, x:Number, y:Number, z:Number):Number

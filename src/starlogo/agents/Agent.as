@@ -231,6 +231,7 @@ package starlogo.agents
                 throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
             }
             _traversalDepth = value;
+            revision++;
         }
 
         /**

@@ -55,6 +55,9 @@ package starlogo.collision
         /** Whether the hierarchy decides, and not the structure. */
         public var isHierarchical:Boolean;
 
+        /** The agent's own limit to the levels that are visited, or 0. */
+        public var depth:int = 0;
+
         /** The middle of the world shape's extents. */
         public var x:Number;
 

@@ -81,6 +81,7 @@ package starlogo.collision
                 body.isSphere = false;
                 body.hierarchy.root.bounds.place(body.agent.worldPlacement(), body.worldRoot);
                 body.takeExtentsOf(body.worldRoot);
+                body.depth = body.agent.traversalDepth;
                 return;
             }
             if (body.structure == null)

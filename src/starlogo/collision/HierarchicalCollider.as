@@ -79,6 +79,7 @@ package starlogo.collision
         {
             body.structure.place(body.agent.worldPlacement(), body.world);
             body.takeExtentsOf(body.world);
+            body.depth = body.agent.traversalDepth;
         }
 
         /** @inheritDoc */

@@ -67,6 +67,9 @@ package starlogo.collision
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
+        // A box that stands for a model, with its own axes.
+        private var _leaf:HierarchyNode = new HierarchyNode();
+
         // By kind: a structure of the second model in the space of the first.
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0),
@@ -80,6 +83,8 @@ package starlogo.collision
         /** Nothing counted yet. */
         public function HierarchyTraversal()
         {
+            _leaf.level = 1;
+            _leaf.x = _leaf.y = _leaf.z = 0;
         }
 
         /** Begins to count. */
@@ -112,10 +117,8 @@ package starlogo.collision
                 b = a;
                 a = first;
             }
-            var depthA:int = a.agent.traversalDepth;
-            var depthB:int = b.agent.traversalDepth;
-            depthA = depthA == 0 ? maxDepth : depthA;
-            depthB = depthB == 0 ? maxDepth : depthB;
+            var depthA:int = a.depth == 0 ? maxDepth : a.depth;
+            var depthB:int = b.depth == 0 ? maxDepth : b.depth;
             if (!a.isHierarchical)
             {
                 return structureMeets(b.hierarchy, b.agent.placement, depthB, a.structure, a.agent.placement);
@@ -153,13 +156,17 @@ package starlogo.collision
                 _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _relative.size);
             }
             var meet:Boolean;
-            if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+            if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
-                meet = boxesMeet(a.root, depthA, b.root, depthB, exact);
+                meet = structuresMeet(a.root, depthA, b.root, depthB, exact);
+            }
+            else if (_relative.r22 == 1 && _relative.r20 == 0 && _relative.r21 == 0)
+            {
+                meet = uprightBoxesMeet(a.root, depthA, b.root, depthB, exact);
             }
             else
             {
-                meet = structuresMeet(a.root, depthA, b.root, depthB, exact);
+                meet = boxesMeet(a.root, depthA, b.root, depthB, exact);
             }
             return meet || (exact && (isInside(b, a) || isInsideOut(a, b)));
         }
@@ -177,6 +184,11 @@ package starlogo.collision
         {
             pairs++;
             relate(placementA, placementB);
+            if (structure.kind == BoundingStructure.BOX && a.boundsKind == BoundingStructure.BOX)
+            {
+                relateToAxesOf(structure as Box);
+                return boxesMeet(a.root, depthA, _leaf, 1, false);
+            }
             var moved:BoundingStructure = structure.place(_relative, _moved[structure.kind]);
             var stack:Vector.<HierarchyNode> = _stack;
             var node:HierarchyNode = a.root;
@@ -262,6 +274,215 @@ package starlogo.collision
             relative.r22 = a02 * b02 + a12 * b12 + a22 * b22;
         }
 
+        // Takes the box for a leaf in a space of its own, that of its axes.
+        private function relateToAxesOf(box:Box):void
+        {
+            var relative:Placement = _relative;
+            var scale:Number = relative.size;
+            var r00:Number = relative.r00;
+            var r01:Number = relative.r01;
+            var r02:Number = relative.r02;
+            var r10:Number = relative.r10;
+            var r11:Number = relative.r11;
+            var r12:Number = relative.r12;
+            var r20:Number = relative.r20;
+            var r21:Number = relative.r21;
+            var r22:Number = relative.r22;
+            var vector:Vector3D = box.center;
+            var x:Number = vector.x * scale;
+            var y:Number = vector.y * scale;
+            var z:Number = vector.z * scale;
+            relative.x += r00 * x + r01 * y + r02 * z;
+            relative.y += r10 * x + r11 * y + r12 * z;
+            relative.z += r20 * x + r21 * y + r22 * z;
+            vector = box.axisX;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r00 = r00 * x + r01 * y + r02 * z;
+            relative.r10 = r10 * x + r11 * y + r12 * z;
+            relative.r20 = r20 * x + r21 * y + r22 * z;
+            vector = box.axisY;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r01 = r00 * x + r01 * y + r02 * z;
+            relative.r11 = r10 * x + r11 * y + r12 * z;
+            relative.r21 = r20 * x + r21 * y + r22 * z;
+            vector = box.axisZ;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r02 = r00 * x + r01 * y + r02 * z;
+            relative.r12 = r10 * x + r11 * y + r12 * z;
+            relative.r22 = r20 * x + r21 * y + r22 * z;
+            var leaf:HierarchyNode = _leaf;
+            var middle:Vector3D = box.center;
+            var distance:Number = Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z);
+            var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
+            var halfX:Number = box.halfX + margin;
+            var halfY:Number = box.halfY + margin;
+            var halfZ:Number = box.halfZ + margin;
+            leaf.halfX = halfX;
+            leaf.halfY = halfY;
+            leaf.halfZ = halfZ;
+            leaf.radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+            leaf.innerRadius = halfX < halfY ? halfX : halfY;
+            if (halfZ < leaf.innerRadius)
+            {
+                leaf.innerRadius = halfZ;
+            }
+        }
+
+        // For models that are turned about z only, as almost always: five axes are all there are, and three of them are
+        // settled by few products. Otherwise like boxesMeet.
+        private function uprightBoxesMeet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:Boolean):Boolean
+        {
+            var relative:Placement = _relative;
+            var scale:Number = relative.size;
+            var moveX:Number = relative.x;
+            var moveY:Number = relative.y;
+            var moveZ:Number = relative.z;
+            var cos:Number = relative.r00 * scale;
+            var sin:Number = relative.r10 * scale;
+            var widened:Number = Tolerances.ROUNDING * scale;
+            var absCos:Number = (cos < 0 ? -cos : cos) + widened;
+            var absSin:Number = (sin < 0 ? -sin : sin) + widened;
+            var scaleSquared:Number = scale * scale;
+            var stack:Vector.<HierarchyNode> = _stack;
+            var top:int = 0;
+            var visits:int = 0;
+            while (true)
+            {
+                visits++;
+                var overlap:Boolean = false;
+                var z:Number = scale * b.z + moveZ - a.z;
+                var reach:Number = a.halfZ + scale * b.halfZ;
+                if (z <= reach && z >= -reach)
+                {
+                    var bX:Number = b.x;
+                    var bY:Number = b.y;
+                    var x:Number = cos * bX - sin * bY + moveX - a.x;
+                    var y:Number = sin * bX + cos * bY + moveY - a.y;
+                    var halfX:Number = a.halfX;
+                    var halfY:Number = a.halfY;
+                    if (x <= halfX && x >= -halfX && y <= halfY && y >= -halfY)
+                    {
+                        // b's middle is in a
+                        if (!a.isLeaf && !b.isLeaf && a.level < depthA && b.level < depthB)
+                        {
+                            // then so are its children, in part at least: both are divided at once
+                            var axis:int = a.splitAxis;
+                            var near:HierarchyNode = a.left;
+                            stack[top] = a.right;
+                            if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                            {
+                                stack[top] = near;
+                                near = a.right;
+                            }
+                            stack[int(top + 1)] = b;
+                            x += a.x - near.x;
+                            y += a.y - near.y;
+                            z += a.z - near.z;
+                            a = near;
+                            axis = b.splitAxis;
+                            stack[int(top + 2)] = a;
+                            if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z)) < 0)
+                            {
+                                stack[int(top + 3)] = b.left;
+                                b = b.right;
+                            }
+                            else
+                            {
+                                stack[int(top + 3)] = b.right;
+                                b = b.left;
+                            }
+                            top += 4;
+                            continue;
+                        }
+                        overlap = true;
+                    }
+                    else
+                    {
+                        bX = b.halfX;
+                        bY = b.halfY;
+                        reach = halfX + absCos * bX + absSin * bY;
+                        if (x <= reach && x >= -reach)
+                        {
+                            reach = halfY + absSin * bX + absCos * bY;
+                            if (y <= reach && y >= -reach)
+                            {
+                                var along:Number = cos * x + sin * y;
+                                reach = scaleSquared * bX + absCos * halfX + absSin * halfY;
+                                if (along <= reach && along >= -reach)
+                                {
+                                    along = cos * y - sin * x;
+                                    reach = scaleSquared * bY + absSin * halfX + absCos * halfY;
+                                    overlap = along <= reach && along >= -reach;
+                                }
+                            }
+                        }
+                    }
+                }
+                if (overlap)
+                {
+                    var aEnds:Boolean = a.isLeaf || a.level >= depthA;
+                    var bEnds:Boolean = b.isLeaf || b.level >= depthB;
+                    if (aEnds && bEnds)
+                    {
+                        if (!exact || leavesMeet(a, b))
+                        {
+                            nodeVisits += visits;
+                            return true;
+                        }
+                    }
+                    else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
+                    {
+                        axis = a.splitAxis;
+                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        {
+                            stack[top] = a.left;
+                            a = a.right;
+                        }
+                        else
+                        {
+                            stack[top] = a.right;
+                            a = a.left;
+                        }
+                        stack[int(top + 1)] = b;
+                        top += 2;
+                        continue;
+                    }
+                    else
+                    {
+                        axis = b.splitAxis;
+                        stack[top] = a;
+                        if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z)) < 0)
+                        {
+                            stack[int(top + 1)] = b.left;
+                            b = b.right;
+                        }
+                        else
+                        {
+                            stack[int(top + 1)] = b.right;
+                            b = b.left;
+                        }
+                        top += 2;
+                        continue;
+                    }
+                }
+                if (top == 0)
+                {
+                    nodeVisits += visits;
+                    return false;
+                }
+                top -= 2;
+                a = stack[top];
+                b = stack[int(top + 1)];
+            }
+            return false;
+        }
+
         // The inner loop of every frame: all is in locals, and nothing is called but where boxes decide.
         private function boxesMeet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:Boolean):Boolean
         {
@@ -327,13 +548,14 @@ package starlogo.collision
                     gapSquared += gap * gap;
                 }
                 var overlap:Boolean = false;
+                var isDeep:Boolean = false;
                 var reach:Number = scale * b.radius;
                 if (gapSquared <= reach * reach)
                 {
                     reach = scale * b.innerRadius;
                     if (gapSquared <= reach * reach)
                     {
-                        overlap = true;
+                        overlap = isDeep = true;
                     }
                     else
                     {
@@ -383,6 +605,11 @@ package starlogo.collision
                                 return true;
                             }
                         }
+                        else if (isDeep)
+                        {
+                            nodeVisits += visits;
+                            return true;
+                        }
                         else
                         {
                             if (!edgesAreReady)
@@ -396,6 +623,38 @@ package starlogo.collision
                                 return true;
                             }
                         }
+                    }
+                    else if (isDeep && !aEnds && !bEnds)
+                    {
+                        // a child of a most likely overlaps b too: both are divided at once
+                        axis = a.splitAxis;
+                        var near:HierarchyNode = a.left;
+                        stack[top] = a.right;
+                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        {
+                            stack[top] = near;
+                            near = a.right;
+                        }
+                        stack[int(top + 1)] = b;
+                        x += a.x - near.x;
+                        y += a.y - near.y;
+                        z += a.z - near.z;
+                        a = near;
+                        axis = b.splitAxis;
+                        stack[int(top + 2)] = a;
+                        if ((axis == 0 ? m00 * x + m10 * y + m20 * z
+                                : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
+                        {
+                            stack[int(top + 3)] = b.left;
+                            b = b.right;
+                        }
+                        else
+                        {
+                            stack[int(top + 3)] = b.right;
+                            b = b.left;
+                        }
+                        top += 4;
+                        continue;
                     }
                     else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
                     {

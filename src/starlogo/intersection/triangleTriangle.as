@@ -55,8 +55,8 @@ package starlogo.intersection
         var atR:Number = nx * rx + ny * ry + nz * rz;
         if (atP > 0 && atQ > 0 && atR > 0 || atP < 0 && atQ < 0 && atR < 0)
         {
-            var reach:Number = limit * areaA;
-            if (atP * atP > reach && atQ * atQ > reach && atR * atR > reach)
+            // a needle's own corners need not be on the plane that was computed
+            if (separates(nx, ny, nz, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
             {
                 return false;
             }
@@ -78,8 +78,7 @@ package starlogo.intersection
         atR = atP + mx * vx + my * vy + mz * vz;
         if (atP > 0 && atQ > 0 && atR > 0 || atP < 0 && atQ < 0 && atR < 0)
         {
-            reach = limit * areaB;
-            if (atP * atP > reach && atQ * atQ > reach && atR * atR > reach)
+            if (separates(mx, my, mz, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
             {
                 return false;
             }

@@ -643,7 +643,7 @@ package starlogo.collision
                         axis = b.splitAxis;
                         stack[int(top + 2)] = a;
                         if ((axis == 0 ? m00 * x + m10 * y + m20 * z
-                                : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
+                                    : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
                         {
                             stack[int(top + 3)] = b.left;
                             b = b.right;

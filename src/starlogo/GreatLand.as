@@ -2,6 +2,8 @@ package starlogo
 {
     import starlogo.agents.Agent;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.libraries.Hierarchy;
     import starlogo.models.Model;
 
     use namespace engine;
@@ -20,11 +22,18 @@ package starlogo
         /** Whether a model's tightest fitting structure is computed: the TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
 
+        /**
+         * Whether a model's hierarchy is built: the HierarchicalCollider needs it, and the CombinationCollider for the
+         * agents that are hierarchical (§4.8).
+         */
+        public var loadHierarchies:Boolean = true;
+
         /** Counts the models that replaced another one of their name: what was kept of those is void. */
         engine var edition:int = 0;
 
         private var _models:Object = {};
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
+        private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
 
         /** A game without models. */
         public function GreatLand()
@@ -35,6 +44,12 @@ package starlogo
         public function get boundingStructures():BoundingStructuresLibrary
         {
             return _boundingStructures;
+        }
+
+        /** The hierarchy of each model. */
+        public function get hierarchies():HierarchiesLibrary
+        {
+            return _hierarchies;
         }
 
         /**
@@ -71,7 +86,8 @@ package starlogo
          * nothing has changed. Cost: that of the fits, up to a few hundred milliseconds for thousands of vertices.
          *
          * @param model has the name that agents have as their shape
-         * @throws ArgumentError if it is null, or as BoundingStructuresLibrary.add does
+         * @throws ArgumentError if it is null, or as the add of BoundingStructuresLibrary and HierarchiesLibrary do
+         * @throws RangeError as HierarchiesLibrary.add does
          */
         public function addModel(model:Model):void
         {
@@ -79,10 +95,14 @@ package starlogo
             {
                 throw new ArgumentError("model must not be null");
             }
+            // built first, stored last: what fails leaves nothing behind
+            var hierarchy:Hierarchy = loadHierarchies ? _hierarchies.build(model.name, model.vertices, model.triangles) : null;
             if (loadTightestFit)
             {
                 _boundingStructures.add(model.name, model.vertices);
             }
+            // null where there is none: one that the name had before is another model's
+            _hierarchies.store(model.name, hierarchy);
             if (hasModel(model.name))
             {
                 edition++;

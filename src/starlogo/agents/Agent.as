@@ -38,12 +38,6 @@ package starlogo.agents
         /** @copy #breedResolver */
         engine var breedIndex:int;
 
-        /**
-         * Whether a CombinationCollider uses the agent's hierarchy rather than its tightest fit (thesis §5.2). May
-         * change between frames.
-         */
-        public var hierarchical:Boolean = false;
-
         /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
         public var color:Number = 0;
 
@@ -53,6 +47,7 @@ package starlogo.agents
         private var _heading:Number = 0;
         private var _pitch:Number = 0;
         private var _roll:Number = 0;
+        private var _hierarchical:Boolean = false;
         private var _traversalDepth:int = 0;
         private var _rotationIsStale:Boolean = false;
         private var _transform:Matrix3D;
@@ -201,6 +196,24 @@ package starlogo.agents
         }
 
         /**
+         * Whether a CombinationCollider uses the agent's hierarchy rather than its tightest fit (thesis §5.2). May
+         * change between frames.
+         */
+        public function get hierarchical():Boolean
+        {
+            return _hierarchical;
+        }
+
+        public function set hierarchical(value:Boolean):void
+        {
+            if (value != _hierarchical)
+            {
+                _hierarchical = value;
+                revision++;
+            }
+        }
+
+        /**
          * How many levels of this agent's hierarchy a collision test visits, the root being level 1 (thesis §4.6); 0
          * leaves it to the collider's maxDepth.
          *
@@ -218,6 +231,7 @@ package starlogo.agents
                 throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
             }
             _traversalDepth = value;
+            revision++;
         }
 
         /**

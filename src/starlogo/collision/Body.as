@@ -1,9 +1,14 @@
 package starlogo.collision
 {
+    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.libraries.Hierarchy;
+
+    use namespace engine;
 
     /**
      * What a collider keeps of an agent from frame to frame: its world shape, computed when the agent has changed
@@ -11,8 +16,14 @@ package starlogo.collision
      */
     internal final class Body
     {
+        // minX, maxX, minY, maxY, minZ, maxZ
+        private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
         /** Whose body it is. */
         public var agent:Agent;
+
+        /** The agent's id: settles the order of two bodies. */
+        public var serial:int;
 
         /** What the collider that made it gave it for a mark; to a collider whose mark is another it is void. */
         public var owner:Object;
@@ -34,6 +45,18 @@ package starlogo.collision
 
         /** The same in the world. */
         public var worldOuterSphere:Sphere;
+
+        /** The hierarchy of the model, or null where none is used. */
+        public var hierarchy:Hierarchy;
+
+        /** The structure around all of it in the world, where another structure stands for the model at times. */
+        public var worldRoot:BoundingStructure;
+
+        /** Whether the hierarchy decides, and not the structure. */
+        public var isHierarchical:Boolean;
+
+        /** The agent's own limit to the levels that are visited, or 0. */
+        public var depth:int = 0;
 
         /** The middle of the world shape's extents. */
         public var x:Number;
@@ -90,8 +113,36 @@ package starlogo.collision
         public function Body(agent:Agent, owner:Object)
         {
             this.agent = agent;
+            serial = agent.id;
             this.owner = owner;
             entry = BinEntry.ring(this, 4);
+        }
+
+        /**
+         * Looks up the hierarchy of the agent's model.
+         *
+         * @throws ArgumentError if there is none
+         */
+        public function takeHierarchy(greatLand:GreatLand):void
+        {
+            if (!greatLand.hierarchies.has(agent.shape))
+            {
+                throw new ArgumentError(agent + ": its model was added while loadHierarchies was off; set it, and add the model again");
+            }
+            hierarchy = greatLand.hierarchies.hierarchy(agent.shape);
+        }
+
+        /** Takes over the extents of a structure in the world. */
+        public function takeExtentsOf(structure:BoundingStructure):void
+        {
+            var extents:Vector.<Number> = sExtents;
+            structure.extentsInto(extents);
+            halfX = (extents[1] - extents[0]) / 2;
+            halfY = (extents[3] - extents[2]) / 2;
+            halfZ = (extents[5] - extents[4]) / 2;
+            x = extents[0] + halfX;
+            y = extents[2] + halfY;
+            z = extents[4] + halfZ;
         }
     }
 }

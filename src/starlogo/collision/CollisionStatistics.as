@@ -36,6 +36,15 @@ package starlogo.collision
         /** Box-box tests. */
         public var boxBoxTests:int;
 
+        /** Pairs of agents of which one was tested by its hierarchy at least. */
+        public var hierarchyTests:int;
+
+        /** Pairs of nodes that these visited: a node of each hierarchy, or of the one, with the other's structure (§6.3.3). */
+        public var nodeVisits:int;
+
+        /** Triangle-triangle tests. */
+        public var triangleTests:int;
+
         /** Pairs of agents that collide. */
         public var collisions:int;
 
@@ -53,7 +62,7 @@ package starlogo.collision
         {
         }
 
-        /** Intersection tests of all kinds. */
+        /** Intersection tests of all kinds of structures, those of the nodes of hierarchies not among them. */
         public function get tests():int
         {
             return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests;
@@ -65,6 +74,7 @@ package starlogo.collision
             agents = agentsPassedOver = binEntries = candidatePairs = 0;
             sphereSphereTests = sphereCapsuleTests = sphereBoxTests = 0;
             capsuleCapsuleTests = capsuleBoxTests = boxBoxTests = 0;
+            hierarchyTests = nodeVisits = triangleTests = 0;
             collisions = handlerCalls = findMs = frameMs = 0;
         }
 
@@ -81,6 +91,9 @@ package starlogo.collision
             capsuleCapsuleTests = other.capsuleCapsuleTests;
             capsuleBoxTests = other.capsuleBoxTests;
             boxBoxTests = other.boxBoxTests;
+            hierarchyTests = other.hierarchyTests;
+            nodeVisits = other.nodeVisits;
+            triangleTests = other.triangleTests;
             collisions = other.collisions;
             handlerCalls = other.handlerCalls;
             findMs = other.findMs;

@@ -25,15 +25,12 @@ package starlogo.collision
      */
     public class TightestFitCollider extends BinCollider
     {
-        // minX, maxX, minY, maxY, minZ, maxZ
-        private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
-
         // How often each test was made in this search, by the kinds of the structures.
         private var _tests:Vector.<int> = new Vector.<int>(16, true);
         private var _boxBoxTests:int;
 
         // Pairs that were not two spheres.
-        private var _pairsOfOthers:int;
+        internal var _pairsOfOthers:int;
 
         /**
          * A collider for the agents of a game.
@@ -81,14 +78,7 @@ package starlogo.collision
                 body.halfX = body.halfY = body.halfZ = sphere.radius;
                 return;
             }
-            var extents:Vector.<Number> = sExtents;
-            world.extentsInto(extents);
-            body.halfX = (extents[1] - extents[0]) / 2;
-            body.halfY = (extents[3] - extents[2]) / 2;
-            body.halfZ = (extents[5] - extents[4]) / 2;
-            body.x = extents[0] + body.halfX;
-            body.y = extents[2] + body.halfY;
-            body.z = extents[4] + body.halfZ;
+            body.takeExtentsOf(body.world);
             if (body.outerSphere != null)
             {
                 body.outerSphere.place(placement, body.worldOuterSphere);

@@ -124,6 +124,26 @@ package starlogo.geometry
         /** The slope up to which an edge of an outline is level: rounding may tilt it as much. */
         public static const OUTLINE_LEVEL:Number = 1e-12;
 
+        /**
+         * The gap across which the surfaces of two models still touch, as a fraction of the sum of the radii of spheres
+         * around both. Smaller than 1e-14: surfaces that touch may, turned, be told apart by rounding. Larger: surfaces
+         * with a gap between them collide.
+         */
+        public static const SURFACES:Number = 1e-12;
+
+        /**
+         * The squared height of a triangle, as a fraction of its squared longest edge, below which it is a segment: its
+         * normal is then rounding error. Larger: triangles that are needles lose their width.
+         */
+        public static const FLAT_TRIANGLE:Number = 1e-24;
+
+        /**
+         * How near to an edge of a triangle a ray may pass before its crossing is not trusted and another ray is tried, as
+         * a fraction of the model's radius. Smaller than 1e-14: rounding may count a crossing twice, or not at all.
+         * Larger: more rays are tried, with the same answers.
+         */
+        public static const GRAZING:Number = 1e-10;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

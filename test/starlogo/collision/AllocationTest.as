@@ -66,6 +66,33 @@ package starlogo.collision
             assertAllocatesNothing(new TightestFitCollider(_greatLand));
         }
 
+        [Test]
+        public function hierarchicalColliderAllocatesNothing():void
+        {
+            _agents.length = 80;
+            assertAllocatesNothing(new HierarchicalCollider(_greatLand));
+        }
+
+        [Test]
+        public function exactHierarchicalColliderAllocatesNothing():void
+        {
+            _agents.length = 30;
+            var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            collider.exact = true;
+            assertAllocatesNothing(collider);
+        }
+
+        [Test]
+        public function combinationColliderAllocatesNothing():void
+        {
+            _agents.length = 100;
+            for (var i:int = 0; i < _agents.length; i += 7)
+            {
+                _agents[i].hierarchical = true;
+            }
+            assertAllocatesNothing(new CombinationCollider(_greatLand));
+        }
+
         private function assertAllocatesNothing(collider:CollisionSystem):void
         {
             var collision:Collision = new Collision(collider);
@@ -89,7 +116,7 @@ package starlogo.collision
         // Back and forth, so that the crowd stays as it is.
         private function moveAll():void
         {
-            for (var i:int = 0; i < AGENTS; i++)
+            for (var i:int = 0; i < _agents.length; i++)
             {
                 var agent:Agent = _agents[i];
                 agent.heading += 7;

@@ -1,0 +1,173 @@
+package starlogo.libraries
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * The hierarchy of bounding structures of each model, by the name of its shape (thesis §4.3, §4.4). A model's hierarchy
+     * is built when it is added; what is set here later counts for models added from then on.
+     *
+     * <p>The thesis builds hierarchies of a model's vertices. Their boxes leave holes: a wall is four vertices, and below
+     * the first split nothing covers its middle. Where a model has triangles, they are what is divided here, and the box
+     * of a node encloses the whole triangles under it: no level misses a part of the surface. See HierarchyNode.</p>
+     *
+     * <p>The nodes are the library's own, shared by every agent of the shape: do not change them.</p>
+     */
+    public final class HierarchiesLibrary
+    {
+        // in front of every key: a shape may be called "hasOwnProperty"
+        private static const PREFIX:String = ":";
+
+        /**
+         * A node of no more vertices than this is a leaf (§4.4), and so is a single triangle. The vertices of a node's
+         * triangles count once each. At least 1.
+         */
+        public var minVerticesToSplit:int = 5;
+
+        /** A node on this level is a leaf (§4.4); the root is on level 1. At least 1. */
+        public var maxDepth:int = 10;
+
+        /**
+         * Whether a node is split at the mean of its vertices along the longest axis of its box, or of its triangles'
+         * centres, rather than at the halfway point of that axis (§4.4).
+         */
+        public var splitByMean:Boolean = false;
+
+        /**
+         * Which structures the nodes have: BoundingStructure.BOX, SPHERE or CAPSULE (§7.7). The splits are those of the
+         * boxes in any case. A sphere is about the middle of the node's box, a capsule along the box's longest axis; both
+         * are as small as the vertices then allow.
+         */
+        public var boundsKind:int = BoundingStructure.BOX;
+
+        private var _hierarchies:Object = {};
+
+        /** A library without models. */
+        public function HierarchiesLibrary()
+        {
+        }
+
+        /**
+         * Builds and stores the hierarchy of a model; the one stored under the name before is replaced. If it throws,
+         * nothing has changed. The time goes with the number of triangles or vertices times the number of levels.
+         *
+         * @param name the shape's name
+         * @param vertices x, y, z of each of the model's vertices, in the model's space; copied
+         * @param triangles three vertex indices each, or null where only vertices are known; an empty one is taken for
+         *     null; copied. Triangles without area are allowed
+         * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing or
+         *     not finite; if a triangle names a vertex that is not there; if boundsKind is none of the three
+         * @throws RangeError if minVerticesToSplit or maxDepth is less than 1
+         */
+        public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
+        {
+            store(name, build(name, vertices, triangles));
+        }
+
+        /** Whether there is a hierarchy for a shape. */
+        public function has(name:String):Boolean
+        {
+            return name != null && _hierarchies[PREFIX + name] is Hierarchy;
+        }
+
+        /**
+         * The node around the whole model.
+         *
+         * @throws ArgumentError if no model of this name was added
+         */
+        public function root(name:String):HierarchyNode
+        {
+            return hierarchy(name).root;
+        }
+
+        /** Builds what store takes; changes nothing. */
+        engine function build(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):Hierarchy
+        {
+            if (name == null || name == "")
+            {
+                throw new ArgumentError("a shape must have a name: " + name);
+            }
+            checkSettings();
+            checkVertices(name, vertices);
+            if (triangles != null && triangles.length == 0)
+            {
+                triangles = null;
+            }
+            if (triangles == null)
+            {
+                return new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind).build(vertices.concat(), null);
+            }
+            checkTriangles(name, triangles, vertices.length / 3);
+            return new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind).build(vertices.concat(), triangles.concat());
+        }
+
+        /** Stores what build made; null for nothing. */
+        engine function store(name:String, built:Hierarchy):void
+        {
+            _hierarchies[PREFIX + name] = built;
+        }
+
+        /** The hierarchy of a shape; throws an ArgumentError if there is none. */
+        engine function hierarchy(name:String):Hierarchy
+        {
+            var found:Hierarchy = name == null ? null : _hierarchies[PREFIX + name] as Hierarchy;
+            if (found == null)
+            {
+                throw new ArgumentError("there is no hierarchy for shape \"" + name + "\": add its model first, with loadHierarchies set");
+            }
+            return found;
+        }
+
+        private function checkSettings():void
+        {
+            if (minVerticesToSplit < 1 || maxDepth < 1)
+            {
+                throw new RangeError("minVerticesToSplit and maxDepth must be at least 1: " + minVerticesToSplit + ", " + maxDepth);
+            }
+            if (boundsKind != BoundingStructure.BOX && boundsKind != BoundingStructure.SPHERE && boundsKind != BoundingStructure.CAPSULE)
+            {
+                throw new ArgumentError("boundsKind must be BoundingStructure.BOX, SPHERE or CAPSULE: " + boundsKind);
+            }
+        }
+
+        private static function checkVertices(name:String, vertices:Vector.<Number>):void
+        {
+            if (vertices == null || vertices.length == 0 || vertices.length % 3 != 0)
+            {
+                throw new ArgumentError("shape \"" + name + "\": three coordinates for each of at least one vertex are needed, not "
+                        + (vertices == null ? "null" : vertices.length + " numbers"));
+            }
+            var length:int = vertices.length;
+            for (var i:int = 0; i < length; i++)
+            {
+                var coordinate:Number = vertices[i];
+                // infinite and NaN alike
+                if (coordinate - coordinate != 0)
+                {
+                    throw new ArgumentError("shape \"" + name + "\": the " + "xyz".charAt(i % 3) + " coordinate of vertex " + int(i / 3)
+                            + " must be a finite number, not " + coordinate);
+                }
+            }
+        }
+
+        private static function checkTriangles(name:String, triangles:Vector.<uint>, vertexCount:int):void
+        {
+            if (triangles.length % 3 != 0)
+            {
+                throw new ArgumentError("shape \"" + name + "\": triangles have three vertices each, but there are " + triangles.length
+                        + " indices in all");
+            }
+            var length:int = triangles.length;
+            for (var i:int = 0; i < length; i++)
+            {
+                if (triangles[i] >= vertexCount)
+                {
+                    throw new ArgumentError("shape \"" + name + "\": triangle " + int(i / 3) + " names vertex " + triangles[i] + ", the last one is "
+                            + (vertexCount - 1));
+                }
+            }
+        }
+    }
+}

@@ -511,13 +511,14 @@ package starlogo.geometry
         private function mesh(faces:Vector.<HullFace>):void
         {
             var place:Vector.<int> = new Vector.<int>(_count);
-            var face:HullFace;
-            for each (face in faces)
+            var count:int = faces.length;
+            var i:int;
+            for (i = 0; i < count; i++)
             {
-                place[face.a] = place[face.b] = place[face.c] = 1;
+                place[faces[i].a] = place[faces[i].b] = place[faces[i].c] = 1;
             }
             var corners:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < _count; i++)
+            for (i = 0; i < _count; i++)
             {
                 if (place[i] == 1)
                 {
@@ -526,14 +527,17 @@ package starlogo.geometry
                 }
             }
             number(corners);
-            var pairs:Vector.<int> = new Vector.<int>();
-            for each (face in faces)
+            var pairs:Vector.<int> = new Vector.<int>(6 * count);
+            _triangles.length = 3 * count;
+            for (i = 0; i < count; i++)
             {
-                var a:int = place[face.a];
-                var b:int = place[face.b];
-                var c:int = place[face.c];
-                _triangles.push(a, b, c);
-                pairs.push(a, b, b, c, c, a);
+                var a:int = place[faces[i].a];
+                var b:int = place[faces[i].b];
+                var c:int = place[faces[i].c];
+                var at:int = 3 * i;
+                _triangles[at] = pairs[2 * at] = pairs[2 * at + 5] = a;
+                _triangles[at + 1] = pairs[2 * at + 1] = pairs[2 * at + 2] = b;
+                _triangles[at + 2] = pairs[2 * at + 3] = pairs[2 * at + 4] = c;
             }
             link(pairs);
         }

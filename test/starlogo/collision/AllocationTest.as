@@ -16,8 +16,9 @@ package starlogo.collision
         private static const FRAMES:int = 1000;
         private static const AGENTS:int = 200;
 
-        // Memory grows by pages of 64 KiB, and after fillUp the next is due: a page or two is less than a byte an agent.
-        private static const NOTHING:Number = 2 * 65536;
+        // In bytes, for all frames and agents together: two and a half a frame for each agent, where the smallest object
+        // takes more than twenty. Memory grows by pages, and a call of a function that has closures allocates its scope.
+        private static const NOTHING:Number = 2.5 * AGENTS * FRAMES;
 
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;

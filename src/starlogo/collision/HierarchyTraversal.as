@@ -141,8 +141,8 @@ package starlogo.collision
          * @param depthB how many of its levels are visited
          * @param exact whether the depth limits do not count, triangles decide, and a model inside of a closed one meets it
          */
-        public function hierarchiesMeet(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
-                exact:Boolean):Boolean
+        public function hierarchiesMeet(a:Hierarchy, placementA:Placement, depthA:int,
+                b:Hierarchy, placementB:Placement, depthB:int, exact:Boolean):Boolean
         {
             pairs++;
             relate(placementA, placementB);
@@ -180,7 +180,8 @@ package starlogo.collision
          * @param structure in its model's space
          * @param placementB where that model stands
          */
-        public function structureMeets(a:Hierarchy, placementA:Placement, depthA:int, structure:BoundingStructure, placementB:Placement):Boolean
+        public function structureMeets(a:Hierarchy, placementA:Placement, depthA:int,
+                structure:BoundingStructure, placementB:Placement):Boolean
         {
             pairs++;
             relate(placementA, placementB);
@@ -643,7 +644,7 @@ package starlogo.collision
                         axis = b.splitAxis;
                         stack[int(top + 2)] = a;
                         if ((axis == 0 ? m00 * x + m10 * y + m20 * z
-                                : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
+                                    : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
                         {
                             stack[int(top + 3)] = b.left;
                             b = b.right;
@@ -877,7 +878,15 @@ package starlogo.collision
                 at = end = Box(structure).center;
             }
             var axis:int = node.splitAxis;
-            var beyond:Number = axis == 0 ? at.x + end.x - 2 * node.x : (axis == 1 ? at.y + end.y - 2 * node.y : at.z + end.z - 2 * node.z);
+            var beyond:Number = at.z + end.z - 2 * node.z;
+            if (axis == 0)
+            {
+                beyond = at.x + end.x - 2 * node.x;
+            }
+            else if (axis == 1)
+            {
+                beyond = at.y + end.y - 2 * node.y;
+            }
             return beyond > 0 ? node.right : node.left;
         }
 

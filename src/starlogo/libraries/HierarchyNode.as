@@ -97,7 +97,8 @@ package starlogo.libraries
         {
             if (structure == null)
             {
-                structure = new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halfX, halfY, halfZ);
+                structure = new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS,
+                        halfX, halfY, halfZ);
             }
             return structure;
         }

@@ -4,10 +4,11 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.models.Model;
+    import support.Fixtures;
     import support.PlacementTally;
     import support.Placements;
-    import support.assertWellFormed;
 
     /**
      * The colliders against 6,954 placements of pairs of real models, whose surfaces are known to meet or not to. No
@@ -39,6 +40,15 @@ package starlogo.collision
                     sAgentsA[name] = new Agent(name);
                     sAgentsB[name] = new Agent(name);
                 }
+            }
+        }
+
+        [Before]
+        public function needAllModels():void
+        {
+            for each (var file:String in FIXTURES)
+            {
+                Fixtures.assume(file, "the models of assimp and npm are needed");
             }
         }
 
@@ -91,6 +101,18 @@ package starlogo.collision
         }
 
         [Test]
+        public function hierarchiesOfSpheresMissNothing():void
+        {
+            checkKind(BoundingStructure.SPHERE, "spheres");
+        }
+
+        [Test]
+        public function hierarchiesOfCapsulesMissNothing():void
+        {
+            checkKind(BoundingStructure.CAPSULE, "capsules");
+        }
+
+        [Test]
         public function hierarchiesOfVerticesMissCollisions():void
         {
             var collider:HierarchicalCollider = new HierarchicalCollider(load(false, false, FULL));
@@ -132,9 +154,22 @@ package starlogo.collision
             assertTrue("some are inside", insideClosed > 0);
         }
 
-        private static function load(fits:Boolean, triangles:Boolean, maxDepth:int):GreatLand
+        private static function checkKind(kind:int, name:String):void
+        {
+            var collider:HierarchicalCollider = new HierarchicalCollider(load(false, true, 10, kind));
+            for each (var depth:int in [5, 10])
+            {
+                collider.maxDepth = depth;
+                var tallied:PlacementTally = tally(name + ", depth " + depth, collider);
+                trace(tallied);
+                assertEquals("missed at depth " + depth, 0, tallied.missed);
+            }
+        }
+
+        private static function load(fits:Boolean, triangles:Boolean, maxDepth:int, kind:int = BoundingStructure.BOX):GreatLand
         {
             var greatLand:GreatLand = new GreatLand();
+            greatLand.hierarchies.boundsKind = kind;
             greatLand.loadTightestFit = fits;
             greatLand.hierarchies.maxDepth = maxDepth;
             for each (var model:Model in sModels)

@@ -2,6 +2,7 @@ package
 {
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.FittingBenchmark;
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
@@ -16,7 +17,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark];
 
         private var _pending:Array;

@@ -5,7 +5,10 @@ package literal
 
     /**
      * The oriented box of thesis §3.4.2, to the letter: every vertex is rotated by every rotation, an axis-aligned box is
-     * found for the rotated vertices, and the smallest stays.
+     * found for the rotated vertices, the box is rotated back, and the smallest stays.
+     *
+     * <p>Vertices are Vector3D, as everything is in §3.3. Figure 6-2 shows that: it comes to about a microsecond for each vertex
+     * and rotation, on a player that compiles. BulkOrientedBoxFit is the same without objects.</p>
      */
     public final class LiteralOrientedBoxFit
     {
@@ -15,8 +18,8 @@ package literal
         /** The smallest box's centre. */
         public var center:Vector3D;
 
-        /** What turns the axes of the world into those of the smallest box. */
-        public var rotation:Matrix3D;
+        /** The smallest box's axes. */
+        public var axes:Vector.<Vector3D>;
 
         /** The smallest box's half-extents along its axes. */
         public var halfExtents:Vector3D;
@@ -24,10 +27,11 @@ package literal
         /**
          * @param vertices x, y, z each
          * @param degIncrement step of the rotations about each axis, in degrees
+         * @param endX rotations about x up to below this one, in degrees
          */
-        public function LiteralOrientedBoxFit(vertices:Vector.<Number>, degIncrement:Number)
+        public function LiteralOrientedBoxFit(vertices:Vector.<Number>, degIncrement:Number, endX:Number = 90)
         {
-            for (var x:Number = 0; x < 90; x += degIncrement)
+            for (var x:Number = 0; x < endX; x += degIncrement)
             {
                 for (var y:Number = 0; y < 90; y += degIncrement)
                 {
@@ -45,18 +49,17 @@ package literal
             matrix.appendRotation(x, Vector3D.X_AXIS);
             matrix.appendRotation(y, Vector3D.Y_AXIS);
             matrix.appendRotation(z, Vector3D.Z_AXIS);
-            var rotated:Vector.<Number> = new Vector.<Number>(vertices.length);
-            matrix.transformVectors(vertices, rotated);
             var min:Vector3D = new Vector3D(Number.MAX_VALUE, Number.MAX_VALUE, Number.MAX_VALUE);
             var max:Vector3D = new Vector3D(-Number.MAX_VALUE, -Number.MAX_VALUE, -Number.MAX_VALUE);
-            for (var i:int = 0; i < rotated.length; i += 3)
+            for (var i:int = 0; i < vertices.length; i += 3)
             {
-                min.x = Math.min(min.x, rotated[i]);
-                min.y = Math.min(min.y, rotated[i + 1]);
-                min.z = Math.min(min.z, rotated[i + 2]);
-                max.x = Math.max(max.x, rotated[i]);
-                max.y = Math.max(max.y, rotated[i + 1]);
-                max.z = Math.max(max.z, rotated[i + 2]);
+                var rotated:Vector3D = matrix.transformVector(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2]));
+                min.x = Math.min(min.x, rotated.x);
+                min.y = Math.min(min.y, rotated.y);
+                min.z = Math.min(min.z, rotated.z);
+                max.x = Math.max(max.x, rotated.x);
+                max.y = Math.max(max.y, rotated.y);
+                max.z = Math.max(max.z, rotated.z);
             }
             var size:Vector3D = max.subtract(min);
             if (size.x * size.y * size.z < volume)
@@ -64,8 +67,9 @@ package literal
                 volume = size.x * size.y * size.z;
                 halfExtents = new Vector3D(size.x / 2, size.y / 2, size.z / 2);
                 matrix.invert();
-                rotation = matrix;
                 center = matrix.transformVector(new Vector3D((min.x + max.x) / 2, (min.y + max.y) / 2, (min.z + max.z) / 2));
+                axes = new <Vector3D>[matrix.transformVector(Vector3D.X_AXIS), matrix.transformVector(Vector3D.Y_AXIS),
+                        matrix.transformVector(Vector3D.Z_AXIS)];
             }
         }
     }

@@ -1,5 +1,6 @@
 package support
 {
+    import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
 
@@ -16,6 +17,10 @@ package support
                 "spider (model)": "/assimp/OBJ/spider.obj",
                 "wuson (model)": "/assimp/OBJ/WusonOBJ.obj",
                 "box (model)": "/assimp/OBJ/box.obj",
+                "duck (model)": "/assimp/Collada/duck.dae",
+                "teapots2 (model)": "/assimp/Collada/teapot_instancenodes.DAE",
+                "sphere (model)": "/assimp/Collada/sphere.dae",
+                "human (model)": "/assimp/Collada/human.zae",
                 "bunny (model)": "/models/bunny.obj",
                 "teapot (model)": "/models/teapot.obj",
                 "dragon4 (model)": "/models/dragon4.obj",
@@ -29,7 +34,9 @@ package support
         public static function sets():Array
         {
             var result:Array = [];
-            for each (var entry:Object in JSON.parse(Fixtures.text("/fixtures/fits.json"))["sets"])
+            // whole numbers above 2^31 come out wrong in Ruffle's JSON: as texts they become the right numbers later
+            var text:String = Fixtures.text("/fixtures/fits.json").replace(/: (-?\d{10,})\.0\b/g, ': "$1"');
+            for each (var entry:Object in JSON.parse(text)["sets"])
             {
                 if (entry.source != "model" || entry.name in MODELS && Fixtures.has(MODELS[entry.name]))
                 {
@@ -48,8 +55,7 @@ package support
             }
             if (entry.source == "model")
             {
-                var model:Model = new ObjModel(entry.name, Fixtures.text(MODELS[entry.name]), "y");
-                return model.vertices;
+                return modelOf(entry.name).vertices;
             }
             var result:Vector.<Number> = new Vector.<Number>();
             for each (var line:String in Fixtures.text("/fixtures/" + entry.file).split("\n"))
@@ -61,6 +67,16 @@ package support
                 }
             }
             return result;
+        }
+
+        private static function modelOf(name:String):Model
+        {
+            var file:String = MODELS[name];
+            if (file.slice(-4) == ".obj")
+            {
+                return new ObjModel(name, Fixtures.text(file), "y");
+            }
+            return ColladaModel.fromBytes(name, Fixtures.bytes(file));
         }
 
         private static function lattice(count:int):Vector.<Number>

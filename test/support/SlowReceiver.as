@@ -1,11 +1,11 @@
 package support
 {
-    import starlogo.models.IModelReceiver;
-    import starlogo.models.ISteps;
+    import starlogo.models.ModelReceiver;
+    import starlogo.models.Steps;
     import starlogo.models.Model;
 
     /** Receives models in ten steps that each take their time. */
-    public class SlowReceiver implements IModelReceiver
+    public class SlowReceiver implements ModelReceiver
     {
         /** How long a step takes, in ms. */
         public var stepMs:int;
@@ -27,7 +27,7 @@ package support
         }
 
         /** @inheritDoc */
-        public function receive(model:Model):ISteps
+        public function receive(model:Model):Steps
         {
             return new SlowSteps(this, model.name, _refused.indexOf(model.name) >= 0);
         }

@@ -1,10 +1,10 @@
 package support
 {
     import flash.utils.getTimer;
-    import starlogo.models.ISteps;
+    import starlogo.models.Steps;
 
     /** The steps of a SlowReceiver. */
-    public class SlowSteps implements ISteps
+    public class SlowSteps implements Steps
     {
         private var _receiver:SlowReceiver;
         private var _name:String;

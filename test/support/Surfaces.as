@@ -46,6 +46,22 @@ package support
             return sum;
         }
 
+        /** The centroid of triangles' area. */
+        public static function centroid(vertices:Vector.<Number>, triangles:Vector.<uint>):Array
+        {
+            var sum:Array = [0, 0, 0];
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                var area:Number = triangleArea(vertices, 3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2]);
+                for (var corner:int = 0; corner < 9; corner++)
+                {
+                    sum[corner % 3] += area / 3 * vertices[3 * triangles[i + int(corner / 3)] + corner % 3];
+                }
+            }
+            var total:Number = Surfaces.area(vertices, triangles);
+            return [sum[0] / total, sum[1] / total, sum[2] / total];
+        }
+
         private static function triangleArea(v:Vector.<Number>, a:int, b:int, c:int):Number
         {
             var ux:Number = v[b] - v[a];

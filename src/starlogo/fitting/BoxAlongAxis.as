@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Tolerances;
 
     /**
      * The smallest box with one axis along a given direction, exactly: its other axes lie along the sides of the smallest
@@ -14,14 +15,8 @@ package starlogo.fitting
      */
     public final class BoxAlongAxis
     {
-        // Corners closer than this in the picture, as a fraction of the extent, are one: edges along the direction vanish.
-        private static const SAME:Number = 1e-11;
-
-        // The sine of the angle up to which a way leads straight back.
-        private static const BACK:Number = 1e-9;
-
-        // The slope up to which a side of the outline counts as level.
-        private static const LEVEL:Number = 1e-12;
+        private static const BACK:Number = Tolerances.OUTLINE_BACK;
+        private static const LEVEL:Number = Tolerances.OUTLINE_LEVEL;
 
         /** Unit vector along one side of the box last measured, perpendicular to the direction; the third follows. */
         public var sideX:Number = 0;
@@ -65,7 +60,7 @@ package starlogo.fitting
             _points = hull.convexPoints;
             _firstNeighbor = hull.firstNeighbor;
             _neighbors = hull.neighbors;
-            _same = Math.pow(SAME * hull.extent, 2);
+            _same = Math.pow(Tolerances.OUTLINE_SAME * hull.extent, 2);
         }
 
         /**
@@ -121,16 +116,16 @@ package starlogo.fitting
         {
             var points:Vector.<Number> = _points;
             var at:int = 3 * corner;
-            var best:Number = points[at] * x + points[int(at + 1)] * y + points[int(at + 2)] * z;
+            var best:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
             var from:int;
             do
             {
                 from = corner;
-                var end:int = _firstNeighbor[int(from + 1)];
+                var end:int = _firstNeighbor[from + 1];
                 for (var i:int = _firstNeighbor[from]; i < end; i++)
                 {
                     at = 3 * _neighbors[i];
-                    var value:Number = points[at] * x + points[int(at + 1)] * y + points[int(at + 2)] * z;
+                    var value:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
                     if (value > best)
                     {
                         best = value;
@@ -196,14 +191,14 @@ package starlogo.fitting
             _cluster.push(corner);
             for (var i:int = 0; i < _cluster.length; i++)
             {
-                var end:int = _firstNeighbor[int(_cluster[i] + 1)];
+                var end:int = _firstNeighbor[_cluster[i] + 1];
                 for (var k:int = _firstNeighbor[_cluster[i]]; k < end; k++)
                 {
                     var neighbor:int = _neighbors[k];
                     var at:int = 3 * neighbor;
                     var x:Number = _points[at];
-                    var y:Number = _points[int(at + 1)];
-                    var z:Number = _points[int(at + 2)];
+                    var y:Number = _points[at + 1];
+                    var z:Number = _points[at + 2];
                     var toU:Number = x * _uX + y * _uY + z * _uZ - fromU;
                     var toV:Number = x * _vX + y * _vY + z * _vZ - fromV;
                     var square:Number = toU * toU + toV * toV;
@@ -217,6 +212,7 @@ package starlogo.fitting
                         continue;
                     }
                     var turn:Number = alongU * toV - alongV * toU;
+                    // straight back, or by rounding beyond it
                     if (turn <= -BACK * (alongU * toU + alongV * toV))
                     {
                         continue;

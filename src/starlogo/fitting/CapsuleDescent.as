@@ -112,8 +112,8 @@ package starlogo.fitting
             {
                 var at:int = 3 * i;
                 var x:Number = _points[at] - startX;
-                var y:Number = _points[int(at + 1)] - startY;
-                var z:Number = _points[int(at + 2)] - startZ;
+                var y:Number = _points[at + 1] - startY;
+                var z:Number = _points[at + 2] - startZ;
                 var t:Number = (x * alongX + y * alongY + z * alongZ) * scale;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
                 x -= t * alongX;
@@ -207,7 +207,7 @@ package starlogo.fitting
                     var at:int = 7 * i;
                     for (k = 0; k < 7; k++)
                     {
-                        var tangent:Number = _tangents[int(at + k)];
+                        var tangent:Number = _tangents[at + k];
                         excess += tangent * _change[k];
                         square += tangent * tangent;
                     }
@@ -224,7 +224,7 @@ package starlogo.fitting
                     _multipliers[i] = multiplier;
                     for (k = 0; k < 7; k++)
                     {
-                        _change[k] -= difference * _tangents[int(at + k)];
+                        _change[k] -= difference * _tangents[at + k];
                     }
                     most = Math.max(most, Math.abs(difference));
                 }

@@ -33,8 +33,8 @@ package starlogo.fitting
             for (var i:int = 0; i < length; i += 3)
             {
                 var toX:Number = vertices[i] - x;
-                var toY:Number = vertices[int(i + 1)] - y;
-                var toZ:Number = vertices[int(i + 2)] - z;
+                var toY:Number = vertices[i + 1] - y;
+                var toZ:Number = vertices[i + 2] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 if (square > most)
                 {
@@ -71,8 +71,8 @@ package starlogo.fitting
             for (var i:int = 0; i < length; i += 3)
             {
                 var x:Number = vertices[i];
-                var y:Number = vertices[int(i + 1)];
-                var z:Number = vertices[int(i + 2)];
+                var y:Number = vertices[i + 1];
+                var z:Number = vertices[i + 2];
                 var along:Number = x * xX + y * xY + z * xZ;
                 if (along < lowX)
                 {
@@ -134,8 +134,8 @@ package starlogo.fitting
             for (var i:int = 0; i < length; i += 3)
             {
                 var x:Number = vertices[i] - pointX;
-                var y:Number = vertices[int(i + 1)] - pointY;
-                var z:Number = vertices[int(i + 2)] - pointZ;
+                var y:Number = vertices[i + 1] - pointY;
+                var z:Number = vertices[i + 2] - pointZ;
                 var along:Number = x * axisX + y * axisY + z * axisZ;
                 if (along >= low && along <= high)
                 {
@@ -199,8 +199,8 @@ package starlogo.fitting
             for (var i:int = 0; i < length; i += 3)
             {
                 var x:Number = vertices[i] - pointX;
-                var y:Number = vertices[int(i + 1)] - pointY;
-                var z:Number = vertices[int(i + 2)] - pointZ;
+                var y:Number = vertices[i + 1] - pointY;
+                var z:Number = vertices[i + 2] - pointZ;
                 var along:Number = x * axisX + y * axisY + z * axisZ;
                 x -= along * axisX;
                 y -= along * axisY;

@@ -8,20 +8,30 @@ package starlogo.fitting
      * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose
      * axis-aligned box is the smallest.
      *
-     * <p>The player transforms the whole hull natively. What it costs to find the six extreme corners is kept down by starting
-     * from those of the rotation before and climbing from neighbour to neighbour; on a convex body the first corner without a
-     * better neighbour is the best. A rotation about z leaves the extent along z as it was. The search ends early if a box is as small as the hull
-     * itself.</p>
+     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The player turns the whole
+     * hull about x and y natively; the rotations about z that follow leave the extent along z as it is, and their extents
+     * along x and y are looked for in the plane. The extreme corners of a rotation are found from those of the one before by
+     * climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. A rotation is
+     * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
+     * if a box is as small as the hull itself.</p>
      */
-    public final class RotationSearch
+    public class RotationSearch
     {
+        private static const DEGREE:Number = Math.PI / 180;
+        private static const MANY:int = 50;
+        private static const RARELY:Number = 0.2;
+
         private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
         private var _matrix:Matrix3D = new Matrix3D();
         private var _raw:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-        private var _axes:Vector.<Number> = new Vector.<Number>(9);
+
+        // Extreme corners found of late: those of the first rotation about z, then those of one half a right angle on.
+        private var _landmarks:Vector.<int> = new Vector.<int>(8);
+        private var _asked:int = 0;
+        private var _answered:int = 0;
 
         /**
          * @param hull of the vertices
@@ -51,7 +61,7 @@ package starlogo.fitting
 
         /**
          * The axes of the smallest box: the rotations go about x first, then y, then z, each from 0 up to below 90 degrees. Of
-         * boxes of the same volume the first counts.
+         * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first.
          *
          * @param stepX degrees
          * @param stepY degrees
@@ -60,88 +70,212 @@ package starlogo.fitting
          */
         public function smallestBox(stepX:Number, stepY:Number, stepZ:Number):Vector.<Number>
         {
-            var best:Vector.<Number> = null;
+            var bestX:Number = 0;
+            var bestY:Number = 0;
+            var bestZ:Number = 0;
             var least:Number = Infinity;
             var enough:Number = _hull.volume * (1 + Tolerances.FIT_TIE);
-            var highX:int = 0;
-            var highY:int = 0;
-            var highZ:int = 0;
-            var lowX:int = 0;
-            var lowY:int = 0;
-            var lowZ:int = 0;
+            var corners:Vector.<int> = new Vector.<int>(6);
+            var count:int = Math.ceil(90 / stepZ);
+            var cosines:Vector.<Number> = new Vector.<Number>();
+            var sines:Vector.<Number> = new Vector.<Number>();
+            while (sines.length < count)
+            {
+                cosines.push(Math.cos(sines.length * stepZ * DEGREE));
+                sines.push(Math.sin(sines.length * stepZ * DEGREE));
+            }
+            var isForth:Boolean = false;
             for (var aboutX:Number = 0; aboutX < 90; aboutX += stepX)
             {
                 for (var aboutY:Number = 0; aboutY < 90; aboutY += stepY)
                 {
-                    for (var aboutZ:Number = 0; aboutZ < 90; aboutZ += stepZ)
+                    turn(aboutX * DEGREE, aboutY * DEGREE);
+                    corners[4] = climbUp(corners[4], 1);
+                    corners[5] = climbUp(corners[5], -1);
+                    var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
+                    // to and fro: the corners found last are close to those looked for next
+                    isForth = !isForth;
+                    for (var i:int = 0; i < count; i++)
                     {
-                        turn(aboutX, aboutY, aboutZ);
-                        if (aboutZ == 0)
+                        var step:int = isForth ? i : count - 1 - i;
+                        var cosine:Number = cosines[step];
+                        var sine:Number = sines[step];
+                        var mayBe:Number = least * (1 - Tolerances.FIT_TIE);
+                        if (isTooLarge(thickness, cosine, sine, mayBe))
                         {
-                            highZ = climb(highZ, 2, 1);
-                            lowZ = climb(lowZ, 2, -1);
+                            continue;
                         }
-                        highX = climb(highX, 0, 1);
-                        lowX = climb(lowX, 0, -1);
-                        highY = climb(highY, 1, 1);
-                        lowY = climb(lowY, 1, -1);
-                        var volume:Number = (_turned[3 * highX] - _turned[3 * lowX])
-                            * (_turned[3 * highY + 1] - _turned[3 * lowY + 1]) * (_turned[3 * highZ + 2] - _turned[3 * lowZ + 2]);
-                        if (best == null || volume < least * (1 - Tolerances.FIT_TIE))
+                        var volume:Number = thickness * span(corners, 0, cosine, -sine) * span(corners, 2, sine, cosine);
+                        remember(corners, step * stepZ);
+                        if (volume < mayBe)
                         {
                             least = volume;
-                            best = _axes.concat();
+                            bestX = aboutX;
+                            bestY = aboutY;
+                            bestZ = step * stepZ;
                             if (least <= enough)
                             {
-                                return best;
+                                return axesOf(bestX * DEGREE, bestY * DEGREE, bestZ * DEGREE);
                             }
                         }
                     }
                 }
             }
-            return best;
+            return axesOf(bestX * DEGREE, bestY * DEGREE, bestZ * DEGREE);
         }
 
-        // The rows of Rz Ry Rx are the box's axes; the matrix takes them by columns.
-        private function turn(degreesX:Number, degreesY:Number, degreesZ:Number):void
+        // The rows of Rz Ry Rx.
+        private static function axesOf(aboutX:Number, aboutY:Number, aboutZ:Number):Vector.<Number>
         {
-            var cosX:Number = Math.cos(degreesX * Math.PI / 180);
-            var sinX:Number = Math.sin(degreesX * Math.PI / 180);
-            var cosY:Number = Math.cos(degreesY * Math.PI / 180);
-            var sinY:Number = Math.sin(degreesY * Math.PI / 180);
-            var cosZ:Number = Math.cos(degreesZ * Math.PI / 180);
-            var sinZ:Number = Math.sin(degreesZ * Math.PI / 180);
-            _raw[0] = _axes[0] = cosZ * cosY;
-            _raw[4] = _axes[1] = cosZ * sinY * sinX - sinZ * cosX;
-            _raw[8] = _axes[2] = cosZ * sinY * cosX + sinZ * sinX;
-            _raw[1] = _axes[3] = sinZ * cosY;
-            _raw[5] = _axes[4] = sinZ * sinY * sinX + cosZ * cosX;
-            _raw[9] = _axes[5] = sinZ * sinY * cosX - cosZ * sinX;
-            _raw[2] = _axes[6] = -sinY;
-            _raw[6] = _axes[7] = cosY * sinX;
-            _raw[10] = _axes[8] = cosY * cosX;
-            _matrix.copyRawDataFrom(_raw);
-            _matrix.transformVectors(_hull.points, _turned);
+            var cosX:Number = Math.cos(aboutX);
+            var sinX:Number = Math.sin(aboutX);
+            var cosY:Number = Math.cos(aboutY);
+            var sinY:Number = Math.sin(aboutY);
+            var cosZ:Number = Math.cos(aboutZ);
+            var sinZ:Number = Math.sin(aboutZ);
+            return new <Number>[cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
+                    sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
+                    -sinY, cosY * sinX, cosY * cosX];
         }
 
-        // The corner with the greatest coordinate (x, y, z: 0, 1, 2), or for direction -1 with the least.
-        private function climb(corner:int, coordinate:int, direction:int):int
+        // About x, then about y. The matrix takes the rows of Ry Rx by columns.
+        private function turn(aboutX:Number, aboutY:Number):void
+        {
+            var axes:Vector.<Number> = axesOf(aboutX, aboutY, 0);
+            for (var row:int = 0; row < 3; row++)
+            {
+                for (var column:int = 0; column < 3; column++)
+                {
+                    _raw[4 * column + row] = axes[3 * row + column];
+                }
+            }
+            _matrix.copyRawDataFrom(_raw);
+            transform(_matrix, _hull.points, _turned);
+        }
+
+        /**
+         * Turns the hull: for tests to take over, with the precision of other players.
+         *
+         * @param matrix a rotation
+         * @param points x, y, z each
+         * @param out takes the turned points
+         */
+        protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
+        {
+            matrix.transformVectors(points, out);
+        }
+
+        // The extent in a direction of the plane; corners holds where it was last at the first index and the next.
+        private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
+        {
+            var high:int = corners[index] = climb(corners[index], alongX, alongY);
+            var low:int = corners[index + 1] = climb(corners[index + 1], -alongX, -alongY);
+            return (_turned[3 * high] - _turned[3 * low]) * alongX + (_turned[3 * high + 1] - _turned[3 * low + 1]) * alongY;
+        }
+
+        private function remember(corners:Vector.<int>, aboutZ:Number):void
+        {
+            var from:int = aboutZ < 22.5 || aboutZ > 67.5 ? 0 : 4;
+            for (var i:int = 0; i < 4; i++)
+            {
+                _landmarks[from + i] = corners[i];
+            }
+        }
+
+        // Whether the landmarks alone need a box that is too large; not asked any more where the answer rarely is yes.
+        private function isTooLarge(thickness:Number, cosine:Number, sine:Number, limit:Number):Boolean
+        {
+            if (limit == Infinity || _asked > MANY && _answered < RARELY * _asked)
+            {
+                return false;
+            }
+            _asked++;
+            var result:Boolean = thickness * areaOfLandmarks(cosine, sine) >= limit;
+            if (result)
+            {
+                _answered++;
+            }
+            return result;
+        }
+
+        // Of the landmarks' box in the plane: the hull's is no smaller.
+        private function areaOfLandmarks(cosine:Number, sine:Number):Number
         {
             var turned:Vector.<Number> = _turned;
-            var best:Number = direction * turned[int(3 * corner + coordinate)];
+            var lowX:Number = Infinity;
+            var highX:Number = -Infinity;
+            var lowY:Number = Infinity;
+            var highY:Number = -Infinity;
+            for (var i:int = 0; i < 8; i++)
+            {
+                var at:int = 3 * _landmarks[i];
+                var fromX:Number = turned[at];
+                var fromY:Number = turned[at + 1];
+                var x:Number = cosine * fromX - sine * fromY;
+                var y:Number = sine * fromX + cosine * fromY;
+                if (x < lowX)
+                {
+                    lowX = x;
+                }
+                if (x > highX)
+                {
+                    highX = x;
+                }
+                if (y < lowY)
+                {
+                    lowY = y;
+                }
+                if (y > highY)
+                {
+                    highY = y;
+                }
+            }
+            return (highX - lowX) * (highY - lowY);
+        }
+
+        // The corner that is farthest in a direction of the plane.
+        private function climb(corner:int, alongX:Number, alongY:Number):int
+        {
+            var turned:Vector.<Number> = _turned;
+            var neighbors:Vector.<int> = _neighbors;
+            var at:int = 3 * corner;
+            var best:Number = alongX * turned[at] + alongY * turned[at + 1];
             var from:int;
             do
             {
                 from = corner;
-                var end:int = _firstNeighbor[int(from + 1)];
+                var end:int = _firstNeighbor[from + 1];
                 for (var i:int = _firstNeighbor[from]; i < end; i++)
                 {
-                    var neighbor:int = _neighbors[i];
-                    var value:Number = direction * turned[int(3 * neighbor + coordinate)];
+                    at = 3 * neighbors[i];
+                    var value:Number = alongX * turned[at] + alongY * turned[at + 1];
                     if (value > best)
                     {
                         best = value;
-                        corner = neighbor;
+                        corner = neighbors[i];
+                    }
+                }
+            }
+            while (corner != from);
+            return corner;
+        }
+
+        // The corner that is farthest up the z axis, or for direction -1 down.
+        private function climbUp(corner:int, direction:int):int
+        {
+            var best:Number = direction * _turned[3 * corner + 2];
+            var from:int;
+            do
+            {
+                from = corner;
+                var end:int = _firstNeighbor[from + 1];
+                for (var i:int = _firstNeighbor[from]; i < end; i++)
+                {
+                    var value:Number = direction * _turned[3 * _neighbors[i] + 2];
+                    if (value > best)
+                    {
+                        best = value;
+                        corner = _neighbors[i];
                     }
                 }
             }

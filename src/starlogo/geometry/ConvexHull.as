@@ -15,6 +15,9 @@ package starlogo.geometry
      */
     public final class ConvexHull
     {
+        // Beyond it the cubes and squares of coordinates overflow.
+        private static const LARGEST:Number = 1e100;
+
         private var _vertices:Vector.<Number>;
         private var _count:int;
         private var _dimension:int;
@@ -35,7 +38,7 @@ package starlogo.geometry
          *
          * @param vertices x, y, z of each vertex, in any one unit; kept, not copied, and never changed
          * @throws ArgumentError if it is null or empty, has a length that is no multiple of 3, or holds a number that is not
-         *         finite
+         *         finite or beyond 1e100
          */
         public function ConvexHull(vertices:Vector.<Number>)
         {
@@ -178,8 +181,8 @@ package starlogo.geometry
             for (var i:int = 0; i < length; i += 3)
             {
                 var x:Number = _vertices[i];
-                var y:Number = _vertices[int(i + 1)];
-                var z:Number = _vertices[int(i + 2)];
+                var y:Number = _vertices[i + 1];
+                var z:Number = _vertices[i + 2];
                 // not finite: infinity minus itself is NaN, which equals nothing
                 if (x - x != 0 || y - y != 0 || z - z != 0)
                 {
@@ -224,6 +227,10 @@ package starlogo.geometry
             {
                 largest = Math.max(largest, Math.abs(box[i]));
             }
+            if (largest > LARGEST)
+            {
+                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
+            }
             var flat:Number = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
             var a:int = farthestFrom((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
             var b:int = farthestFrom(_vertices[3 * a], _vertices[3 * a + 1], _vertices[3 * a + 2]);
@@ -257,8 +264,8 @@ package starlogo.geometry
             for (var i:int = 0; i < length; i += 3)
             {
                 var toX:Number = _vertices[i] - x;
-                var toY:Number = _vertices[int(i + 1)] - y;
-                var toZ:Number = _vertices[int(i + 2)] - z;
+                var toY:Number = _vertices[i + 1] - y;
+                var toZ:Number = _vertices[i + 2] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
                 if (square > most)
                 {
@@ -283,8 +290,8 @@ package starlogo.geometry
             for (var i:int = 0; i < length; i += 3)
             {
                 var toX:Number = _vertices[i] - x;
-                var toY:Number = _vertices[int(i + 1)] - y;
-                var toZ:Number = _vertices[int(i + 2)] - z;
+                var toY:Number = _vertices[i + 1] - y;
+                var toZ:Number = _vertices[i + 2] - z;
                 var crossX:Number = toY * axisZ - toZ * axisY;
                 var crossY:Number = toZ * axisX - toX * axisZ;
                 var crossZ:Number = toX * axisY - toY * axisX;
@@ -309,7 +316,7 @@ package starlogo.geometry
             var length:int = _vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
-                var distance:Number = _vertices[i] * axisX + _vertices[int(i + 1)] * axisY + _vertices[int(i + 2)] * axisZ - offset;
+                var distance:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ - offset;
                 if (distance < 0)
                 {
                     distance = -distance;
@@ -428,7 +435,7 @@ package starlogo.geometry
                 var i:int;
                 for (i = 0; i < length; i += 3)
                 {
-                    var t:Number = _vertices[i] * axisX + _vertices[int(i + 1)] * axisY + _vertices[int(i + 2)] * axisZ;
+                    var t:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ;
                     snapped[to] = t;
                     to += dimensions;
                     if (t < low)

@@ -72,23 +72,29 @@ package starlogo.geometry
             this.a = a;
             this.b = b;
             this.c = c;
-            var x:Number = points[3 * a];
-            var y:Number = points[3 * a + 1];
-            var z:Number = points[3 * a + 2];
-            var abX:Number = points[3 * b] - x;
-            var abY:Number = points[3 * b + 1] - y;
-            var abZ:Number = points[3 * b + 2] - z;
-            var acX:Number = points[3 * c] - x;
-            var acY:Number = points[3 * c + 1] - y;
-            var acZ:Number = points[3 * c + 2] - z;
-            exactX = abY * acZ - abZ * acY;
-            exactY = abZ * acX - abX * acZ;
-            exactZ = abX * acY - abY * acX;
-            var scale:Number = 1 / Math.sqrt(exactX * exactX + exactY * exactY + exactZ * exactZ);
-            normalX = exactX * scale;
-            normalY = exactY * scale;
-            normalZ = exactZ * scale;
-            offset = normalX * x + normalY * y + normalZ * z;
+            var i:int = 3 * a;
+            var x:Number = points[i];
+            var y:Number = points[i + 1];
+            var z:Number = points[i + 2];
+            i = 3 * b;
+            var abX:Number = points[i] - x;
+            var abY:Number = points[i + 1] - y;
+            var abZ:Number = points[i + 2] - z;
+            i = 3 * c;
+            var acX:Number = points[i] - x;
+            var acY:Number = points[i + 1] - y;
+            var acZ:Number = points[i + 2] - z;
+            var crossX:Number = abY * acZ - abZ * acY;
+            var crossY:Number = abZ * acX - abX * acZ;
+            var crossZ:Number = abX * acY - abY * acX;
+            var scale:Number = 1 / Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
+            exactX = crossX;
+            exactY = crossY;
+            exactZ = crossZ;
+            normalX = crossX * scale;
+            normalY = crossY * scale;
+            normalZ = crossZ * scale;
+            offset = (crossX * x + crossY * y + crossZ * z) * scale;
         }
 
         /** Makes <code>face</code> the neighbour across the edge that runs from <code>from</code> to <code>to</code> here. */

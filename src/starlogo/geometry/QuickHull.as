@@ -274,11 +274,25 @@ package starlogo.geometry
             }
             _nextOutside[point] = face.firstOutside;
             face.firstOutside = point;
-            if (distance > face.farthestDistance)
+            if (distance > face.farthestDistance + CERTAIN)
             {
                 face.farthestDistance = distance;
                 face.farthest = point;
             }
+            else if (distance >= face.farthestDistance - CERTAIN && outness(point) > outness(face.farthest))
+            {
+                // of points on a side parallel to the face, one at its rim
+                face.farthest = point;
+            }
+        }
+
+        // The squared distance from the grid's middle.
+        private function outness(point:int):Number
+        {
+            var x:Number = _points[3 * point] - GRID / 2;
+            var y:Number = _points[3 * point + 1] - GRID / 2;
+            var z:Number = _points[3 * point + 2] - GRID / 2;
+            return x * x + y * y + z * z;
         }
 
         // Whether the point is over the triangle, not just over its plane.
@@ -385,10 +399,19 @@ package starlogo.geometry
             return areAll ? null : corners;
         }
 
-        // Each edge is met twice, once from either end.
+        // Each edge is met twice, once from either end. It is none of a flat side if the neighbour's third corner is below it.
         private function countEdge(edgeEnds:Vector.<int>, face:HullFace, neighbor:HullFace, from:int):void
         {
-            if (side(face, neighbor.a) != 0 || side(face, neighbor.b) != 0 || side(face, neighbor.c) != 0)
+            var third:int = neighbor.a;
+            if (third == face.a || third == face.b || third == face.c)
+            {
+                third = neighbor.b;
+                if (third == face.a || third == face.b || third == face.c)
+                {
+                    third = neighbor.c;
+                }
+            }
+            if (side(face, third) != 0)
             {
                 edgeEnds[from]++;
             }

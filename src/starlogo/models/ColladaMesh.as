@@ -88,8 +88,8 @@ package starlogo.models
 
         private function primitive(element:XML):ColladaPrimitive
         {
-            var positions:ColladaPositions = positionsOf(positionSource(ColladaPrimitive.positionInput(_document,
-                            element)));
+            var source:XML = positionSource(ColladaPrimitive.positionInput(_document, element));
+            var positions:ColladaPositions = positionsOf(source);
             return new ColladaPrimitive(_document, element, positions, _isUsed, _triangles, _triangulator);
         }
 

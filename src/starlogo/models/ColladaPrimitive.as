@@ -21,8 +21,9 @@ package starlogo.models
         private var _stride:int;
         private var _offset:int;
 
-        // the lists of corners (p) that are not read yet, and what is left of the present one
+        // the lists of corners (p or ph), and how far they and the present one are read
         private var _lists:Array = [];
+        private var _list:int = 0;
         private var _words:Array = [];
         private var _word:int = 0;
         private var _sizes:Array = null;
@@ -54,10 +55,10 @@ package starlogo.models
             checkLists();
         }
 
-        /** Whether an element is a primitive with surfaces. */
+        /** Whether an element is a primitive with surfaces; some programs write empty ones, without inputs. */
         internal static function isSurface(element:XML):Boolean
         {
-            return NAMES.indexOf(element.localName()) >= 0;
+            return NAMES.indexOf(element.localName()) >= 0 && element.@count != "0";
         }
 
         /**
@@ -195,8 +196,7 @@ package starlogo.models
             if (words.length % _stride != 0)
             {
                 throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " +
-                        words.length +
-                        " in all");
+                        words.length + " in all");
             }
             return words.length / _stride;
         }
@@ -235,9 +235,10 @@ package starlogo.models
 
         private function readPolygons():Boolean
         {
-            for (var read:int = 0; read < CORNERS_PER_STEP && _lists.length > 0; )
+            var read:int = 0;
+            while (read < CORNERS_PER_STEP && _list < _lists.length)
             {
-                var element:XML = _lists.shift();
+                var element:XML = _lists[_list++];
                 var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
                 if (element.localName() == "ph")
                 {
@@ -257,14 +258,15 @@ package starlogo.models
                     _triangulator.addPolygon(loops);
                 }
             }
-            return _lists.length > 0;
+            return _list < _lists.length;
         }
 
         private function readStrips(isFan:Boolean):Boolean
         {
-            for (var read:int = 0; read < CORNERS_PER_STEP && _lists.length > 0; )
+            var read:int = 0;
+            while (read < CORNERS_PER_STEP && _list < _lists.length)
             {
-                var strip:Vector.<uint> = loopOf(_lists.shift());
+                var strip:Vector.<uint> = loopOf(_lists[_list++]);
                 for (var i:int = 2; i < strip.length; i++)
                 {
                     var first:uint = isFan ? strip[0] : strip[i - 2 + (i & 1)];
@@ -276,7 +278,7 @@ package starlogo.models
                 }
                 read += 10 + strip.length;
             }
-            return _lists.length > 0;
+            return _list < _lists.length;
         }
 
         private function loopOf(element:XML):Vector.<uint>
@@ -303,8 +305,7 @@ package starlogo.models
             if (index != value || index < 0 || index >= _positionCount)
             {
                 throw _document.error(_element, "expected a position's index, 0 to " + (_positionCount - 1) +
-                        ", but found \"" +
-                        Words.shorten(_words[word + _offset]) + "\"");
+                        ", but found \"" + Words.shorten(_words[word + _offset]) + "\"");
             }
             index += _firstPosition;
             _isUsed[index] = 1;

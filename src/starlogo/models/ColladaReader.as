@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /** Reads a COLLADA document; ColladaModel says what of it. */
-    internal final class ColladaReader implements IModelReader
+    internal final class ColladaReader implements ModelReader
     {
         /** How many vertices, and triangles, a scene may have: instances may make any number of a small file's. */
         internal static const MAX_VERTICES:int = 1000000;

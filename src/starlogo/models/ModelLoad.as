@@ -11,7 +11,7 @@ package starlogo.models
     import flash.utils.ByteArray;
 
     /** One model on its way through a ModelLoader: fetched, read, normalised, and taken in by the receiver. */
-    internal final class ModelLoad implements ISteps
+    internal final class ModelLoad implements Steps
     {
         // how far along a model is when it is fetched, and when it is read
         private static const FETCHED:Number = 0.2;
@@ -19,24 +19,24 @@ package starlogo.models
 
         private var _name:String;
         private var _upAxis:String;
-        private var _receiver:IModelReceiver;
+        private var _receiver:ModelReceiver;
         private var _fileName:String = "";
         private var _fetching:URLLoader = null;
         private var _fetched:Number = 0;
         private var _problem:String = null;
         private var _bytes:ByteArray = null;
         private var _text:String = null;
-        private var _reader:IModelReader = null;
+        private var _reader:ModelReader = null;
         private var _isReading:Boolean = true;
         private var _model:Model = null;
-        private var _receiving:ISteps = null;
+        private var _receiving:Steps = null;
 
         /**
          * @param name the model's name
          * @param upAxis the axis that points up, if it is an OBJ file
          * @param receiver takes the model in
          */
-        public function ModelLoad(name:String, upAxis:String, receiver:IModelReceiver)
+        public function ModelLoad(name:String, upAxis:String, receiver:ModelReceiver)
         {
             _name = name;
             _upAxis = upAxis;

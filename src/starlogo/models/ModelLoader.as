@@ -54,7 +54,7 @@ package starlogo.models
         /** Milliseconds of work a frame. At 0 it is one step a frame. */
         public var budget:Number;
 
-        private var _receiver:IModelReceiver;
+        private var _receiver:ModelReceiver;
         private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
         private var _frames:Shape = new Shape();
         private var _doneCount:int = 0;
@@ -64,7 +64,7 @@ package starlogo.models
          * @param receiver takes the models in
          * @param budget milliseconds of work a frame
          */
-        public function ModelLoader(receiver:IModelReceiver, budget:Number = 8)
+        public function ModelLoader(receiver:ModelReceiver, budget:Number = 8)
         {
             _receiver = receiver;
             this.budget = budget;

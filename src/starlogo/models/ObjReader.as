@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /** Reads Wavefront OBJ text; ObjModel says what of it. */
-    internal final class ObjReader implements IModelReader
+    internal final class ObjReader implements ModelReader
     {
         private static const WORDS_PER_STEP:int = 3000;
         private static const POLYGONS_PER_STEP:int = 100;
@@ -183,7 +183,6 @@ package starlogo.models
 
         private function readUnusualVertex():void
         {
-            var coordinates:Array = [];
             var line:int = _line;
             var words:Array = restOfStatement();
             for (var i:int = 0; i < 3; i++)

@@ -13,33 +13,108 @@ package starlogo.fitting
     import support.FitChecks;
     import support.PointSets;
     import support.SeededRandom;
+    import support.SmallestSphereReference;
 
     public class FitterTest
     {
-        private static function allFitters():Vector.<Fitter>
+        private static function thesisFitters():Vector.<Fitter>
         {
             var oriented:Fitter = new OrientedBoxFitter(15);
             return new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(),
                     new RitterSphereFitter(RitterSphereFitter.FARTHEST_FROM_FIRST), new CentredRitterSphereFitter(),
                     new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), oriented, new CapsuleFitter(oriented),
-                    new CapsuleFitter(new AxisAlignedBoxFitter()), new CylinderFitter(oriented),
-                    new MinimalSphereFitter(), new MinimalBoxFitter(), new MinimalCapsuleFitter()];
+                    new CapsuleFitter(new AxisAlignedBoxFitter()), new CylinderFitter(oriented)];
+        }
+
+        private static function minimalFitters():Vector.<Fitter>
+        {
+            return new <Fitter>[new MinimalSphereFitter(), new MinimalBoxFitter(), new MinimalCapsuleFitter()];
+        }
+
+        private static function allFitters():Vector.<Fitter>
+        {
+            return thesisFitters().concat(minimalFitters());
         }
 
         [Test]
         public function enclosesEveryVertexOfHardSets():void
         {
-            for (var seed:int = 1; seed <= 3; seed++)
+            for (var seed:int = 1; seed <= 5; seed++)
             {
-                var sets:Array = PointSets.hard(new SeededRandom(seed));
-                for (var i:int = 0; i < sets.length; i += 2)
+                encloseHardSets(seed, thesisFitters(), 0);
+            }
+        }
+
+        [Test]
+        public function minimalFitsEncloseEveryVertexOfHardSets():void
+        {
+            encloseHardSets(1, minimalFitters(), 0);
+        }
+
+        [Test]
+        public function minimalFitsAreTheSmallest():void
+        {
+            var sets:Array = PointSets.hard(new SeededRandom(2));
+            for (var i:int = 0; i < sets.length; i += 4)
+            {
+                var session:FitSession = new FitSession(sets[i + 1]);
+                var rounding:Number = 1e-9 * Math.pow(session.hull.extent, 3);
+                var sphere:Number = session.fit(new MinimalSphereFitter()).volume;
+                var box:Number = session.fit(new MinimalBoxFitter()).volume;
+                for each (var fitter:Fitter in thesisFitters())
                 {
-                    var session:FitSession = new FitSession(sets[i + 1]);
-                    for each (var fitter:Fitter in allFitters())
-                    {
-                        assertEncloses(sets[i] + ", seed " + seed, fitter, session);
-                    }
+                    var found:BoundingStructure = session.fit(fitter);
+                    var least:Number = found is Sphere ? sphere : (found is Box ? box : 0);
+                    assertTrue(sets[i] + ", " + fitter + ": " + found.volume + " below " + least,
+                            found.volume >= least * (1 - 1e-5) - rounding);
                 }
+                assertTrue(box >= session.hull.volume * (1 - 1e-6) - rounding);
+            }
+        }
+
+        private static function encloseHardSets(seed:int, fitters:Vector.<Fitter>, from:int):void
+        {
+            var sets:Array = PointSets.hard(new SeededRandom(seed));
+            for (var i:int = from; i < sets.length; i += 2)
+            {
+                var session:FitSession = new FitSession(sets[i + 1]);
+                for each (var fitter:Fitter in fitters)
+                {
+                    assertEncloses(sets[i] + ", seed " + seed, fitter, session);
+                }
+            }
+        }
+
+        // Flash Player's Matrix3D holds single-precision numbers: the search may choose another of two rotations that are
+        // nearly as good, and no more.
+        [Test]
+        public function singlePrecisionFindsTheSameBox():void
+        {
+            var sets:Array = PointSets.hard(new SeededRandom(6));
+            for (var i:int = 0; i < sets.length; i += 2)
+            {
+                var session:FitSession = new FitSession(sets[i + 1]);
+                var box:Box = Enclosing.box(session.vertices, new SingleRotationSearch(session.hull).smallestBox(15, 15, 15));
+                assertEquals(sets[i], "", FitChecks.outside(box, session.vertices));
+                var expected:Number = session.fit(new OrientedBoxFitter(15)).volume;
+                var far:Number = 1e-6 * Math.pow(new Vector3D(session.vertices[0], session.vertices[1], session.vertices[2]).length
+                        + session.hull.extent, 3);
+                assertTrue(sets[i] + ": " + box.volume + " instead of " + expected, Math.abs(box.volume - expected) <= far);
+            }
+        }
+
+        // Small sets against every sphere through two, three or four of the points.
+        [Test]
+        public function smallestSphereLikeTryingThemAll():void
+        {
+            var random:SeededRandom = new SeededRandom(71);
+            for (var i:int = 0; i < 60; i++)
+            {
+                var points:Vector.<Number> = PointSets.cloud(random, random.integer(1, 8), 1, random.pick([1, 0.2, 0]), random.pick([1, 1e-3, 0]));
+                points = PointSets.turned(points, random);
+                var found:Number = Sphere(new MinimalSphereFitter().fit(points)).radius;
+                var expected:Number = SmallestSphereReference.radius(points);
+                assertTrue(points + ": " + found + " instead of " + expected, Math.abs(found - expected) <= 1e-9);
             }
         }
 
@@ -218,10 +293,47 @@ package starlogo.fitting
     }
 }
 
+import flash.geom.Matrix3D;
+import flash.utils.ByteArray;
 import starlogo.bounding.BoundingStructure;
 import starlogo.fitting.AxisAlignedBoxFitter;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
+import starlogo.fitting.RotationSearch;
+import starlogo.geometry.ConvexHull;
+
+class SingleRotationSearch extends RotationSearch
+{
+    private var _bytes:ByteArray = new ByteArray();
+
+    public function SingleRotationSearch(hull:ConvexHull)
+    {
+        super(hull);
+    }
+
+    override protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
+    {
+        matrix.rawData = rounded(matrix.rawData, new Vector.<Number>(16));
+        matrix.transformVectors(points, out);
+        rounded(out, out);
+    }
+
+    private function rounded(numbers:Vector.<Number>, out:Vector.<Number>):Vector.<Number>
+    {
+        _bytes.position = 0;
+        var i:int;
+        for (i = 0; i < numbers.length; i++)
+        {
+            _bytes.writeFloat(numbers[i]);
+        }
+        _bytes.position = 0;
+        for (i = 0; i < numbers.length; i++)
+        {
+            out[i] = _bytes.readFloat();
+        }
+        return out;
+    }
+}
 
 class CountingFitter extends Fitter
 {

@@ -13,20 +13,21 @@ package starlogo.fitting
         public static const FIXTURES:Array = ReferenceFits.FIXTURES;
 
         [Test]
-        public function spheres():void
+        public function spheresOfSets():void
         {
-            var worst:Number = 0;
-            for each (var entry:Object in ReferenceFits.sets())
-            {
-                var session:FitSession = new FitSession(ReferenceFits.points(entry));
-                var known:Object = entry.smallest.sphere;
-                var sphere:BoundingStructure = check(entry, session, new MinimalSphereFitter(), known.volume, 1e-6);
-                worst = Math.max(worst, excess(sphere, known.volume));
-                check(entry, session, new NaiveSphereFitter(), entry.thesis.naiveSphere.volume, 1e-6);
-                check(entry, session, new RitterSphereFitter(), known.volume, 2);
-                check(entry, session, new CentredRitterSphereFitter(), known.volume, Infinity);
-            }
-            trace("smallest sphere: at most " + worst + " above");
+            compareSpheres("points");
+        }
+
+        [Test]
+        public function spheresOfModels():void
+        {
+            compareSpheres("model");
+        }
+
+        [Test]
+        public function spheresOfManyPoints():void
+        {
+            compareSpheres("formula");
         }
 
         [Test]
@@ -63,6 +64,22 @@ package starlogo.fitting
         public function capsulesOfManyPoints():void
         {
             compareCapsules("formula");
+        }
+
+        private static function compareSpheres(source:String):void
+        {
+            var worst:Number = 0;
+            for each (var entry:Object in entriesOf(source))
+            {
+                var session:FitSession = new FitSession(ReferenceFits.points(entry));
+                var known:Object = entry.smallest.sphere;
+                var sphere:BoundingStructure = check(entry, session, new MinimalSphereFitter(), known.volume, 1e-6);
+                worst = Math.max(worst, excess(sphere, known.volume));
+                check(entry, session, new NaiveSphereFitter(), entry.thesis.naiveSphere.volume, 1e-6);
+                check(entry, session, new RitterSphereFitter(), known.volume, 2);
+                check(entry, session, new CentredRitterSphereFitter(), Infinity, 0);
+            }
+            trace("smallest sphere, " + source + ": at most " + worst + " above");
         }
 
         private static function compareBoxes(source:String):void

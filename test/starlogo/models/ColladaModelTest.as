@@ -128,6 +128,7 @@ package starlogo.models
             assertArea(16, SQUARE, '<trifans count="1">' + Collada.INPUT + "<p>0 1 2 3</p></trifans>");
             assertArea(16, SQUARE, '<lines count="1">' + Collada.INPUT + "<p>0 1</p></lines>" +
                     Collada.triangles("0 1 2") + Collada.triangles("0 2 3"));
+            assertArea(16, SQUARE, '<polylist count="0"/>' + Collada.triangles("0 1 2 0 2 3"));
             assertArea(0.75, "0 0 0 1 0 0 1 .5 0 .5 .5 0 .5 1 0 0 1 0", Collada.polylist("6", "0 1 2 3 4 5"));
         }
 

@@ -3,8 +3,6 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertTrue;
-    import org.flexunit.asserts.fail;
     import support.Fixtures;
     import support.Surfaces;
 
@@ -14,7 +12,7 @@ package starlogo.models
      */
     public class ModelFilesTest
     {
-        public static const FIXTURES:Array = ["/fixtures/models/expected.json"].concat(addresses());
+        public static const FIXTURES:Array = ["/fixtures/models/expected.json", "/fixtures/models/scenes.json"].concat(addresses());
 
         private static const FOLDER:String = "/assimp/";
         private static const TOLERANCE:Number = 2e-4;
@@ -78,10 +76,15 @@ package starlogo.models
                     "/assimp/invalid/malformed2.obj"];
         }
 
-        [Before]
-        public function skipWithoutFiles():void
+        [Test]
+        public function randomScenes():void
         {
-            Fixtures.assume("/assimp/OBJ/spider.obj", "the package assimp-testmodels is not installed");
+            var wrong:Array = [];
+            for each (var entry:Object in JSON.parse(Fixtures.text("/fixtures/models/scenes.json")))
+            {
+                compareModel(new ColladaModel(entry.file, entry.document), entry, wrong);
+            }
+            assertEquals(wrong.join("\n"), 0, wrong.length);
         }
 
         [Test]
@@ -104,6 +107,7 @@ package starlogo.models
 
         private static function compareAll(folder:String):void
         {
+            Fixtures.assume("/assimp/OBJ/spider.obj", "the package assimp-testmodels is not installed");
             var expected:Array = JSON.parse(Fixtures.text("/fixtures/models/expected.json")) as Array;
             var wrong:Array = [];
             for each (var entry:Object in expected)
@@ -132,32 +136,31 @@ package starlogo.models
                 return;
             }
             var model:Model = Model(found);
-            var bounds:Vector.<Number> = Surfaces.bounds(model.vertices);
-            var extents:Array = [bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5]];
             trace("  " + entry.file + ": " + model.vertices.length / 3 + " vertices, " + triangleCount(model) +
                     " triangles, " +
-                    extents.map(rounded).join(" x ") + ", " + ms + " ms" + (entry.hasOwnProperty("note") ? " (" +
+                    extentsOf(model).map(rounded).join(" x ") + ", " + ms + " ms" + (entry.hasOwnProperty("note") ? " (" +
                         entry.note + ")" : ""));
             if (entry.hasOwnProperty("by"))
             {
-                compareModel(model, extents, entry, wrong);
+                compareModel(model, entry, wrong);
             }
         }
 
-        private static function compareModel(model:Model, extents:Array, entry:Object, wrong:Array):void
+        private static function compareModel(model:Model, entry:Object, wrong:Array):void
         {
             var area:Number = model.triangles == null ? 0 : Surfaces.area(model.vertices, model.triangles);
-            for (var i:int = 0; i < 3; i++)
+            var centroid:Array = area == 0 ? [0, 0, 0] : Surfaces.centroid(model.vertices, model.triangles);
+            if (distance(extentsOf(model), entry.extents) > TOLERANCE)
             {
-                if (Math.abs(extents[i] - entry.extents[i]) > TOLERANCE)
-                {
-                    wrong.push(entry.file + ": extents " + extents + ", not " + entry.extents);
-                    break;
-                }
+                wrong.push(entry.file + ": extents " + extentsOf(model) + ", not " + entry.extents);
             }
             if (Math.abs(area - entry.area) > TOLERANCE * Math.max(1, area))
             {
                 wrong.push(entry.file + ": area " + area + ", not " + entry.area);
+            }
+            if (distance(centroid, entry.centroid) > TOLERANCE)
+            {
+                wrong.push(entry.file + ": centroid " + centroid + ", not " + entry.centroid);
             }
             if (triangleCount(model) != entry.triangles)
             {
@@ -168,6 +171,17 @@ package starlogo.models
             {
                 wrong.push(entry.file + ": " + positionCount(model) + " positions, not " + entry.positions);
             }
+        }
+
+        private static function extentsOf(model:Model):Array
+        {
+            var bounds:Vector.<Number> = Surfaces.bounds(model.vertices);
+            return [bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5]];
+        }
+
+        private static function distance(a:Array, b:Array):Number
+        {
+            return Math.max(Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]), Math.abs(a[2] - b[2]));
         }
 
         private static function triangleCount(model:Model):int

@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /** Work that is done a small step at a time, so that a game goes on meanwhile. */
-    public interface ISteps
+    public interface Steps
     {
         /**
          * Does the next step: a few milliseconds at most. It is not called again when nothing is left, nor after it has

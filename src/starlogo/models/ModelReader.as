@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /** Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. */
-    internal interface IModelReader extends ISteps
+    internal interface ModelReader extends Steps
     {
         /** How much is read, from 0 to 1. */
         function get progress():Number;

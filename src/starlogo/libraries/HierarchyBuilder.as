@@ -376,6 +376,7 @@ package starlogo.libraries
                 return false;
             }
             node.isLeaf = false;
+            node.endLevel = node.level;
             node.splitAxis = axis;
             node.left = makeNode(node.level + 1, node.first, i,
                     leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);

@@ -4,6 +4,7 @@ package benchmark
     import scenes.CrowdScene;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.collision.BinCollider;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;
@@ -48,6 +49,8 @@ package benchmark
                 _scene.agents[i].x += (i % 10) * 0.02;
             }
             measureCrowd("bears that look elsewhere");
+            measureKind(BoundingStructure.SPHERE, "spheres");
+            measureKind(BoundingStructure.CAPSULE, "capsules");
             measureDragons();
             return String(_table);
         }
@@ -68,6 +71,19 @@ package benchmark
             var part:Number = COUNT * (COUNT - 1) / 2 / LITERAL_PAIRS;
             _table.add(name + ": the literal traversal", (part * literally.nanoseconds / 1e6).toFixed(0),
                     (part * literally.nanoseconds / all[1].nanoseconds).toFixed(1), "HierarchicalCollider", "", "7500");
+        }
+
+        // Thesis §7.7.
+        private function measureKind(kind:int, name:String):void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.loadTightestFit = false;
+            greatLand.hierarchies.boundsKind = kind;
+            greatLand.addModel(new ObjModel("bear", Fixtures.text("/assets/bear.obj")));
+            var other:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            var all:Vector.<Measurement> = new <Measurement>[crowd(other), crowd(new HierarchicalCollider(_greatLand))];
+            Measurement.runAll(all, ROUNDS);
+            _table.add("bears that look elsewhere: hierarchies of " + name, ms(all[0]), ratio(all[0], all[1]), "hierarchies of boxes", visits(other), "");
         }
 
         private function crowd(collider:BinCollider):Measurement

@@ -127,7 +127,8 @@ package starlogo.collision
         {
             if (!greatLand.hierarchies.has(agent.shape))
             {
-                throw new ArgumentError(agent + ": its model was added while loadHierarchies was off; set it, and add the model again");
+                throw new ArgumentError(agent
+                        + ": its model was added while loadHierarchies was off; set it, and add the model again");
             }
             hierarchy = greatLand.hierarchies.hierarchy(agent.shape);
         }

@@ -15,6 +15,11 @@ package starlogo.collision
      * overlap and are leaves or at the depth limit (§4.6). A depth counts levels, the root being level 1; where one
      * hierarchy ends before the other, only the other is descended further.</p>
      *
+     * <p>The thesis puts the two structures of each pair of nodes into the world (§4.5), and goes down in both hierarchies at
+     * once (§4.6). Here one transform for each pair of agents serves all their nodes, and where two nodes overlap the
+     * larger one is divided, or both where one's middle is in the other. The answers are the same but that an overlap of two
+     * nodes at their depth limits counts, whatever their levels.</p>
+     *
      * <p>With models that have triangles, no depth ever misses a collision of the surfaces, and a greater depth finds fewer
      * false ones; see HierarchiesLibrary.</p>
      */

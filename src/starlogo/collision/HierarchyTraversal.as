@@ -141,8 +141,8 @@ package starlogo.collision
          * @param depthB how many of its levels are visited
          * @param exact whether the depth limits do not count, triangles decide, and a model inside of a closed one meets it
          */
-        public function hierarchiesMeet(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
-                exact:Boolean):Boolean
+        public function hierarchiesMeet(a:Hierarchy, placementA:Placement, depthA:int,
+                b:Hierarchy, placementB:Placement, depthB:int, exact:Boolean):Boolean
         {
             pairs++;
             relate(placementA, placementB);
@@ -180,7 +180,8 @@ package starlogo.collision
          * @param structure in its model's space
          * @param placementB where that model stands
          */
-        public function structureMeets(a:Hierarchy, placementA:Placement, depthA:int, structure:BoundingStructure, placementB:Placement):Boolean
+        public function structureMeets(a:Hierarchy, placementA:Placement, depthA:int,
+                structure:BoundingStructure, placementB:Placement):Boolean
         {
             pairs++;
             relate(placementA, placementB);
@@ -198,7 +199,7 @@ package starlogo.collision
                 nodeVisits++;
                 if (intersects(structureOf(node), moved))
                 {
-                    if (node.isLeaf || node.level >= depthA)
+                    if (node.endLevel >= depthA)
                     {
                         return true;
                     }
@@ -358,7 +359,7 @@ package starlogo.collision
                 var overlap:Boolean = false;
                 var z:Number = scale * b.z + moveZ - a.z;
                 var reach:Number = a.halfZ + scale * b.halfZ;
-                if (z <= reach && z >= -reach)
+                if ((z < 0 ? -z : z) <= reach)
                 {
                     var bX:Number = b.x;
                     var bY:Number = b.y;
@@ -366,39 +367,48 @@ package starlogo.collision
                     var y:Number = sin * bX + cos * bY + moveY - a.y;
                     var halfX:Number = a.halfX;
                     var halfY:Number = a.halfY;
-                    if (x <= halfX && x >= -halfX && y <= halfY && y >= -halfY)
+                    var distanceX:Number = x < 0 ? -x : x;
+                    var distanceY:Number = y < 0 ? -y : y;
+                    var isDeep:Boolean = false;
+                    if (distanceX <= halfX)
                     {
-                        // b's middle is in a
-                        if (!a.isLeaf && !b.isLeaf && a.level < depthA && b.level < depthB)
+                        isDeep = distanceY <= halfY;
+                    }
+                    if (isDeep)
+                    {
+                        // b's middle is over a: a child of a most likely overlaps b too, and both are divided at once
+                        if (a.endLevel < depthA)
                         {
-                            // then so are its children, in part at least: both are divided at once
-                            var axis:int = a.splitAxis;
-                            var near:HierarchyNode = a.left;
-                            stack[top] = a.right;
-                            if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                            if (b.endLevel < depthB)
                             {
-                                stack[top] = near;
-                                near = a.right;
+                                var axis:int = a.splitAxis;
+                                var near:HierarchyNode = a.left;
+                                var far:HierarchyNode = a.right;
+                                if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                                {
+                                    near = far;
+                                    far = a.left;
+                                }
+                                stack[top] = far;
+                                stack[int(top + 1)] = b;
+                                stack[int(top + 2)] = near;
+                                x += a.x - near.x;
+                                y += a.y - near.y;
+                                axis = b.splitAxis;
+                                if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z + a.z - near.z)) < 0)
+                                {
+                                    stack[int(top + 3)] = b.left;
+                                    b = b.right;
+                                }
+                                else
+                                {
+                                    stack[int(top + 3)] = b.right;
+                                    b = b.left;
+                                }
+                                a = near;
+                                top += 4;
+                                continue;
                             }
-                            stack[int(top + 1)] = b;
-                            x += a.x - near.x;
-                            y += a.y - near.y;
-                            z += a.z - near.z;
-                            a = near;
-                            axis = b.splitAxis;
-                            stack[int(top + 2)] = a;
-                            if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z)) < 0)
-                            {
-                                stack[int(top + 3)] = b.left;
-                                b = b.right;
-                            }
-                            else
-                            {
-                                stack[int(top + 3)] = b.right;
-                                b = b.left;
-                            }
-                            top += 4;
-                            continue;
                         }
                         overlap = true;
                     }
@@ -406,19 +416,17 @@ package starlogo.collision
                     {
                         bX = b.halfX;
                         bY = b.halfY;
-                        reach = halfX + absCos * bX + absSin * bY;
-                        if (x <= reach && x >= -reach)
+                        if (distanceX <= halfX + absCos * bX + absSin * bY)
                         {
-                            reach = halfY + absSin * bX + absCos * bY;
-                            if (y <= reach && y >= -reach)
+                            if (distanceY <= halfY + absSin * bX + absCos * bY)
                             {
                                 var along:Number = cos * x + sin * y;
                                 reach = scaleSquared * bX + absCos * halfX + absSin * halfY;
-                                if (along <= reach && along >= -reach)
+                                if ((along < 0 ? -along : along) <= reach)
                                 {
                                     along = cos * y - sin * x;
                                     reach = scaleSquared * bY + absSin * halfX + absCos * halfY;
-                                    overlap = along <= reach && along >= -reach;
+                                    overlap = (along < 0 ? -along : along) <= reach;
                                 }
                             }
                         }
@@ -426,8 +434,8 @@ package starlogo.collision
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.isLeaf || a.level >= depthA;
-                    var bEnds:Boolean = b.isLeaf || b.level >= depthB;
+                    var aEnds:Boolean = a.endLevel >= depthA;
+                    var bEnds:Boolean = b.endLevel >= depthB;
                     if (aEnds && bEnds)
                     {
                         if (!exact || leavesMeet(a, b))
@@ -592,8 +600,8 @@ package starlogo.collision
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.isLeaf || a.level >= depthA;
-                    var bEnds:Boolean = b.isLeaf || b.level >= depthB;
+                    var aEnds:Boolean = a.endLevel >= depthA;
+                    var bEnds:Boolean = b.endLevel >= depthB;
                     var axis:int;
                     if (aEnds && bEnds)
                     {
@@ -806,8 +814,8 @@ package starlogo.collision
                 var moved:BoundingStructure = structure.place(_relative, _moved[structure.kind]);
                 if (intersects(structureOf(a), moved))
                 {
-                    var aEnds:Boolean = a.isLeaf || a.level >= depthA;
-                    var bEnds:Boolean = b.isLeaf || b.level >= depthB;
+                    var aEnds:Boolean = a.endLevel >= depthA;
+                    var bEnds:Boolean = b.endLevel >= depthB;
                     if (aEnds && bEnds)
                     {
                         if (!exact || leavesMeet(a, b))
@@ -877,7 +885,15 @@ package starlogo.collision
                 at = end = Box(structure).center;
             }
             var axis:int = node.splitAxis;
-            var beyond:Number = axis == 0 ? at.x + end.x - 2 * node.x : (axis == 1 ? at.y + end.y - 2 * node.y : at.z + end.z - 2 * node.z);
+            var beyond:Number = at.z + end.z - 2 * node.z;
+            if (axis == 0)
+            {
+                beyond = at.x + end.x - 2 * node.x;
+            }
+            else if (axis == 1)
+            {
+                beyond = at.y + end.y - 2 * node.y;
+            }
             return beyond > 0 ? node.right : node.left;
         }
 

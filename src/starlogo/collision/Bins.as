@@ -64,6 +64,7 @@ package starlogo.collision
             for (var i:int = 0; i < _levels.length; i++)
             {
                 var level:BinLevel = _levels[i];
+                level.clearBins();
                 if (level.count == 0)
                 {
                     continue;
@@ -75,7 +76,6 @@ package starlogo.collision
                         meet(level, _levels[coarser], collider);
                     }
                 }
-                level.clearBins();
                 meet(level, level, collider);
             }
         }

@@ -26,6 +26,9 @@ package starlogo.agents
         /** Counts the changes of what decides the agent's world shape. */
         engine var revision:int = 0;
 
+        /** Counts those of the changes that are more than a move. */
+        engine var form:int = 0;
+
         /** What the collision system in use keeps with the agent from frame to frame. */
         engine var userData:Object;
 
@@ -85,7 +88,7 @@ package starlogo.agents
             requireName("shape", value);
             _shape = value;
             userData = null;
-            revision++;
+            formChanged();
         }
 
         /** The name of the agent's breed. */
@@ -192,7 +195,7 @@ package starlogo.agents
                 throw new RangeError(this + ": size must be a positive, finite number, not " + value);
             }
             placement.size = value;
-            revision++;
+            formChanged();
         }
 
         /**
@@ -209,7 +212,7 @@ package starlogo.agents
             if (value != _hierarchical)
             {
                 _hierarchical = value;
-                revision++;
+                formChanged();
             }
         }
 
@@ -231,7 +234,7 @@ package starlogo.agents
                 throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
             }
             _traversalDepth = value;
-            revision++;
+            formChanged();
         }
 
         /**
@@ -297,6 +300,12 @@ package starlogo.agents
         private function rotationChanged():void
         {
             _rotationIsStale = true;
+            formChanged();
+        }
+
+        private function formChanged():void
+        {
+            form++;
             revision++;
         }
 

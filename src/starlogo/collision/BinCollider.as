@@ -235,7 +235,7 @@ package starlogo.collision
                 }
                 if (body.revision != agent.revision)
                 {
-                    update(body);
+                    update(body, agent);
                 }
                 if (body.frame == frame)
                 {
@@ -277,7 +277,7 @@ package starlogo.collision
             }
             if (body.revision != agent.revision)
             {
-                update(body);
+                update(body, agent);
             }
             return body;
         }
@@ -290,19 +290,16 @@ package starlogo.collision
             return body;
         }
 
-        private function update(body:Body):void
+        private function update(body:Body, agent:Agent):void
         {
             place(body);
-            body.revision = body.agent.revision;
-            var half:Number = body.halfX;
-            if (body.halfY > half)
+            body.revision = agent.revision;
+            if (body.form != agent.form)
             {
-                half = body.halfY;
+                body.form = agent.form;
+                _bins.assignLevel(body);
             }
-            var x:Number = body.x;
-            var y:Number = body.y;
-            var level:BinLevel = body.level;
-            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || x * x + y * y >= level.reachSquared)
+            else if (body.x * body.x + body.y * body.y >= body.level.reachSquared)
             {
                 _bins.assignLevel(body);
             }

@@ -31,6 +31,9 @@ package starlogo.collision
         /** The agent's revision that the world shape belongs to. */
         public var revision:int = -1;
 
+        /** The agent's form that the extents belong to. */
+        public var form:int = -1;
+
         /** What stands for the model, in the model's space; null where the numbers below say it all. */
         public var structure:BoundingStructure;
 

@@ -40,8 +40,9 @@ package starlogo.collision
         /** Pairs of triangles that were tested. */
         public var triangleTests:int;
 
-        // Takes the second model into the space of the first.
+        // Takes the second model into the space of the first; and whether both are turned about z only, as almost always.
         private var _relative:Placement = new Placement();
+        private var _isUpright:Boolean;
 
         // The rows of its rotation, scaled, and their absolute values, those widened by a rounding error: it makes up for
         // cross products of nearly parallel edges, which cancel (Ericson, §4.4.1).
@@ -83,6 +84,7 @@ package starlogo.collision
         /** Nothing counted yet. */
         public function HierarchyTraversal()
         {
+            _relative.isUpright = false;
             _leaf.level = 1;
             _leaf.x = _leaf.y = _leaf.z = 0;
         }
@@ -104,63 +106,49 @@ package starlogo.collision
         /**
          * Whether two bodies meet of which one is hierarchical at least. The answer does not depend on their order.
          *
-         * @param a a body
-         * @param b another body
-         * @param maxDepth the depth limit of those whose agents have none of their own
-         * @param exact as for hierarchiesMeet
+         * @param first a body
+         * @param second another body
+         * @param maxDepth how many levels are visited of those whose agents have no depth of their own; the root is one
+         * @param exact whether, for two hierarchies of triangles, depths do not count, triangles decide, and a model inside
+         *     of a closed one meets it
          */
-        public function bodiesMeet(a:Body, b:Body, maxDepth:int, exact:Boolean):Boolean
+        public function bodiesMeet(first:Body, second:Body, maxDepth:int, exact:Boolean):Boolean
         {
-            if (a.serial > b.serial)
+            var bodyA:Body = first;
+            var bodyB:Body = second;
+            if (first.serial > second.serial)
             {
-                var first:Body = b;
-                b = a;
-                a = first;
+                bodyA = second;
+                bodyB = first;
             }
-            var depthA:int = a.depth == 0 ? maxDepth : a.depth;
-            var depthB:int = b.depth == 0 ? maxDepth : b.depth;
-            if (!a.isHierarchical)
-            {
-                return structureMeets(b.hierarchy, b.agent.placement, depthB, a.structure, a.agent.placement);
-            }
-            if (!b.isHierarchical)
-            {
-                return structureMeets(a.hierarchy, a.agent.placement, depthA, b.structure, b.agent.placement);
-            }
-            return hierarchiesMeet(a.hierarchy, a.agent.placement, depthA, b.hierarchy, b.agent.placement, depthB, exact);
-        }
-
-        /**
-         * Whether two hierarchies meet.
-         *
-         * @param a the one hierarchy
-         * @param placementA where its model stands
-         * @param depthA how many of its levels are visited; the root is one
-         * @param b the other hierarchy
-         * @param placementB where its model stands
-         * @param depthB how many of its levels are visited
-         * @param exact whether the depth limits do not count, triangles decide, and a model inside of a closed one meets it
-         */
-        public function hierarchiesMeet(a:Hierarchy, placementA:Placement, depthA:int,
-                b:Hierarchy, placementB:Placement, depthB:int, exact:Boolean):Boolean
-        {
             pairs++;
-            relate(placementA, placementB);
-            exact = exact && a.hasTriangles && b.hasTriangles;
+            if (!bodyA.isHierarchical)
+            {
+                return structureMeets(bodyB, bodyB.depth == 0 ? maxDepth : bodyB.depth, bodyA);
+            }
+            var depthA:int = bodyA.depth == 0 ? maxDepth : bodyA.depth;
+            if (!bodyB.isHierarchical)
+            {
+                return structureMeets(bodyA, depthA, bodyB);
+            }
+            var depthB:int = bodyB.depth == 0 ? maxDepth : bodyB.depth;
+            relate(bodyA.agent.placement, bodyB.agent.placement);
+            var a:Hierarchy = bodyA.hierarchy;
+            var b:Hierarchy = bodyB.hierarchy;
             if (exact)
             {
-                depthA = depthB = int.MAX_VALUE;
-                a.prepareTriangles();
-                b.prepareTriangles();
-                _cornersOf = null;
-                _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _relative.size);
+                exact = prepareTriangles(a, b);
+                if (exact)
+                {
+                    depthA = depthB = int.MAX_VALUE;
+                }
             }
             var meet:Boolean;
             if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
                 meet = structuresMeet(a.root, depthA, b.root, depthB, exact);
             }
-            else if (_relative.r22 == 1 && _relative.r20 == 0 && _relative.r21 == 0)
+            else if (_isUpright)
             {
                 meet = uprightBoxesMeet(a.root, depthA, b.root, depthB, exact);
             }
@@ -171,20 +159,25 @@ package starlogo.collision
             return meet || (exact && (isInside(b, a) || isInsideOut(a, b)));
         }
 
-        /**
-         * Whether a hierarchy and a structure meet.
-         *
-         * @param a the hierarchy
-         * @param placementA where its model stands
-         * @param depthA how many of its levels are visited
-         * @param structure in its model's space
-         * @param placementB where that model stands
-         */
-        public function structureMeets(a:Hierarchy, placementA:Placement, depthA:int,
-                structure:BoundingStructure, placementB:Placement):Boolean
+        private function prepareTriangles(a:Hierarchy, b:Hierarchy):Boolean
         {
-            pairs++;
-            relate(placementA, placementB);
+            if (!a.hasTriangles || !b.hasTriangles)
+            {
+                return false;
+            }
+            a.prepareTriangles();
+            b.prepareTriangles();
+            _cornersOf = null;
+            _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _relative.size);
+            return true;
+        }
+
+        // Whether a hierarchy meets the structure of another body.
+        private function structureMeets(hierarchical:Body, depthA:int, other:Body):Boolean
+        {
+            var a:Hierarchy = hierarchical.hierarchy;
+            var structure:BoundingStructure = other.structure;
+            relate(hierarchical.agent.placement, other.agent.placement);
             if (structure.kind == BoundingStructure.BOX && a.boundsKind == BoundingStructure.BOX)
             {
                 relateToAxesOf(structure as Box);
@@ -235,11 +228,11 @@ package starlogo.collision
             var y:Number = (b.y - a.y) / a.size;
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = _relative;
-            relative.isUpright = false;
             relative.size = scale;
-            // both upright but for their headings, as almost always; the other entries are then exactly 0
-            if (a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1)
+            _isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
+            if (_isUpright)
             {
+                // the other entries are exactly 0
                 relative.x = a00 * x + a10 * y;
                 relative.y = a01 * x + a11 * y;
                 relative.z = z;

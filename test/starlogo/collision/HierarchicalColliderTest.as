@@ -144,6 +144,48 @@ package starlogo.collision
         }
 
         [Test]
+        public function touchingCountsFarOutAndAtAnySize():void
+        {
+            var a:Agent = new Agent("cube");
+            var b:Agent = new Agent("cube");
+            for each (var far:Number in [0, 1024, 1048576])
+            {
+                for each (var size:Number in [1 / 1024, 1, 1024])
+                {
+                    // binary fractions, so that the sums are exact
+                    a.moveTo(far, -far, 3);
+                    b.size = size;
+                    b.moveTo(far + 0.5 + size / 2, -far + 0.25, 3);
+                    assertTrue(far + ", " + size, _collider.areColliding(a, b) && _collider.areColliding(b, a));
+                    assertEquals(2, _collider.findCollisions(new <Agent>[a, b]).length);
+                    b.x += 1e-6;
+                    assertFalse(far + ", " + size, _collider.areColliding(a, b));
+                }
+            }
+        }
+
+        [Test]
+        public function exactDoesNotDependOnTheStructures():void
+        {
+            var answers:Array = ["", "", ""];
+            for (var i:int = 0; i < 3; i++)
+            {
+                _greatLand.hierarchies.boundsKind = KINDS[i];
+                addModels();
+                var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+                collider.exact = true;
+                var random:SeededRandom = new SeededRandom(313);
+                for (var k:int = 0; k < 200; k++)
+                {
+                    answers[i] += collider.areColliding(randomAgent(random, k % 2 == 0), randomAgent(random, k % 2 == 0)) ? "1" : "0";
+                }
+            }
+            assertEquals(answers[0], answers[1]);
+            assertEquals(answers[0], answers[2]);
+            assertTrue(answers[0].split("1").length > 40 && answers[0].split("0").length > 40);
+        }
+
+        [Test]
         public function deeperNeverFindsMore():void
         {
             var random:SeededRandom = new SeededRandom(310);

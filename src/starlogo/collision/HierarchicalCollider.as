@@ -69,7 +69,7 @@ package starlogo.collision
             _maxDepth = value;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function adopt(body:Body):void
         {
             _greatLand.requireModel(body.agent);
@@ -79,7 +79,7 @@ package starlogo.collision
             body.isHierarchical = true;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function place(body:Body):void
         {
             body.structure.place(body.agent.worldPlacement(), body.world);
@@ -87,7 +87,7 @@ package starlogo.collision
             body.depth = body.agent.traversalDepth;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function test(a:Body, b:Body):Boolean
         {
             var distance:Number = a.z - b.z;
@@ -99,13 +99,13 @@ package starlogo.collision
             return _traversal.bodiesMeet(a, b, _maxDepth, exact);
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function resetCounts():void
         {
             _traversal.resetCounts();
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function countTests(statistics:CollisionStatistics):void
         {
             _traversal.countInto(statistics);

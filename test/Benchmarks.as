@@ -3,6 +3,8 @@ package
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
     import benchmark.FittingBenchmark;
+    import benchmark.HierarchicalCrowdBenchmark;
+    import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
@@ -15,7 +17,8 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark];
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
+                HierarchicalCrowdBenchmark];
 
         private var _pending:Array;
 

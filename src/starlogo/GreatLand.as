@@ -96,7 +96,11 @@ package starlogo
                 throw new ArgumentError("model must not be null");
             }
             // built first, stored last: what fails leaves nothing behind
-            var hierarchy:Hierarchy = loadHierarchies ? _hierarchies.build(model.name, model.vertices, model.triangles) : null;
+            var hierarchy:Hierarchy = null;
+            if (loadHierarchies)
+            {
+                hierarchy = _hierarchies.build(model.name, model.vertices, model.triangles);
+            }
             if (loadTightestFit)
             {
                 _boundingStructures.add(model.name, model.vertices);

@@ -4,6 +4,7 @@ package timing
     import literal.LiteralHierarchicalCollider;
     import literal.LiteralTightestFitCollider;
     import starlogo.GreatLand;
+    import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.Model;
 
     /** The thesis's collider to the letter beside each collider. */
@@ -11,7 +12,7 @@ package timing
     {
         private var _bins:LiteralBinCollider = new LiteralBinCollider();
         private var _tightest:LiteralTightestFitCollider;
-        private var _hierarchical:LiteralHierarchicalCollider = new LiteralHierarchicalCollider();
+        private var _hierarchical:LiteralHierarchicalCollider;
 
         /**
          * @param greatLand has the tightest fits
@@ -20,10 +21,13 @@ package timing
         public function LiteralColliders(greatLand:GreatLand, models:Array)
         {
             _tightest = new LiteralTightestFitCollider(greatLand.boundingStructures);
+            // of vertices alone, as in the thesis
+            var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
             for each (var model:Model in models)
             {
-                _hierarchical.add(model.name, model.vertices);
+                hierarchies.add(model.name, model.vertices);
             }
+            _hierarchical = new LiteralHierarchicalCollider(hierarchies);
         }
 
         /**

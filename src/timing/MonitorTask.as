@@ -86,7 +86,10 @@ package timing
             }
             var entry:Object = _results.addTime("monitor", scene.agents.length + " agents", "a frame of the monitor", _time, _base);
             _results.addTime("monitor", "recorder", "a collision recorded", _recording, _base);
-            _results.addNumber("monitor", scene.agents.length + " agents", "part of a frame at 25 a second", 100 * entry.value / FRAME_MS, "%");
+            if (entry.value != null)
+            {
+                _results.addNumber("monitor", scene.agents.length + " agents", "part of a frame at 25 a second", 100 * entry.value / FRAME_MS, "%");
+            }
             return true;
         }
 

@@ -63,7 +63,7 @@ package timing
             if (!times.isSteady)
             {
                 entry.value = entry.multiple = null;
-                entry.refused = times.median > 0 ? "spread of " + Math.round(times.spread * 100) + " %" : "too short for the clock";
+                entry.refused = times.median > 0 ? "±" + Math.round(times.spread * 100) + " %, noisy" : "too short for the clock";
             }
             return entry;
         }

@@ -32,7 +32,7 @@ package timing
          */
         public function VolumesTask(model:Model, results:Results)
         {
-            super("volumes around the " + model.name, 60 + model.vertices.length / 30);
+            super("volumes around the " + model.name, 700 + model.vertices.length / 15);
             _model = model;
             _results = results;
             var box:OrientedBoxFitter = new OrientedBoxFitter(DEG_INCREMENT);

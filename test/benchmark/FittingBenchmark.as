@@ -47,6 +47,10 @@ package benchmark
         {
             _lines.push(row(["model", "vertices", "on hull", "thesis ms", "literal ms", "bulk ms", "ms", "times", "(bulk)", "hull ms", "tightest", "volume", "box",
                             "literal box", "min. sphere", "min. box", "min. capsule", "their ms"]));
+            // the player compiles what runs often: the first model would pay for it
+            measure(BuiltInModel.sphere());
+            _lines.length = 1;
+            _areFast = _areSmall = true;
             for each (var model:Model in models())
             {
                 measure(model);

@@ -4,61 +4,70 @@ package literal
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.libraries.HierarchyNode;
 
     /**
-     * The HierarchicalCollider as the thesis describes it (§4.6, §6.3.3): for each pair of nodes, both boxes are copied and
-     * transformed and tested by eight corners on fifteen axes, depth-first down to two leaves or the fifth level.
+     * The HierarchicalCollider as the thesis describes it (§4.5, §4.6): for each pair of nodes that is visited, both boxes are
+     * copied and put through scale, rotation and translation, then tested by eight corners on fifteen axes; where they
+     * intersect, each child of the one is visited with each of the other.
      */
     public final class LiteralHierarchicalCollider
     {
-        private static const MAX_DEPTH:int = 5;
+        private var _library:HierarchiesLibrary;
+        private var _maxDepth:int;
+        private var _agentA:Agent;
+        private var _agentB:Agent;
 
-        private var _roots:Object = {};
-
-        /** Builds the hierarchy of a shape. */
-        public function add(shape:String, vertices:Vector.<Number>):void
+        /**
+         * @param library has the hierarchies
+         * @param maxDepth how many levels are visited
+         */
+        public function LiteralHierarchicalCollider(library:HierarchiesLibrary, maxDepth:int = 5)
         {
-            _roots[shape] = LiteralHierarchyNode.of(vertices);
+            _library = library;
+            _maxDepth = maxDepth;
         }
 
         /** Whether two agents collide. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            return doNodesMeet(a, _roots[a.shape], b, _roots[b.shape], 1);
+            _agentA = a;
+            _agentB = b;
+            return nodesMeet(_library.root(a.shape), _library.root(b.shape), 1);
         }
 
-        private function doNodesMeet(a:Agent, nodeA:LiteralHierarchyNode, b:Agent, nodeB:LiteralHierarchyNode, level:int):Boolean
+        private function nodesMeet(a:HierarchyNode, b:HierarchyNode, depth:int):Boolean
         {
-            if (!boxBox(inWorld(a, nodeA), inWorld(b, nodeB)))
+            if (!boxBox(inWorld(a.bounds as Box, _agentA), inWorld(b.bounds as Box, _agentB)))
             {
                 return false;
             }
-            if (level == MAX_DEPTH || (nodeA.isLeaf && nodeB.isLeaf))
+            if (depth == _maxDepth || (a.isLeaf && b.isLeaf))
             {
                 return true;
             }
-            for each (var childA:LiteralHierarchyNode in nodeA.isLeaf ? [nodeA] : [nodeA.left, nodeA.right])
+            if (a.isLeaf)
             {
-                for each (var childB:LiteralHierarchyNode in nodeB.isLeaf ? [nodeB] : [nodeB.left, nodeB.right])
-                {
-                    if (doNodesMeet(a, childA, b, childB, level + 1))
-                    {
-                        return true;
-                    }
-                }
+                return nodesMeet(a, b.left, depth + 1) || nodesMeet(a, b.right, depth + 1);
             }
-            return false;
+            if (b.isLeaf)
+            {
+                return nodesMeet(a.left, b, depth + 1) || nodesMeet(a.right, b, depth + 1);
+            }
+            return nodesMeet(a.left, b.left, depth + 1) || nodesMeet(a.left, b.right, depth + 1)
+                || nodesMeet(a.right, b.left, depth + 1) || nodesMeet(a.right, b.right, depth + 1);
         }
 
-        private static function inWorld(agent:Agent, node:LiteralHierarchyNode):Box
+        private static function inWorld(box:Box, agent:Agent):Box
         {
-            var box:Box = node.box.clone() as Box;
+            var copy:Box = box.clone() as Box;
             var rotation:Matrix3D = new Matrix3D();
             rotation.appendRotation(agent.heading, Vector3D.Z_AXIS);
-            box.scale(agent.size);
-            box.rotate(rotation);
-            box.translate(new Vector3D(agent.x, agent.y, agent.z));
-            return box;
+            copy.scale(agent.size);
+            copy.rotate(rotation);
+            copy.translate(new Vector3D(agent.x, agent.y, agent.z));
+            return copy;
         }
     }
 }

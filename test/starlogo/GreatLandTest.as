@@ -24,6 +24,9 @@ package starlogo
         {
             assertTrue(_greatLand.loadTightestFit);
             assertFalse(_greatLand.loadAllBoundingStructures);
+            assertTrue(_greatLand.loadHierarchies);
+            assertEquals(5, _greatLand.hierarchies.minVerticesToSplit);
+            assertEquals(10, _greatLand.hierarchies.maxDepth);
             assertEquals(10, _greatLand.orientedBoxDegIncrement);
         }
 
@@ -43,6 +46,28 @@ package starlogo
             _greatLand.addModel(BuiltInModel.cylinder());
             assertTrue(_greatLand.hasModel("cylinder"));
             assertFalse(_greatLand.boundingStructures.has("cylinder"));
+        }
+
+        [Test]
+        public function buildsHierarchiesIfAsked():void
+        {
+            _greatLand.addModel(BuiltInModel.cube());
+            assertEquals(12, _greatLand.hierarchies.root("cube").triangleCount);
+            _greatLand.loadHierarchies = false;
+            _greatLand.addModel(BuiltInModel.sphere());
+            assertFalse(_greatLand.hierarchies.has("sphere"));
+            // the one of another model of the name would be wrong
+            _greatLand.addModel(BuiltInModel.cube());
+            assertFalse(_greatLand.hierarchies.has("cube"));
+        }
+
+        [Test]
+        public function aHierarchyThatFailsLeavesNothing():void
+        {
+            _greatLand.hierarchies.maxDepth = 0;
+            assertThrows(RangeError, /maxDepth/, _greatLand.addModel, BuiltInModel.cube());
+            assertFalse(_greatLand.hasModel("cube"));
+            assertFalse(_greatLand.boundingStructures.has("cube"));
         }
 
         [Test]

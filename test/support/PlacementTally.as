@@ -15,21 +15,14 @@ package support
         /** Placements that do not meet, but are told so. */
         public var falseHits:int = 0;
 
-        /** Pairs of nodes that were visited. */
-        public var visits:Number = 0;
-
-        private var _count:int = 0;
-
         public function PlacementTally(name:String)
         {
             this.name = name;
         }
 
         /** Counts an answer. */
-        public function add(isHit:Boolean, isTrue:Boolean, nodeVisits:int = 0):void
+        public function add(isHit:Boolean, isTrue:Boolean):void
         {
-            _count++;
-            visits += nodeVisits;
             if (isHit)
             {
                 isTrue ? found++ : falseHits++;
@@ -55,7 +48,7 @@ package support
         public function toString():String
         {
             return "  " + (name + "                              ").substr(0, 30) + " recall " + recall.toFixed(2) + " %, precision " + precision.toFixed(2)
-                + " %, " + missed + " missed, " + falseHits + " false" + (visits > 0 ? ", " + (visits / _count).toFixed(1) + " visits" : "");
+                + " %, " + missed + " missed, " + falseHits + " false";
         }
     }
 }

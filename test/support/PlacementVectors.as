@@ -32,6 +32,8 @@ package support
 
         private var _manifest:Object;
         private var _records:ByteArray;
+        private var _agentsA:Vector.<Agent> = new Vector.<Agent>();
+        private var _agentsB:Vector.<Agent> = new Vector.<Agent>();
 
         public function PlacementVectors()
         {
@@ -41,15 +43,17 @@ package support
             for each (var model:Object in _manifest.models)
             {
                 models.push(model.name);
+                _agentsA.push(new Agent(model.name));
+                _agentsB.push(new Agent(model.name));
             }
         }
 
-        /** Reads a pair: its agents are new ones. */
+        /** Reads a pair: its agents are those of all pairs of these models. */
         public function read(index:int):void
         {
             _records.position = index * _manifest.recordBytes;
-            a = new Agent(models[_records.readUnsignedByte()]);
-            b = new Agent(models[_records.readUnsignedByte()]);
+            a = _agentsA[_records.readUnsignedByte()];
+            b = _agentsB[_records.readUnsignedByte()];
             readTraits(a);
             readTraits(b);
             surfacesMeet = _records.readBoolean();

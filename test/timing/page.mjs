@@ -66,7 +66,7 @@ function table(figure, rows) {
 <tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
 
-const rowClass = (row) => (row[0] === '  thesis' ? ' class="thesis"' : /^exponent|^  of/.test(row[0]) ? ' class="sum"' : '');
+const rowClass = (row) => (row[0] === '  thesis' ? ' class="thesis"' : /^exponent|^  and/.test(row[0]) ? ' class="sum"' : '');
 
 /** A cell's text: what is tightest stands out, a spread stands back. */
 function mark(text) {

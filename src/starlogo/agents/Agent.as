@@ -20,22 +20,53 @@ package starlogo.agents
     {
         private static var sCreated:int = 0;
 
-        /** The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. */
+        /**
+         * The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>.
+         *
+         * @private
+         */
         engine var placement:Placement = new Placement();
 
-        /** Counts the changes of what decides the agent's world shape. */
+        /**
+         * Counts the changes of what decides the agent's world shape.
+         *
+         * @private
+         */
         engine var revision:int = 0;
 
-        /** What the collision system in use keeps with the agent from frame to frame. */
+        /**
+         * Counts those of the changes that are more than a move.
+         *
+         * @private
+         */
+        engine var form:int = 0;
+
+        /**
+         * What the collision system in use keeps with the agent from frame to frame.
+         *
+         * @private
+         */
         engine var userData:Object;
 
-        /** Where the agent stood in the list of the last frame: a hint, not a promise. */
+        /**
+         * Where the agent stood in the list of the last frame: a hint, not a promise.
+         *
+         * @private
+         */
         engine var slot:int = 0;
 
-        /** Who looked up the breed last, and what was found. */
+        /**
+         * Who looked up the breed last.
+         *
+         * @private
+         */
         engine var breedResolver:Object;
 
-        /** @copy #breedResolver */
+        /**
+         * What was found by who looked up the breed last.
+         *
+         * @private
+         */
         engine var breedIndex:int;
 
         /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
@@ -85,7 +116,7 @@ package starlogo.agents
             requireName("shape", value);
             _shape = value;
             userData = null;
-            revision++;
+            formChanged();
         }
 
         /** The name of the agent's breed. */
@@ -192,7 +223,7 @@ package starlogo.agents
                 throw new RangeError(this + ": size must be a positive, finite number, not " + value);
             }
             placement.size = value;
-            revision++;
+            formChanged();
         }
 
         /**
@@ -209,7 +240,7 @@ package starlogo.agents
             if (value != _hierarchical)
             {
                 _hierarchical = value;
-                revision++;
+                formChanged();
             }
         }
 
@@ -231,6 +262,7 @@ package starlogo.agents
                 throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
             }
             _traversalDepth = value;
+            formChanged();
         }
 
         /**
@@ -282,7 +314,11 @@ package starlogo.agents
             return "agent " + _id + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
         }
 
-        /** The agent's place in the world with its rotation up to date. */
+        /**
+         * The agent's place in the world with its rotation up to date.
+         *
+         * @private
+         */
         engine function worldPlacement():Placement
         {
             if (_rotationIsStale)
@@ -296,6 +332,12 @@ package starlogo.agents
         private function rotationChanged():void
         {
             _rotationIsStale = true;
+            formChanged();
+        }
+
+        private function formChanged():void
+        {
+            form++;
             revision++;
         }
 

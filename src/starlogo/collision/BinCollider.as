@@ -114,6 +114,8 @@ package starlogo.collision
 
         /**
          * Whether two bodies' world shapes meet; not called for two spheres.
+         *
+         * @private
          */
         internal function test(a:Body, b:Body):Boolean
         {
@@ -124,6 +126,7 @@ package starlogo.collision
          * Finds out what stands for an agent's model.
          *
          * @throws ArgumentError if the model is not known
+         * @private
          */
         internal function adopt(body:Body):void
         {
@@ -133,6 +136,8 @@ package starlogo.collision
 
         /**
          * Computes a body's world shape and its extents.
+         *
+         * @private
          */
         internal function place(body:Body):void
         {
@@ -146,6 +151,8 @@ package starlogo.collision
 
         /**
          * Begins to count the tests of a search.
+         *
+         * @private
          */
         internal function resetCounts():void
         {
@@ -153,6 +160,8 @@ package starlogo.collision
 
         /**
          * Counts the tests of the search by their kinds; the candidate pairs are counted already.
+         *
+         * @private
          */
         internal function countTests(statistics:CollisionStatistics):void
         {
@@ -161,6 +170,8 @@ package starlogo.collision
 
         /**
          * Takes a pair whose ground rectangles overlap: tests it, if somebody cares, and keeps it if it collides.
+         *
+         * @private
          */
         internal final function considerPair(a:Body, b:Body):void
         {
@@ -235,7 +246,7 @@ package starlogo.collision
                 }
                 if (body.revision != agent.revision)
                 {
-                    update(body);
+                    update(body, agent);
                 }
                 if (body.frame == frame)
                 {
@@ -277,7 +288,7 @@ package starlogo.collision
             }
             if (body.revision != agent.revision)
             {
-                update(body);
+                update(body, agent);
             }
             return body;
         }
@@ -290,19 +301,16 @@ package starlogo.collision
             return body;
         }
 
-        private function update(body:Body):void
+        private function update(body:Body, agent:Agent):void
         {
             place(body);
-            body.revision = body.agent.revision;
-            var half:Number = body.halfX;
-            if (body.halfY > half)
+            body.revision = agent.revision;
+            if (body.form != agent.form)
             {
-                half = body.halfY;
+                body.form = agent.form;
+                _bins.assignLevel(body);
             }
-            var x:Number = body.x;
-            var y:Number = body.y;
-            var level:BinLevel = body.level;
-            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || x * x + y * y >= level.reachSquared)
+            else if (body.x * body.x + body.y * body.y >= body.level.reachSquared)
             {
                 _bins.assignLevel(body);
             }

@@ -66,6 +66,13 @@ package starlogo.collision
         /** Empties the bins, with room for the bodies. */
         public function clearBins():void
         {
+            // bodies that have left the game are not held on to
+            bodies.length = count;
+            heads.length = 0;
+            if (count == 0)
+            {
+                return;
+            }
             // at least 64 lists, so that bins near each other never share one
             var bits:int = 6;
             while ((1 << bits) < 2 * count)
@@ -76,10 +83,7 @@ package starlogo.collision
             // odd, and about the square root: bins side by side, and a whole compact world, get lists of their own
             stride = (1 << ((bits + 1) >> 1)) + 1;
             // the player clears a vector that shrinks and grows natively
-            heads.length = 0;
             heads.length = 1 << bits;
-            // bodies that have left the game are not held on to
-            bodies.length = count;
         }
     }
 }

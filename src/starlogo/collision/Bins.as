@@ -47,8 +47,13 @@ package starlogo.collision
         /** Gives a body the level that its extents and its distance from the world's origin ask for. */
         public function assignLevel(body:Body):void
         {
-            var distance:Number = (body.x < 0 ? -body.x : body.x) + (body.y < 0 ? -body.y : body.y);
-            body.level = levelFor(Math.max(4 * Math.max(body.halfX, body.halfY), 2 * distance / BinLevel.REACH, MIN_WIDTH));
+            var half:Number = body.halfX > body.halfY ? body.halfX : body.halfY;
+            var level:BinLevel = body.level;
+            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || body.x * body.x + body.y * body.y >= level.reachSquared)
+            {
+                var distance:Number = Math.abs(body.x) + Math.abs(body.y);
+                body.level = levelFor(Math.max(4 * half, 2 * distance / BinLevel.REACH, MIN_WIDTH));
+            }
         }
 
         /** Finds the pairs whose rectangles overlap and hands each to the collider once. */
@@ -59,6 +64,7 @@ package starlogo.collision
             for (var i:int = 0; i < _levels.length; i++)
             {
                 var level:BinLevel = _levels[i];
+                level.clearBins();
                 if (level.count == 0)
                 {
                     continue;
@@ -70,7 +76,6 @@ package starlogo.collision
                         meet(level, _levels[coarser], collider);
                     }
                 }
-                level.clearBins();
                 meet(level, level, collider);
             }
         }

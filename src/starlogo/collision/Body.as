@@ -31,6 +31,9 @@ package starlogo.collision
         /** The agent's revision that the world shape belongs to. */
         public var revision:int = -1;
 
+        /** The agent's form that the extents belong to. */
+        public var form:int = -1;
+
         /** What stands for the model, in the model's space; null where the numbers below say it all. */
         public var structure:BoundingStructure;
 
@@ -54,6 +57,9 @@ package starlogo.collision
 
         /** Whether the hierarchy decides, and not the structure. */
         public var isHierarchical:Boolean;
+
+        /** The agent's own limit to the levels that are visited, or 0. */
+        public var depth:int = 0;
 
         /** The middle of the world shape's extents. */
         public var x:Number;
@@ -124,7 +130,8 @@ package starlogo.collision
         {
             if (!greatLand.hierarchies.has(agent.shape))
             {
-                throw new ArgumentError(agent + ": its model was added while loadHierarchies was off; set it, and add the model again");
+                throw new ArgumentError(agent
+                        + ": its model was added while loadHierarchies was off; set it, and add the model again");
             }
             hierarchy = greatLand.hierarchies.hierarchy(agent.shape);
         }

@@ -57,7 +57,11 @@ package starlogo.collision
             return _pairs[index * _breeds.length + otherIndex];
         }
 
-        /** The number of an agent's breed, remembered in the agent. */
+        /**
+         * The number of an agent's breed, remembered in the agent.
+         *
+         * @private
+         */
         engine function breedIndexOf(agent:Agent):int
         {
             if (agent.breedResolver !== _edition)

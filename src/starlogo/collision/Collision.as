@@ -33,6 +33,7 @@ package starlogo.collision
         private var _direction:int;
         private var _handler:int;
         private var _calls:int;
+        private var _listLength:int;
         private var _firstError:Error;
 
         /**
@@ -112,8 +113,14 @@ package starlogo.collision
             _firstError = null;
             _calls = 0;
             _isUpdating = true;
-            callHandlers(agents);
-            _isUpdating = false;
+            try
+            {
+                callHandlers(agents);
+            }
+            finally
+            {
+                _isUpdating = false;
+            }
             _statistics.handlerCalls = _calls;
             _statistics.frameMs = getTimer() - start;
             if (_firstError != null)
@@ -145,12 +152,18 @@ package starlogo.collision
             _pair = _direction = _handler = 0;
             while (_pair < _pairs.length)
             {
+                var calls:int = _calls;
                 try
                 {
                     callTheRest(agents);
                 }
                 catch (error:Error)
                 {
+                    if (_calls == calls)
+                    {
+                        // not a handler's: it would come again
+                        throw error;
+                    }
                     _firstError ||= error;
                 }
             }
@@ -187,8 +200,17 @@ package starlogo.collision
             {
                 return;
             }
-            while (_handler < handlers.length && isListed(collider, agents) && isListed(collidee, agents))
+            var count:int = handlers.length;
+            while (_handler < count)
             {
+                // mostly both still are where they were; a slot is less than the length that the list had
+                if (agents.length != _listLength || agents[collider.slot] !== collider || agents[collidee.slot] !== collidee)
+                {
+                    if (!isListed(collider, agents) || !isListed(collidee, agents))
+                    {
+                        return;
+                    }
+                }
                 var handler:Function = handlers[_handler];
                 _handler++;
                 _calls++;
@@ -198,27 +220,19 @@ package starlogo.collision
 
         private function rememberPlaces(agents:Vector.<Agent>):void
         {
-            var count:int = agents.length;
-            for (var i:int = 0; i < count; i++)
+            _listLength = agents.length;
+            for (var i:int = 0; i < _listLength; i++)
             {
                 agents[i].slot = i;
             }
         }
 
-        // Whether no handler has taken the agent out of the list. It mostly still is where it was.
-        private function isListed(agent:Agent, agents:Vector.<Agent>):Boolean
+        // Whether no handler has taken the agent out of the list; remembers where it is now.
+        private static function isListed(agent:Agent, agents:Vector.<Agent>):Boolean
         {
-            var slot:int = agent.slot;
-            if (slot < 0)
-            {
-                return false;
-            }
-            if (slot < agents.length && agents[slot] === agent)
-            {
-                return true;
-            }
-            agent.slot = agents.indexOf(agent);
-            return agent.slot >= 0;
+            var slot:int = agents.indexOf(agent);
+            agent.slot = slot < 0 ? 0 : slot;
+            return slot >= 0;
         }
     }
 }

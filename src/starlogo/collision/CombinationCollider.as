@@ -59,7 +59,7 @@ package starlogo.collision
             _maxDepth = value;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function adopt(body:Body):void
         {
             _greatLand.requireModel(body.agent);
@@ -67,7 +67,7 @@ package starlogo.collision
 
         // The agent's trait may have changed, which counts as a change of the agent.
 
-        /** @inheritDoc */
+        /** @private */
         override internal function place(body:Body):void
         {
             if (body.agent.hierarchical)
@@ -81,6 +81,7 @@ package starlogo.collision
                 body.isSphere = false;
                 body.hierarchy.root.bounds.place(body.agent.worldPlacement(), body.worldRoot);
                 body.takeExtentsOf(body.worldRoot);
+                body.depth = body.agent.traversalDepth;
                 return;
             }
             if (body.structure == null)
@@ -92,7 +93,7 @@ package starlogo.collision
             super.place(body);
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function test(a:Body, b:Body):Boolean
         {
             if (!a.isHierarchical && !b.isHierarchical)
@@ -109,14 +110,14 @@ package starlogo.collision
             return _traversal.bodiesMeet(a, b, _maxDepth, exact);
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function resetCounts():void
         {
             super.resetCounts();
             _traversal.resetCounts();
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function countTests(statistics:CollisionStatistics):void
         {
             super.countTests(statistics);

@@ -15,6 +15,11 @@ package starlogo.collision
      * overlap and are leaves or at the depth limit (§4.6). A depth counts levels, the root being level 1; where one
      * hierarchy ends before the other, only the other is descended further.</p>
      *
+     * <p>The thesis puts the two structures of each pair of nodes into the world (§4.5), and goes down in both hierarchies at
+     * once (§4.6). Here one transform for each pair of agents serves all their nodes, and where two nodes overlap the
+     * larger one is divided, or both where one's middle is in the other. The answers are the same but that an overlap of two
+     * nodes at their depth limits counts, whatever their levels.</p>
+     *
      * <p>With models that have triangles, no depth ever misses a collision of the surfaces, and a greater depth finds fewer
      * false ones; see HierarchiesLibrary.</p>
      */
@@ -64,7 +69,7 @@ package starlogo.collision
             _maxDepth = value;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function adopt(body:Body):void
         {
             _greatLand.requireModel(body.agent);
@@ -74,14 +79,15 @@ package starlogo.collision
             body.isHierarchical = true;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function place(body:Body):void
         {
             body.structure.place(body.agent.worldPlacement(), body.world);
             body.takeExtentsOf(body.world);
+            body.depth = body.agent.traversalDepth;
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function test(a:Body, b:Body):Boolean
         {
             var distance:Number = a.z - b.z;
@@ -93,13 +99,13 @@ package starlogo.collision
             return _traversal.bodiesMeet(a, b, _maxDepth, exact);
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function resetCounts():void
         {
             _traversal.resetCounts();
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function countTests(statistics:CollisionStatistics):void
         {
             _traversal.countInto(statistics);

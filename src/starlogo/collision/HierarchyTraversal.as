@@ -40,8 +40,9 @@ package starlogo.collision
         /** Pairs of triangles that were tested. */
         public var triangleTests:int;
 
-        // Takes the second model into the space of the first.
+        // Takes the second model into the space of the first; and whether both are turned about z only, as almost always.
         private var _relative:Placement = new Placement();
+        private var _isUpright:Boolean;
 
         // The rows of its rotation, scaled, and their absolute values, those widened by a rounding error: it makes up for
         // cross products of nearly parallel edges, which cancel (Ericson, §4.4.1).
@@ -67,6 +68,9 @@ package starlogo.collision
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
+        // A box that stands for a model, with its own axes.
+        private var _leaf:HierarchyNode = new HierarchyNode();
+
         // By kind: a structure of the second model in the space of the first.
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0),
@@ -80,6 +84,9 @@ package starlogo.collision
         /** Nothing counted yet. */
         public function HierarchyTraversal()
         {
+            _relative.isUpright = false;
+            _leaf.level = 1;
+            _leaf.x = _leaf.y = _leaf.z = 0;
         }
 
         /** Begins to count. */
@@ -99,84 +106,83 @@ package starlogo.collision
         /**
          * Whether two bodies meet of which one is hierarchical at least. The answer does not depend on their order.
          *
-         * @param a a body
-         * @param b another body
-         * @param maxDepth the depth limit of those whose agents have none of their own
-         * @param exact as for hierarchiesMeet
+         * @param first a body
+         * @param second another body
+         * @param maxDepth how many levels are visited of those whose agents have no depth of their own; the root is one
+         * @param exact whether, for two hierarchies of triangles, depths do not count, triangles decide, and a model inside
+         *     of a closed one meets it
          */
-        public function bodiesMeet(a:Body, b:Body, maxDepth:int, exact:Boolean):Boolean
+        public function bodiesMeet(first:Body, second:Body, maxDepth:int, exact:Boolean):Boolean
         {
-            if (a.serial > b.serial)
+            var bodyA:Body = first;
+            var bodyB:Body = second;
+            if (first.serial > second.serial)
             {
-                var first:Body = b;
-                b = a;
-                a = first;
+                bodyA = second;
+                bodyB = first;
             }
-            var depthA:int = a.agent.traversalDepth;
-            var depthB:int = b.agent.traversalDepth;
-            depthA = depthA == 0 ? maxDepth : depthA;
-            depthB = depthB == 0 ? maxDepth : depthB;
-            if (!a.isHierarchical)
-            {
-                return structureMeets(b.hierarchy, b.agent.placement, depthB, a.structure, a.agent.placement);
-            }
-            if (!b.isHierarchical)
-            {
-                return structureMeets(a.hierarchy, a.agent.placement, depthA, b.structure, b.agent.placement);
-            }
-            return hierarchiesMeet(a.hierarchy, a.agent.placement, depthA, b.hierarchy, b.agent.placement, depthB, exact);
-        }
-
-        /**
-         * Whether two hierarchies meet.
-         *
-         * @param a the one hierarchy
-         * @param placementA where its model stands
-         * @param depthA how many of its levels are visited; the root is one
-         * @param b the other hierarchy
-         * @param placementB where its model stands
-         * @param depthB how many of its levels are visited
-         * @param exact whether the depth limits do not count, triangles decide, and a model inside of a closed one meets it
-         */
-        public function hierarchiesMeet(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
-                exact:Boolean):Boolean
-        {
             pairs++;
-            relate(placementA, placementB);
-            exact = exact && a.hasTriangles && b.hasTriangles;
+            if (!bodyA.isHierarchical)
+            {
+                return structureMeets(bodyB, bodyB.depth == 0 ? maxDepth : bodyB.depth, bodyA);
+            }
+            var depthA:int = bodyA.depth == 0 ? maxDepth : bodyA.depth;
+            if (!bodyB.isHierarchical)
+            {
+                return structureMeets(bodyA, depthA, bodyB);
+            }
+            var depthB:int = bodyB.depth == 0 ? maxDepth : bodyB.depth;
+            relate(bodyA.agent.placement, bodyB.agent.placement);
+            var a:Hierarchy = bodyA.hierarchy;
+            var b:Hierarchy = bodyB.hierarchy;
             if (exact)
             {
-                depthA = depthB = int.MAX_VALUE;
-                a.prepareTriangles();
-                b.prepareTriangles();
-                _cornersOf = null;
-                _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _relative.size);
+                exact = prepareTriangles(a, b);
+                if (exact)
+                {
+                    depthA = depthB = int.MAX_VALUE;
+                }
             }
             var meet:Boolean;
-            if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+            if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
-                meet = boxesMeet(a.root, depthA, b.root, depthB, exact);
+                meet = structuresMeet(a.root, depthA, b.root, depthB, exact);
+            }
+            else if (_isUpright)
+            {
+                meet = uprightBoxesMeet(a.root, depthA, b.root, depthB, exact);
             }
             else
             {
-                meet = structuresMeet(a.root, depthA, b.root, depthB, exact);
+                meet = boxesMeet(a.root, depthA, b.root, depthB, exact);
             }
             return meet || (exact && (isInside(b, a) || isInsideOut(a, b)));
         }
 
-        /**
-         * Whether a hierarchy and a structure meet.
-         *
-         * @param a the hierarchy
-         * @param placementA where its model stands
-         * @param depthA how many of its levels are visited
-         * @param structure in its model's space
-         * @param placementB where that model stands
-         */
-        public function structureMeets(a:Hierarchy, placementA:Placement, depthA:int, structure:BoundingStructure, placementB:Placement):Boolean
+        private function prepareTriangles(a:Hierarchy, b:Hierarchy):Boolean
         {
-            pairs++;
-            relate(placementA, placementB);
+            if (!a.hasTriangles || !b.hasTriangles)
+            {
+                return false;
+            }
+            a.prepareTriangles();
+            b.prepareTriangles();
+            _cornersOf = null;
+            _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _relative.size);
+            return true;
+        }
+
+        // Whether a hierarchy meets the structure of another body.
+        private function structureMeets(hierarchical:Body, depthA:int, other:Body):Boolean
+        {
+            var a:Hierarchy = hierarchical.hierarchy;
+            var structure:BoundingStructure = other.structure;
+            relate(hierarchical.agent.placement, other.agent.placement);
+            if (structure.kind == BoundingStructure.BOX && a.boundsKind == BoundingStructure.BOX)
+            {
+                relateToAxesOf(structure as Box);
+                return boxesMeet(a.root, depthA, _leaf, 1, false);
+            }
             var moved:BoundingStructure = structure.place(_relative, _moved[structure.kind]);
             var stack:Vector.<HierarchyNode> = _stack;
             var node:HierarchyNode = a.root;
@@ -186,7 +192,7 @@ package starlogo.collision
                 nodeVisits++;
                 if (intersects(structureOf(node), moved))
                 {
-                    if (node.isLeaf || node.level >= depthA)
+                    if (node.endLevel >= depthA)
                     {
                         return true;
                     }
@@ -222,11 +228,11 @@ package starlogo.collision
             var y:Number = (b.y - a.y) / a.size;
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = _relative;
-            relative.isUpright = false;
             relative.size = scale;
-            // both upright but for their headings, as almost always; the other entries are then exactly 0
-            if (a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1)
+            _isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
+            if (_isUpright)
             {
+                // the other entries are exactly 0
                 relative.x = a00 * x + a10 * y;
                 relative.y = a01 * x + a11 * y;
                 relative.z = z;
@@ -260,6 +266,222 @@ package starlogo.collision
             relative.r20 = a02 * b00 + a12 * b10 + a22 * b20;
             relative.r21 = a02 * b01 + a12 * b11 + a22 * b21;
             relative.r22 = a02 * b02 + a12 * b12 + a22 * b22;
+        }
+
+        // Takes the box for a leaf in a space of its own, that of its axes.
+        private function relateToAxesOf(box:Box):void
+        {
+            var relative:Placement = _relative;
+            var scale:Number = relative.size;
+            var r00:Number = relative.r00;
+            var r01:Number = relative.r01;
+            var r02:Number = relative.r02;
+            var r10:Number = relative.r10;
+            var r11:Number = relative.r11;
+            var r12:Number = relative.r12;
+            var r20:Number = relative.r20;
+            var r21:Number = relative.r21;
+            var r22:Number = relative.r22;
+            var vector:Vector3D = box.center;
+            var x:Number = vector.x * scale;
+            var y:Number = vector.y * scale;
+            var z:Number = vector.z * scale;
+            relative.x += r00 * x + r01 * y + r02 * z;
+            relative.y += r10 * x + r11 * y + r12 * z;
+            relative.z += r20 * x + r21 * y + r22 * z;
+            vector = box.axisX;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r00 = r00 * x + r01 * y + r02 * z;
+            relative.r10 = r10 * x + r11 * y + r12 * z;
+            relative.r20 = r20 * x + r21 * y + r22 * z;
+            vector = box.axisY;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r01 = r00 * x + r01 * y + r02 * z;
+            relative.r11 = r10 * x + r11 * y + r12 * z;
+            relative.r21 = r20 * x + r21 * y + r22 * z;
+            vector = box.axisZ;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r02 = r00 * x + r01 * y + r02 * z;
+            relative.r12 = r10 * x + r11 * y + r12 * z;
+            relative.r22 = r20 * x + r21 * y + r22 * z;
+            var leaf:HierarchyNode = _leaf;
+            var middle:Vector3D = box.center;
+            var distance:Number = Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z);
+            var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
+            var halfX:Number = box.halfX + margin;
+            var halfY:Number = box.halfY + margin;
+            var halfZ:Number = box.halfZ + margin;
+            leaf.halfX = halfX;
+            leaf.halfY = halfY;
+            leaf.halfZ = halfZ;
+            leaf.radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+            leaf.innerRadius = halfX < halfY ? halfX : halfY;
+            if (halfZ < leaf.innerRadius)
+            {
+                leaf.innerRadius = halfZ;
+            }
+        }
+
+        // For models that are turned about z only, as almost always: five axes are all there are, and three of them are
+        // settled by few products. Otherwise like boxesMeet.
+        private function uprightBoxesMeet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:Boolean):Boolean
+        {
+            var relative:Placement = _relative;
+            var scale:Number = relative.size;
+            var moveX:Number = relative.x;
+            var moveY:Number = relative.y;
+            var moveZ:Number = relative.z;
+            var cos:Number = relative.r00 * scale;
+            var sin:Number = relative.r10 * scale;
+            var widened:Number = Tolerances.ROUNDING * scale;
+            var absCos:Number = (cos < 0 ? -cos : cos) + widened;
+            var absSin:Number = (sin < 0 ? -sin : sin) + widened;
+            var scaleSquared:Number = scale * scale;
+            var stack:Vector.<HierarchyNode> = _stack;
+            var top:int = 0;
+            var visits:int = 0;
+            while (true)
+            {
+                visits++;
+                var overlap:Boolean = false;
+                var z:Number = scale * b.z + moveZ - a.z;
+                var reach:Number = a.halfZ + scale * b.halfZ;
+                if ((z < 0 ? -z : z) <= reach)
+                {
+                    var bX:Number = b.x;
+                    var bY:Number = b.y;
+                    var x:Number = cos * bX - sin * bY + moveX - a.x;
+                    var y:Number = sin * bX + cos * bY + moveY - a.y;
+                    var halfX:Number = a.halfX;
+                    var halfY:Number = a.halfY;
+                    var distanceX:Number = x < 0 ? -x : x;
+                    var distanceY:Number = y < 0 ? -y : y;
+                    var isDeep:Boolean = false;
+                    if (distanceX <= halfX)
+                    {
+                        isDeep = distanceY <= halfY;
+                    }
+                    if (isDeep)
+                    {
+                        // b's middle is over a: a child of a most likely overlaps b too, and both are divided at once
+                        if (a.endLevel < depthA)
+                        {
+                            if (b.endLevel < depthB)
+                            {
+                                var axis:int = a.splitAxis;
+                                var near:HierarchyNode = a.left;
+                                var far:HierarchyNode = a.right;
+                                if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                                {
+                                    near = far;
+                                    far = a.left;
+                                }
+                                stack[top] = far;
+                                stack[int(top + 1)] = b;
+                                stack[int(top + 2)] = near;
+                                x += a.x - near.x;
+                                y += a.y - near.y;
+                                axis = b.splitAxis;
+                                if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z + a.z - near.z)) < 0)
+                                {
+                                    stack[int(top + 3)] = b.left;
+                                    b = b.right;
+                                }
+                                else
+                                {
+                                    stack[int(top + 3)] = b.right;
+                                    b = b.left;
+                                }
+                                a = near;
+                                top += 4;
+                                continue;
+                            }
+                        }
+                        overlap = true;
+                    }
+                    else
+                    {
+                        bX = b.halfX;
+                        bY = b.halfY;
+                        if (distanceX <= halfX + absCos * bX + absSin * bY)
+                        {
+                            if (distanceY <= halfY + absSin * bX + absCos * bY)
+                            {
+                                var along:Number = cos * x + sin * y;
+                                reach = scaleSquared * bX + absCos * halfX + absSin * halfY;
+                                if ((along < 0 ? -along : along) <= reach)
+                                {
+                                    along = cos * y - sin * x;
+                                    reach = scaleSquared * bY + absSin * halfX + absCos * halfY;
+                                    overlap = (along < 0 ? -along : along) <= reach;
+                                }
+                            }
+                        }
+                    }
+                }
+                if (overlap)
+                {
+                    var aEnds:Boolean = a.endLevel >= depthA;
+                    var bEnds:Boolean = b.endLevel >= depthB;
+                    if (aEnds && bEnds)
+                    {
+                        if (!exact || leavesMeet(a, b))
+                        {
+                            nodeVisits += visits;
+                            return true;
+                        }
+                    }
+                    else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
+                    {
+                        axis = a.splitAxis;
+                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        {
+                            stack[top] = a.left;
+                            a = a.right;
+                        }
+                        else
+                        {
+                            stack[top] = a.right;
+                            a = a.left;
+                        }
+                        stack[int(top + 1)] = b;
+                        top += 2;
+                        continue;
+                    }
+                    else
+                    {
+                        axis = b.splitAxis;
+                        stack[top] = a;
+                        if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z)) < 0)
+                        {
+                            stack[int(top + 1)] = b.left;
+                            b = b.right;
+                        }
+                        else
+                        {
+                            stack[int(top + 1)] = b.right;
+                            b = b.left;
+                        }
+                        top += 2;
+                        continue;
+                    }
+                }
+                if (top == 0)
+                {
+                    nodeVisits += visits;
+                    return false;
+                }
+                top -= 2;
+                a = stack[top];
+                b = stack[int(top + 1)];
+            }
+            return false;
         }
 
         // The inner loop of every frame: all is in locals, and nothing is called but where boxes decide.
@@ -327,13 +549,14 @@ package starlogo.collision
                     gapSquared += gap * gap;
                 }
                 var overlap:Boolean = false;
+                var isDeep:Boolean = false;
                 var reach:Number = scale * b.radius;
                 if (gapSquared <= reach * reach)
                 {
                     reach = scale * b.innerRadius;
                     if (gapSquared <= reach * reach)
                     {
-                        overlap = true;
+                        overlap = isDeep = true;
                     }
                     else
                     {
@@ -370,8 +593,8 @@ package starlogo.collision
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.isLeaf || a.level >= depthA;
-                    var bEnds:Boolean = b.isLeaf || b.level >= depthB;
+                    var aEnds:Boolean = a.endLevel >= depthA;
+                    var bEnds:Boolean = b.endLevel >= depthB;
                     var axis:int;
                     if (aEnds && bEnds)
                     {
@@ -382,6 +605,11 @@ package starlogo.collision
                                 nodeVisits += visits;
                                 return true;
                             }
+                        }
+                        else if (isDeep)
+                        {
+                            nodeVisits += visits;
+                            return true;
                         }
                         else
                         {
@@ -396,6 +624,38 @@ package starlogo.collision
                                 return true;
                             }
                         }
+                    }
+                    else if (isDeep && !aEnds && !bEnds)
+                    {
+                        // a child of a most likely overlaps b too: both are divided at once
+                        axis = a.splitAxis;
+                        var near:HierarchyNode = a.left;
+                        stack[top] = a.right;
+                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        {
+                            stack[top] = near;
+                            near = a.right;
+                        }
+                        stack[int(top + 1)] = b;
+                        x += a.x - near.x;
+                        y += a.y - near.y;
+                        z += a.z - near.z;
+                        a = near;
+                        axis = b.splitAxis;
+                        stack[int(top + 2)] = a;
+                        if ((axis == 0 ? m00 * x + m10 * y + m20 * z
+                                    : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
+                        {
+                            stack[int(top + 3)] = b.left;
+                            b = b.right;
+                        }
+                        else
+                        {
+                            stack[int(top + 3)] = b.right;
+                            b = b.left;
+                        }
+                        top += 4;
+                        continue;
                     }
                     else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
                     {
@@ -547,8 +807,8 @@ package starlogo.collision
                 var moved:BoundingStructure = structure.place(_relative, _moved[structure.kind]);
                 if (intersects(structureOf(a), moved))
                 {
-                    var aEnds:Boolean = a.isLeaf || a.level >= depthA;
-                    var bEnds:Boolean = b.isLeaf || b.level >= depthB;
+                    var aEnds:Boolean = a.endLevel >= depthA;
+                    var bEnds:Boolean = b.endLevel >= depthB;
                     if (aEnds && bEnds)
                     {
                         if (!exact || leavesMeet(a, b))
@@ -618,7 +878,15 @@ package starlogo.collision
                 at = end = Box(structure).center;
             }
             var axis:int = node.splitAxis;
-            var beyond:Number = axis == 0 ? at.x + end.x - 2 * node.x : (axis == 1 ? at.y + end.y - 2 * node.y : at.z + end.z - 2 * node.z);
+            var beyond:Number = at.z + end.z - 2 * node.z;
+            if (axis == 0)
+            {
+                beyond = at.x + end.x - 2 * node.x;
+            }
+            else if (axis == 1)
+            {
+                beyond = at.y + end.y - 2 * node.y;
+            }
             return beyond > 0 ? node.right : node.left;
         }
 

@@ -43,7 +43,7 @@ package starlogo.collision
             super(greatLand);
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function adopt(body:Body):void
         {
             var agent:Agent = body.agent;
@@ -64,7 +64,7 @@ package starlogo.collision
             }
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function place(body:Body):void
         {
             var placement:Placement = body.agent.worldPlacement();
@@ -85,7 +85,7 @@ package starlogo.collision
             }
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function test(a:Body, b:Body):Boolean
         {
             _pairsOfOthers++;
@@ -114,7 +114,7 @@ package starlogo.collision
             return intersects(a.world, b.world);
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function resetCounts():void
         {
             _pairsOfOthers = _boxBoxTests = 0;
@@ -124,7 +124,7 @@ package starlogo.collision
             }
         }
 
-        /** @inheritDoc */
+        /** @private */
         override internal function countTests(statistics:CollisionStatistics):void
         {
             statistics.sphereSphereTests = statistics.candidatePairs - _pairsOfOthers + testsOf(BoundingStructure.SPHERE, BoundingStructure.SPHERE);

@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Tolerances;
 
     /**
      * The smallest box with one axis along a given direction, exactly: its other axes lie along the sides of the smallest
@@ -14,14 +15,8 @@ package starlogo.fitting
      */
     public final class BoxAlongAxis
     {
-        // Corners closer than this in the picture, as a fraction of the extent, are one: edges along the direction vanish.
-        private static const SAME:Number = 1e-11;
-
-        // The sine of the angle up to which a way leads straight back.
-        private static const BACK:Number = 1e-9;
-
-        // The slope up to which a side of the outline counts as level.
-        private static const LEVEL:Number = 1e-12;
+        private static const BACK:Number = Tolerances.OUTLINE_BACK;
+        private static const LEVEL:Number = Tolerances.OUTLINE_LEVEL;
 
         /** Unit vector along one side of the box last measured, perpendicular to the direction; the third follows. */
         public var sideX:Number = 0;
@@ -65,7 +60,7 @@ package starlogo.fitting
             _points = hull.convexPoints;
             _firstNeighbor = hull.firstNeighbor;
             _neighbors = hull.neighbors;
-            _same = Math.pow(SAME * hull.extent, 2);
+            _same = Math.pow(Tolerances.OUTLINE_SAME * hull.extent, 2);
         }
 
         /**
@@ -217,6 +212,7 @@ package starlogo.fitting
                         continue;
                     }
                     var turn:Number = alongU * toV - alongV * toU;
+                    // straight back, or by rounding beyond it
                     if (turn <= -BACK * (alongU * toU + alongV * toV))
                     {
                         continue;

@@ -238,25 +238,29 @@ package starlogo.fitting
         {
             var turned:Vector.<Number> = _turned;
             var neighbors:Vector.<int> = _neighbors;
+            var firstNeighbor:Vector.<int> = _firstNeighbor;
             var at:int = 3 * corner;
             var best:Number = alongX * turned[at] + alongY * turned[at + 1];
-            var from:int;
-            do
+            var end:int = firstNeighbor[corner + 1];
+            var i:int = firstNeighbor[corner];
+            while (i < end)
             {
-                from = corner;
-                var end:int = _firstNeighbor[from + 1];
-                for (var i:int = _firstNeighbor[from]; i < end; i++)
+                var neighbor:int = neighbors[i];
+                at = 3 * neighbor;
+                var value:Number = alongX * turned[at] + alongY * turned[at + 1];
+                if (value > best)
                 {
-                    at = 3 * neighbors[i];
-                    var value:Number = alongX * turned[at] + alongY * turned[at + 1];
-                    if (value > best)
-                    {
-                        best = value;
-                        corner = neighbors[i];
-                    }
+                    // on from there at once: to see whether another neighbour is better still costs more than it brings
+                    best = value;
+                    corner = neighbor;
+                    i = firstNeighbor[corner];
+                    end = firstNeighbor[corner + 1];
+                }
+                else
+                {
+                    i++;
                 }
             }
-            while (corner != from);
             return corner;
         }
 

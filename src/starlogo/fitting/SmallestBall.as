@@ -1,5 +1,7 @@
 package starlogo.fitting
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * The smallest ball around points, exactly: the one through at most four of them that holds all (Welzl, "Smallest
      * Enclosing Disks (Balls and Ellipsoids)", 1991).
@@ -12,13 +14,6 @@ package starlogo.fitting
      */
     public final class SmallestBall
     {
-        // how far a point of the few may be outside the ball through others, relative, before that is no candidate
-        private static const SLACK:Number = 1e-12;
-        // points this close to being in a plane, on a line or one leave no ball through all of them
-        private static const SINGULAR:Number = 1e-13;
-        // a gain of the radius below this is rounding
-        private static const GAIN:Number = 1e-14;
-
         // Everything below is seen from the first point: far from the origin nothing is lost to rounding.
         private var _originX:Number;
         private var _originY:Number;
@@ -85,7 +80,7 @@ package starlogo.fitting
                 var toX:Number = points[i] - _originX;
                 var toY:Number = points[i + 1] - _originY;
                 var toZ:Number = points[i + 2] - _originZ;
-                grows = squareFrom(toX, toY, toZ) > _square * (1 + GAIN) && hold(toX, toY, toZ);
+                grows = squareFrom(toX, toY, toZ) > _square * (1 + Tolerances.BALL_GAIN) && hold(toX, toY, toZ);
             }
         }
 
@@ -142,7 +137,7 @@ package starlogo.fitting
                     best = chosen;
                 }
             }
-            if (best == null || least <= _square * (1 + GAIN))
+            if (best == null || least <= _square * (1 + Tolerances.BALL_GAIN))
             {
                 return false;
             }
@@ -175,7 +170,7 @@ package starlogo.fitting
                 var toX:Number = points[i] - _tryX;
                 var toY:Number = points[i + 1] - _tryY;
                 var toZ:Number = points[i + 2] - _tryZ;
-                if (toX * toX + toY * toY + toZ * toZ > _trySquare * (1 + SLACK))
+                if (toX * toX + toY * toY + toZ * toZ > _trySquare * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
                 }
@@ -250,7 +245,7 @@ package starlogo.fitting
                         pivot = row;
                     }
                 }
-                if (!(g[pivot * width + pivot] > SINGULAR * scales[pivot]))
+                if (!(g[pivot * width + pivot] > Tolerances.BALL_SINGULAR * scales[pivot]))
                 {
                     return null;
                 }

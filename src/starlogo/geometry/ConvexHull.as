@@ -15,6 +15,9 @@ package starlogo.geometry
      */
     public final class ConvexHull
     {
+        // Beyond it the cubes and squares of coordinates overflow.
+        private static const LARGEST:Number = 1e100;
+
         private var _vertices:Vector.<Number>;
         private var _count:int;
         private var _dimension:int;
@@ -35,7 +38,7 @@ package starlogo.geometry
          *
          * @param vertices x, y, z of each vertex, in any one unit; kept, not copied, and never changed
          * @throws ArgumentError if it is null or empty, has a length that is no multiple of 3, or holds a number that is not
-         *         finite
+         *         finite or beyond 1e100
          */
         public function ConvexHull(vertices:Vector.<Number>)
         {
@@ -223,6 +226,10 @@ package starlogo.geometry
             for (var i:int = 0; i < 6; i++)
             {
                 largest = Math.max(largest, Math.abs(box[i]));
+            }
+            if (largest > LARGEST)
+            {
+                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
             }
             var flat:Number = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
             var a:int = farthestFrom((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
@@ -504,13 +511,14 @@ package starlogo.geometry
         private function mesh(faces:Vector.<HullFace>):void
         {
             var place:Vector.<int> = new Vector.<int>(_count);
-            var face:HullFace;
-            for each (face in faces)
+            var count:int = faces.length;
+            var i:int;
+            for (i = 0; i < count; i++)
             {
-                place[face.a] = place[face.b] = place[face.c] = 1;
+                place[faces[i].a] = place[faces[i].b] = place[faces[i].c] = 1;
             }
             var corners:Vector.<int> = new Vector.<int>();
-            for (var i:int = 0; i < _count; i++)
+            for (i = 0; i < _count; i++)
             {
                 if (place[i] == 1)
                 {
@@ -519,14 +527,17 @@ package starlogo.geometry
                 }
             }
             number(corners);
-            var pairs:Vector.<int> = new Vector.<int>();
-            for each (face in faces)
+            var pairs:Vector.<int> = new Vector.<int>(6 * count);
+            _triangles.length = 3 * count;
+            for (i = 0; i < count; i++)
             {
-                var a:int = place[face.a];
-                var b:int = place[face.b];
-                var c:int = place[face.c];
-                _triangles.push(a, b, c);
-                pairs.push(a, b, b, c, c, a);
+                var a:int = place[faces[i].a];
+                var b:int = place[faces[i].b];
+                var c:int = place[faces[i].c];
+                var at:int = 3 * i;
+                _triangles[at] = pairs[2 * at] = pairs[2 * at + 5] = a;
+                _triangles[at + 1] = pairs[2 * at + 1] = pairs[2 * at + 2] = b;
+                _triangles[at + 2] = pairs[2 * at + 3] = pairs[2 * at + 4] = c;
             }
             link(pairs);
         }

@@ -379,9 +379,9 @@ package starlogo.geometry
             for (i = 0; i < faces.length; i++)
             {
                 var face:HullFace = faces[i];
-                countEdge(edgeEnds, face, face.acrossAB, face.a);
-                countEdge(edgeEnds, face, face.acrossBC, face.b);
-                countEdge(edgeEnds, face, face.acrossCA, face.c);
+                countEdge(edgeEnds, face, face.acrossAB, face.a, face.b);
+                countEdge(edgeEnds, face, face.acrossBC, face.b, face.c);
+                countEdge(edgeEnds, face, face.acrossCA, face.c, face.a);
             }
             var corners:Vector.<int> = new Vector.<int>();
             var areAll:Boolean = true;
@@ -399,9 +399,13 @@ package starlogo.geometry
             return areAll ? null : corners;
         }
 
-        // Each edge is met twice, once from either end. It is none of a flat side if the neighbour's third corner is below it.
-        private function countEdge(edgeEnds:Vector.<int>, face:HullFace, neighbor:HullFace, from:int):void
+        // Each edge is met twice, and counted once. It is none of a flat side if the neighbour's third corner is below it.
+        private function countEdge(edgeEnds:Vector.<int>, face:HullFace, neighbor:HullFace, from:int, to:int):void
         {
+            if (from > to)
+            {
+                return;
+            }
             var third:int = neighbor.a;
             if (third == face.a || third == face.b || third == face.c)
             {
@@ -414,6 +418,7 @@ package starlogo.geometry
             if (side(face, third) != 0)
             {
                 edgeEnds[from]++;
+                edgeEnds[to]++;
             }
         }
     }

@@ -91,6 +91,40 @@ package starlogo.geometry
         public static const FIT_TIE:Number = 1e-9;
 
         /**
+         * How far a point may be outside of the sphere through others that is tried as the smallest, as a fraction of its squared
+         * radius. Below 1e-14: rounding may leave no sphere that holds all. Larger: smallest spheres get larger by as much.
+         */
+        public static const BALL_SLACK:Number = 1e-12;
+
+        /**
+         * When points are as good as in one plane, on one line or in one place with others, so that no sphere is laid through
+         * them all: the share of a squared distance that is left across those others. Larger: smallest spheres of points that are
+         * nearly flat may be missed. Smaller: centres far away, that are nothing but rounding, are tried.
+         */
+        public static const BALL_SINGULAR:Number = 1e-13;
+
+        /**
+         * The fraction by which the squared radius of the smallest sphere must grow with a point for it to be outside. Zero: the
+         * search may go round in circles. Larger: points are found to be inside that are not, by half as much.
+         */
+        public static const BALL_GAIN:Number = 1e-14;
+
+        /**
+         * How close two corners of a hull are one corner of its outline, as a fraction of the hull's extent: edges that are seen
+         * end on. Below 1e-14: their directions are nothing but rounding. Above 3e-8, the hull's grid: corners of the outline are lost.
+         */
+        public static const OUTLINE_SAME:Number = 1e-11;
+
+        /**
+         * The sine of the angle up to which an edge of an outline leads straight back. Smaller: rounding may send a walk round
+         * the outline back along a side seen edge on. Larger: outlines with corners as sharp as that are walked wrongly.
+         */
+        public static const OUTLINE_BACK:Number = 1e-9;
+
+        /** The slope up to which an edge of an outline is level: rounding may tilt it as much. */
+        public static const OUTLINE_LEVEL:Number = 1e-12;
+
+        /**
          * The gap across which the surfaces of two models still touch, as a fraction of the sum of the radii of spheres
          * around both. Smaller than 1e-14: surfaces that touch may, turned, be told apart by rounding. Larger: surfaces
          * with a gap between them collide.

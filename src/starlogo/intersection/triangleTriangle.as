@@ -55,8 +55,9 @@ package starlogo.intersection
         var atR:Number = nx * rx + ny * ry + nz * rz;
         if (atP > 0 && atQ > 0 && atR > 0 || atP < 0 && atQ < 0 && atR < 0)
         {
-            var reach:Number = limit * areaA;
-            if (atP * atP > reach && atQ * atQ > reach && atR * atR > reach)
+            // a needle's own corners need not be on the plane that was computed
+            if (separates(nx, ny, nz,
+                        ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
             {
                 return false;
             }
@@ -78,8 +79,8 @@ package starlogo.intersection
         atR = atP + mx * vx + my * vy + mz * vz;
         if (atP > 0 && atQ > 0 && atR > 0 || atP < 0 && atQ < 0 && atR < 0)
         {
-            reach = limit * areaB;
-            if (atP * atP > reach && atQ * atQ > reach && atR * atR > reach)
+            if (separates(mx, my, mz,
+                        ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
             {
                 return false;
             }
@@ -103,15 +104,24 @@ package starlogo.intersection
             return segmentsMeet(a, atA, b, atB, limit);
         }
 
-        if (separates(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(uy * gz - uz * gy, uz * gx - ux * gz, ux * gy - uy * gx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(uy * hz - uz * hy, uz * hx - ux * hz, ux * hy - uy * hx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * fz - vz * fy, vz * fx - vx * fz, vx * fy - vy * fx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * gz - vz * gy, vz * gx - vx * gz, vx * gy - vy * gx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * hz - vz * hy, vz * hx - vx * hz, vx * hy - vy * hx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * fz - wz * fy, wz * fx - wx * fz, wx * fy - wy * fx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * gz - wz * gy, wz * gx - wx * gz, wx * gy - wy * gx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * hz - wz * hy, wz * hx - wx * hz, wx * hy - wy * hx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
+        if (separates(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(uy * gz - uz * gy, uz * gx - ux * gz, ux * gy - uy * gx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(uy * hz - uz * hy, uz * hx - ux * hz, ux * hy - uy * hx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(vy * fz - vz * fy, vz * fx - vx * fz, vx * fy - vy * fx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(vy * gz - vz * gy, vz * gx - vx * gz, vx * gy - vy * gx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(vy * hz - vz * hy, vz * hx - vx * hz, vx * hy - vy * hx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(wy * fz - wz * fy, wz * fx - wx * fz, wx * fy - wy * fx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(wy * gz - wz * gy, wz * gx - wx * gz, wx * gy - wy * gx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(wy * hz - wz * hy, wz * hx - wx * hz, wx * hy - wy * hx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
         {
             return false;
         }
@@ -123,12 +133,18 @@ package starlogo.intersection
             ny = my;
             nz = mz;
         }
-        return !(separates(uy * nz - uz * ny, uz * nx - ux * nz, ux * ny - uy * nx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * nz - vz * ny, vz * nx - vx * nz, vx * ny - vy * nx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * nz - wz * ny, wz * nx - wx * nz, wx * ny - wy * nx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(fy * nz - fz * ny, fz * nx - fx * nz, fx * ny - fy * nx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(gy * nz - gz * ny, gz * nx - gx * nz, gx * ny - gy * nx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(hy * nz - hz * ny, hz * nx - hx * nz, hx * ny - hy * nx, ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit));
+        return !(separates(uy * nz - uz * ny, uz * nx - ux * nz, ux * ny - uy * nx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(vy * nz - vz * ny, vz * nx - vx * nz, vx * ny - vy * nx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(wy * nz - wz * ny, wz * nx - wx * nz, wx * ny - wy * nx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(fy * nz - fz * ny, fz * nx - fx * nz, fx * ny - fy * nx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(gy * nz - gz * ny, gz * nx - gx * nz, gx * ny - gy * nx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
+                || separates(hy * nz - hz * ny, hz * nx - hx * nz, hx * ny - hy * nx,
+                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit));
     }
 }
 

@@ -95,12 +95,13 @@ package starlogo.libraries
             {
                 triangles = null;
             }
-            if (triangles == null)
+            if (triangles != null)
             {
-                return new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind).build(vertices.concat(), null);
+                checkTriangles(name, triangles, vertices.length / 3);
+                triangles = triangles.concat();
             }
-            checkTriangles(name, triangles, vertices.length / 3);
-            return new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind).build(vertices.concat(), triangles.concat());
+            var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind);
+            return builder.build(vertices.concat(), triangles);
         }
 
         /** Stores what build made; null for nothing. */
@@ -115,7 +116,8 @@ package starlogo.libraries
             var found:Hierarchy = name == null ? null : _hierarchies[PREFIX + name] as Hierarchy;
             if (found == null)
             {
-                throw new ArgumentError("there is no hierarchy for shape \"" + name + "\": add its model first, with loadHierarchies set");
+                throw new ArgumentError("there is no hierarchy for shape \"" + name
+                        + "\": add its model first, with loadHierarchies set");
             }
             return found;
         }
@@ -124,9 +126,11 @@ package starlogo.libraries
         {
             if (minVerticesToSplit < 1 || maxDepth < 1)
             {
-                throw new RangeError("minVerticesToSplit and maxDepth must be at least 1: " + minVerticesToSplit + ", " + maxDepth);
+                throw new RangeError("minVerticesToSplit and maxDepth must be at least 1: " + minVerticesToSplit + ", "
+                        + maxDepth);
             }
-            if (boundsKind != BoundingStructure.BOX && boundsKind != BoundingStructure.SPHERE && boundsKind != BoundingStructure.CAPSULE)
+            if (boundsKind != BoundingStructure.BOX && boundsKind != BoundingStructure.SPHERE
+                    && boundsKind != BoundingStructure.CAPSULE)
             {
                 throw new ArgumentError("boundsKind must be BoundingStructure.BOX, SPHERE or CAPSULE: " + boundsKind);
             }
@@ -136,8 +140,8 @@ package starlogo.libraries
         {
             if (vertices == null || vertices.length == 0 || vertices.length % 3 != 0)
             {
-                throw new ArgumentError("shape \"" + name + "\": three coordinates for each of at least one vertex are needed, not "
-                        + (vertices == null ? "null" : vertices.length + " numbers"));
+                throw new ArgumentError("shape \"" + name + "\": three coordinates for each of at least one vertex are needed,"
+                        + " not " + (vertices == null ? "null" : vertices.length + " numbers"));
             }
             var length:int = vertices.length;
             for (var i:int = 0; i < length; i++)
@@ -146,8 +150,8 @@ package starlogo.libraries
                 // infinite and NaN alike
                 if (coordinate - coordinate != 0)
                 {
-                    throw new ArgumentError("shape \"" + name + "\": the " + "xyz".charAt(i % 3) + " coordinate of vertex " + int(i / 3)
-                            + " must be a finite number, not " + coordinate);
+                    throw new ArgumentError("shape \"" + name + "\": the " + "xyz".charAt(i % 3) + " coordinate of vertex "
+                            + int(i / 3) + " must be a finite number, not " + coordinate);
                 }
             }
         }
@@ -156,16 +160,16 @@ package starlogo.libraries
         {
             if (triangles.length % 3 != 0)
             {
-                throw new ArgumentError("shape \"" + name + "\": triangles have three vertices each, but there are " + triangles.length
-                        + " indices in all");
+                throw new ArgumentError("shape \"" + name + "\": triangles have three vertices each, but there are "
+                        + triangles.length + " indices in all");
             }
             var length:int = triangles.length;
             for (var i:int = 0; i < length; i++)
             {
                 if (triangles[i] >= vertexCount)
                 {
-                    throw new ArgumentError("shape \"" + name + "\": triangle " + int(i / 3) + " names vertex " + triangles[i] + ", the last one is "
-                            + (vertexCount - 1));
+                    throw new ArgumentError("shape \"" + name + "\": triangle " + int(i / 3) + " names vertex " + triangles[i]
+                            + ", the last one is " + (vertexCount - 1));
                 }
             }
         }

@@ -101,7 +101,8 @@ package starlogo.libraries
          */
         engine function isInside(x:Number, y:Number, z:Number):Boolean
         {
-            var isOutOfReach:Boolean = Math.abs(x - root.x) > root.halfX || Math.abs(y - root.y) > root.halfY || Math.abs(z - root.z) > root.halfZ;
+            var isOutOfReach:Boolean = Math.abs(x - root.x) > root.halfX || Math.abs(y - root.y) > root.halfY
+                || Math.abs(z - root.z) > root.halfZ;
             if (isOutOfReach || !surface.isClosed)
             {
                 return false;
@@ -183,7 +184,8 @@ package starlogo.libraries
             var widthX:Number = dx < 0 ? -dx : dx;
             var widthY:Number = dy < 0 ? -dy : dy;
             var widthZ:Number = dz < 0 ? -dz : dz;
-            return Math.abs(y * dz - z * dy) <= halfY * widthZ + halfZ * widthY && Math.abs(z * dx - x * dz) <= halfZ * widthX + halfX * widthZ
+            return Math.abs(y * dz - z * dy) <= halfY * widthZ + halfZ * widthY
+                && Math.abs(z * dx - x * dz) <= halfZ * widthX + halfX * widthZ
                 && Math.abs(x * dy - y * dx) <= halfX * widthY + halfY * widthX;
         }
 

@@ -376,9 +376,12 @@ package starlogo.libraries
                 return false;
             }
             node.isLeaf = false;
+            node.endLevel = node.level;
             node.splitAxis = axis;
-            node.left = makeNode(node.level + 1, node.first, i, leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
-            node.right = makeNode(node.level + 1, i, node.end, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
+            node.left = makeNode(node.level + 1, node.first, i,
+                    leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
+            node.right = makeNode(node.level + 1, i, node.end,
+                    rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             _nodes.push(node.left, node.right);
             return true;
         }
@@ -388,7 +391,8 @@ package starlogo.libraries
             for each (var node:HierarchyNode in _nodes)
             {
                 var points:Vector.<Number> = pointsOf(node);
-                node.structure = _boundsKind == BoundingStructure.SPHERE ? sphereAround(node, points) : capsuleAround(node, points);
+                var isSphere:Boolean = _boundsKind == BoundingStructure.SPHERE;
+                node.structure = isSphere ? sphereAround(node, points) : capsuleAround(node, points);
             }
         }
 
@@ -465,7 +469,8 @@ package starlogo.libraries
 
         private static function pointOnAxis(centre:Vector.<Number>, axis:int, coordinate:Number):Vector3D
         {
-            return new Vector3D(axis == 0 ? coordinate : centre[0], axis == 1 ? coordinate : centre[1], axis == 2 ? coordinate : centre[2]);
+            return new Vector3D(axis == 0 ? coordinate : centre[0], axis == 1 ? coordinate : centre[1],
+                    axis == 2 ? coordinate : centre[2]);
         }
     }
 }

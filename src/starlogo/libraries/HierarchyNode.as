@@ -32,6 +32,9 @@ package starlogo.libraries
         /** The number of levels down to this one, the root's being 1. */
         engine var level:int;
 
+        /** The largest depth limit at which a visit ends here: its level, or for a leaf any. */
+        engine var endLevel:int = int.MAX_VALUE;
+
         /** The node's items are those from first up to, and not including, end in the hierarchy's order. */
         engine var first:int;
 
@@ -97,7 +100,8 @@ package starlogo.libraries
         {
             if (structure == null)
             {
-                structure = new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halfX, halfY, halfZ);
+                structure = new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS,
+                        halfX, halfY, halfZ);
             }
             return structure;
         }

@@ -10,7 +10,7 @@ package starlogo.models
         private static const SPHERE_RINGS:int = 13;
         private static const CYLINDER_SEGMENTS:int = 32;
         private static const CYLINDER_SIDE_RINGS:int = 8;
-        private static const CYLINDER_HEIGHT:Number = 1.131;
+        private static const CYLINDER_HEIGHT:Number = 1.1314;
 
         // the corners of a square, in this order, are counter-clockwise seen against the axis that they are given
         private static const SQUARE_U:Vector.<Number> = new <Number>[-0.5, 0.5, 0.5, -0.5];
@@ -86,7 +86,7 @@ package starlogo.models
         }
 
         /**
-         * An upright cylinder of diameter 1 and height 1.131, named "cylinder": 10 rings of 32 vertices, 8 on the side
+         * An upright cylinder of diameter 1 and height 1.1314 (that of Figure 6-1: it prints 1.131), named "cylinder": 10 rings of 32 vertices, 8 on the side
          * and one round each cap, 320 in all, and 508 triangles.
          */
         public static function cylinder():Model

@@ -16,8 +16,9 @@ package starlogo.collision
         private static const FRAMES:int = 1000;
         private static const AGENTS:int = 200;
 
-        // Memory grows by pages of 64 KiB, and after fillUp the next is due: a page or two is less than a byte an agent.
-        private static const NOTHING:Number = 2 * 65536;
+        // In bytes, for all frames and agents together: two and a half a frame for each agent, where the smallest object
+        // takes more than twenty. Memory grows by pages, and a call of a function that has closures allocates its scope.
+        private static const NOTHING:Number = 2.5 * AGENTS * FRAMES;
 
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
@@ -66,6 +67,33 @@ package starlogo.collision
             assertAllocatesNothing(new TightestFitCollider(_greatLand));
         }
 
+        [Test]
+        public function hierarchicalColliderAllocatesNothing():void
+        {
+            _agents.length = 80;
+            assertAllocatesNothing(new HierarchicalCollider(_greatLand));
+        }
+
+        [Test]
+        public function exactHierarchicalColliderAllocatesNothing():void
+        {
+            _agents.length = 30;
+            var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            collider.exact = true;
+            assertAllocatesNothing(collider);
+        }
+
+        [Test]
+        public function combinationColliderAllocatesNothing():void
+        {
+            _agents.length = 100;
+            for (var i:int = 0; i < _agents.length; i += 7)
+            {
+                _agents[i].hierarchical = true;
+            }
+            assertAllocatesNothing(new CombinationCollider(_greatLand));
+        }
+
         private function assertAllocatesNothing(collider:CollisionSystem):void
         {
             var collision:Collision = new Collision(collider);
@@ -89,7 +117,7 @@ package starlogo.collision
         // Back and forth, so that the crowd stays as it is.
         private function moveAll():void
         {
-            for (var i:int = 0; i < AGENTS; i++)
+            for (var i:int = 0; i < _agents.length; i++)
             {
                 var agent:Agent = _agents[i];
                 agent.heading += 7;

@@ -90,7 +90,6 @@ package starlogo.geometry
         public function hundredThousandVertices():void
         {
             var random:SeededRandom = new SeededRandom(7);
-            var start:int = getTimer();
             var cloud:Vector.<Number> = PointSets.cloud(random, 100000);
             var made:int = getTimer();
             var hull:ConvexHull = new ConvexHull(cloud);
@@ -118,6 +117,7 @@ package starlogo.geometry
             assertRefused(new <Number>[1, 2, 3, 4], "4");
             assertRefused(new <Number>[1, 2, 3, 4, NaN, 6], "vertex 1");
             assertRefused(new <Number>[1, 2, Infinity], "Infinity");
+            assertRefused(new <Number>[1, 2, 1e200], "1e+200");
         }
 
         private static function assertRefused(vertices:Vector.<Number>, expected:String):void

@@ -34,9 +34,9 @@ package starlogo.models
         public function cylinder():void
         {
             var model:Model = BuiltInModel.cylinder();
-            check(model, "cylinder", 320, 508, "-0.5,-0.5,0,0.5,0.5,1.131");
+            check(model, "cylinder", 320, 508, "-0.5,-0.5,0,0.5,0.5,1.1314");
             var polygon:Number = 16 * 0.25 * Math.sin(Math.PI / 16);
-            assertTrue(Math.abs(Surfaces.volume(model) - polygon * 1.131) < 1e-12);
+            assertTrue(Math.abs(Surfaces.volume(model) - polygon * 1.1314) < 1e-12);
         }
 
         private static function check(model:Model, name:String, vertices:int, triangles:int, bounds:String):void

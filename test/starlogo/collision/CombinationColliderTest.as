@@ -1,0 +1,258 @@
+package starlogo.collision
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.CapsuleFitter;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.NaiveSphereFitter;
+    import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.BruteForce;
+    import support.HierarchyReference;
+    import support.SeededRandom;
+    import support.assertThrows;
+
+    public class CombinationColliderTest
+    {
+        private static const SHAPES:Array = ["ball", "post", "crate"];
+
+        private var _greatLand:GreatLand;
+        private var _collider:CombinationCollider;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            addModels();
+            _collider = new CombinationCollider(_greatLand);
+        }
+
+        [Test]
+        public function visitsFiveLevelsAtFirst():void
+        {
+            assertEquals(5, _collider.maxDepth);
+            assertFalse(_collider.exact);
+            assertThrows(RangeError, /maxDepth.*-2/, function():void
+                {
+                    _collider.maxDepth = -2;
+                });
+        }
+
+        [Test]
+        public function theModelsHaveEachKindOfFit():void
+        {
+            assertEquals(BoundingStructure.SPHERE, _greatLand.boundingStructures.tightestFit("ball").kind);
+            assertEquals(BoundingStructure.CAPSULE, _greatLand.boundingStructures.tightestFit("post").kind);
+            assertEquals(BoundingStructure.BOX, _greatLand.boundingStructures.tightestFit("crate").kind);
+        }
+
+        [Test]
+        public function withoutHierarchicalAgentsItIsTheTightestFitCollider():void
+        {
+            var agents:Vector.<Agent> = randomAgents(200, 401, 0);
+            var expected:Vector.<Agent> = new TightestFitCollider(_greatLand).findCollisions(agents);
+            assertEquals("", BruteForce.difference(expected, _collider.findCollisions(agents)));
+            assertTrue(expected.length > 100);
+            assertEquals(0, _collider.statistics.hierarchyTests);
+            assertTrue(_collider.statistics.tests > 0);
+        }
+
+        [Test]
+        public function withHierarchicalAgentsOnlyItIsTheHierarchicalCollider():void
+        {
+            var agents:Vector.<Agent> = randomAgents(200, 402, 1);
+            var hierarchical:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            for each (var isExact:Boolean in [false, true])
+            {
+                hierarchical.exact = _collider.exact = isExact;
+                hierarchical.maxDepth = _collider.maxDepth = 4;
+                var expected:Vector.<Agent> = hierarchical.findCollisions(agents);
+                var visits:int = hierarchical.statistics.nodeVisits;
+                assertEquals("", BruteForce.difference(expected, _collider.findCollisions(agents)));
+                assertTrue(expected.length > 100);
+                assertEquals(visits, _collider.statistics.nodeVisits);
+                assertEquals(0, _collider.statistics.tests);
+            }
+        }
+
+        [Test]
+        public function aHierarchyMeetsSpheres():void
+        {
+            compareOneHierarchical("ball", 403);
+        }
+
+        [Test]
+        public function aHierarchyMeetsCapsules():void
+        {
+            compareOneHierarchical("post", 404);
+        }
+
+        [Test]
+        public function aHierarchyMeetsBoxes():void
+        {
+            compareOneHierarchical("crate", 405);
+        }
+
+        [Test]
+        public function aHierarchyOfSpheresMeetsEachKind():void
+        {
+            _greatLand.hierarchies.boundsKind = BoundingStructure.SPHERE;
+            checkOneHierarchicalMissesNothing(406);
+        }
+
+        [Test]
+        public function aHierarchyOfCapsulesMeetsEachKind():void
+        {
+            _greatLand.hierarchies.boundsKind = BoundingStructure.CAPSULE;
+            checkOneHierarchicalMissesNothing(407);
+        }
+
+        [Test]
+        public function theTraitMayChangeBetweenFrames():void
+        {
+            var agents:Vector.<Agent> = randomAgents(120, 408, 0.3);
+            var random:SeededRandom = new SeededRandom(409);
+            for (var frame:int = 0; frame < 8; frame++)
+            {
+                // a new collider knows nothing of earlier frames
+                var expected:Vector.<Agent> = new CombinationCollider(_greatLand).findCollisions(agents);
+                assertEquals("frame " + frame, "", BruteForce.difference(expected, _collider.findCollisions(agents)));
+                for each (var agent:Agent in agents)
+                {
+                    agent.hierarchical = random.chance(0.3) ? !agent.hierarchical : agent.hierarchical;
+                    agent.traversalDepth = random.integer(0, 6);
+                }
+            }
+        }
+
+        [Test]
+        public function needsOnlyWhatItUses():void
+        {
+            _greatLand.loadHierarchies = false;
+            _greatLand.addModel(named("no hierarchy"));
+            _greatLand.loadHierarchies = true;
+            _greatLand.loadTightestFit = false;
+            _greatLand.addModel(named("no fit"));
+            var plain:Agent = new Agent("no hierarchy");
+            var precise:Agent = new Agent("no fit");
+            precise.hierarchical = true;
+            assertTrue(_collider.areColliding(plain, precise));
+            precise.hierarchical = false;
+            assertThrows(ArgumentError, /"no fit".*loadTightestFit/, _collider.areColliding, plain, precise);
+            precise.hierarchical = true;
+            plain.hierarchical = true;
+            assertThrows(ArgumentError, /"no hierarchy".*loadHierarchies/, _collider.areColliding, plain, precise);
+            plain.hierarchical = false;
+            assertTrue(_collider.areColliding(plain, precise));
+        }
+
+        private function compareOneHierarchical(shape:String, seed:uint):void
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var reference:HierarchyReference = new HierarchyReference(_greatLand);
+            var hits:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var a:Agent = randomAgent(random, random.pick(SHAPES), i % 2 == 0);
+                var b:Agent = randomAgent(random, shape, i % 2 == 0);
+                a.hierarchical = true;
+                var depth:int = random.integer(1, 7);
+                a.traversalDepth = depth;
+                var expected:Boolean = reference.meetsTightestFit(a, depth, b);
+                hits += expected ? 1 : 0;
+                assertEquals("pair " + i, expected, _collider.areColliding(a, b));
+                assertEquals("pair " + i + ", the other way round", expected, _collider.areColliding(b, a));
+            }
+            assertTrue("hits: " + hits, hits > 60 && hits < 240);
+        }
+
+        // What the exact models meet, the looser hierarchies and fits meet too; not so for insides of hollow hierarchies.
+        private function checkOneHierarchicalMissesNothing(seed:uint):void
+        {
+            addModels();
+            var random:SeededRandom = new SeededRandom(seed);
+            var reference:HierarchyReference = new HierarchyReference(_greatLand);
+            var exact:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            exact.exact = true;
+            var hits:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var a:Agent = randomAgent(random, random.pick(SHAPES), false);
+                var b:Agent = randomAgent(random, random.pick(SHAPES), false);
+                a.hierarchical = true;
+                var isHit:Boolean = _collider.areColliding(a, b);
+                hits += isHit ? 1 : 0;
+                assertTrue("pair " + i + " has ends that meet", !isHit || reference.meetsTightestFit(a, 5, b));
+                // an a inside of b is met by b's solid fit; only a b inside of a may be missed
+                if (a.size <= b.size && exact.areColliding(a, b))
+                {
+                    assertTrue("pair " + i + " meets", isHit);
+                }
+            }
+            assertTrue("hits: " + hits, hits > 60 && hits < 240);
+        }
+
+        private static function randomAgents(count:int, seed:uint, share:Number):Vector.<Agent>
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                var agent:Agent = randomAgent(random, random.pick(SHAPES), i % 2 == 0);
+                agent.moveTo(random.between(-6, 6), random.between(-6, 6), random.between(0, 3));
+                agent.hierarchical = random.chance(share);
+                agents.push(agent);
+            }
+            return agents;
+        }
+
+        private static function randomAgent(random:SeededRandom, shape:String, isUpright:Boolean):Agent
+        {
+            var agent:Agent = new Agent(shape);
+            agent.size = random.logBetween(0.3, 3);
+            agent.heading = random.between(0, 360);
+            agent.pitch = isUpright ? 0 : random.between(0, 360);
+            agent.roll = isUpright ? 0 : random.between(0, 360);
+            var reach:Number = agent.size;
+            agent.moveTo(random.between(-reach, reach), random.between(-reach, reach), random.between(-reach, reach));
+            return agent;
+        }
+
+        // Each with the one fit that its name suggests.
+        private function addModels():void
+        {
+            var box:OrientedBoxFitter = new OrientedBoxFitter(30);
+            var sphere:Model = BuiltInModel.sphere();
+            addFitted("ball", sphere.vertices, sphere.triangles, new NaiveSphereFitter());
+            addFitted("post", stretched(sphere.vertices, 3), sphere.triangles, new CapsuleFitter(box));
+            addFitted("crate", stretched(BuiltInModel.cube().vertices, 0.6), BuiltInModel.cube().triangles, box);
+        }
+
+        private function addFitted(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, fitter:Fitter):void
+        {
+            _greatLand.boundingStructures.fitters = new <Fitter>[fitter];
+            _greatLand.addModel(new Model(name, vertices, triangles));
+        }
+
+        private static function stretched(vertices:Vector.<Number>, factor:Number):Vector.<Number>
+        {
+            var out:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < vertices.length; i++)
+            {
+                out.push(vertices[i] * (i % 3 == 2 ? factor : 1));
+            }
+            return out;
+        }
+
+        private static function named(name:String):Model
+        {
+            var cube:Model = BuiltInModel.cube();
+            return new Model(name, cube.vertices, cube.triangles);
+        }
+    }
+}

@@ -17,9 +17,12 @@ export function key(entry) {
 	return `${entry.figure} / ${entry.subject} / ${entry.variant}`;
 }
 
+// Runs drift apart by more than the repetitions within one of them do: by so much of a number, either way.
+const DRIFT = 0.1;
+
 /**
- * What became faster or slower beyond the noise: the ranges of both runs, as multiples of the sphere-sphere test, are
- * apart, and by more than a twentieth.
+ * What became faster or slower beyond the noise: the ranges of both runs, as multiples of the sphere-sphere test and each
+ * wider by the drift between runs, are apart.
  *
  * @param {object[]} older entries of a report
  * @param {object[]} newer entries of another
@@ -30,8 +33,12 @@ export function changes(older, newer) {
 	return newer
 		.map((after) => ({ key: key(after), before: before.get(key(after)), after }))
 		.filter(({ before: old, after }) => old?.multiple && after.multiple
-			&& (after.multipleLow > old.multipleHigh || after.multipleHigh < old.multipleLow))
+			&& areApart(old, after))
 		.map((pair) => ({ ...pair, change: pair.after.multiple / pair.before.multiple }))
-		.filter(({ change }) => Math.abs(Math.log(change)) > Math.log(1.05))
 		.sort((a, b) => b.change - a.change);
+}
+
+function areApart(a, b) {
+	const [less, more] = a.multiple < b.multiple ? [a, b] : [b, a];
+	return less.multipleHigh * (1 + DRIFT) < more.multipleLow * (1 - DRIFT);
 }

@@ -22,7 +22,8 @@ package starlogo.geometry
         private static const NUMBERING:int = 4;
         private static const MESHING:int = 5;
         private static const LINKING:int = 6;
-        private static const DONE:int = 7;
+        private static const FILLING:int = 7;
+        private static const DONE:int = 8;
 
         // Beyond it the cubes and squares of coordinates overflow.
         private static const LARGEST:Number = 1e100;
@@ -48,6 +49,7 @@ package starlogo.geometry
         private var _flat:Number;
         private var _simplex:Vector.<int> = new Vector.<int>();
         private var _gridAxes:Vector.<Number>;
+        private var _planarHull:PlanarHull;
         private var _quickHull:QuickHull;
         private var _place:Vector.<int>;
         private var _pairs:Vector.<int>;
@@ -105,7 +107,11 @@ package starlogo.geometry
                     _phase = LINKING;
                     break;
                 case LINKING:
-                    link(_pairs);
+                    countNeighbors();
+                    _phase = FILLING;
+                    break;
+                case FILLING:
+                    fillNeighbors();
                     finish();
                     break;
             }
@@ -218,6 +224,7 @@ package starlogo.geometry
             _box = null;
             _simplex = null;
             _gridAxes = null;
+            _planarHull = null;
             _quickHull = null;
             _place = null;
             _pairs = null;
@@ -520,15 +527,14 @@ package starlogo.geometry
                 snap(axis);
                 return;
             }
+            _phase = HULLING;
             if (_dimension == 2)
             {
-                join(PlanarHull.corners(_snapped));
-                finish();
+                _planarHull = new PlanarHull(_snapped);
                 return;
             }
             _quickHull = new QuickHull(_snapped);
             _quickHull.begin(_simplex[0], _simplex[1], _simplex[2], _simplex[3]);
-            _phase = HULLING;
         }
 
         // The vertices' coordinates along one of the grid's axes, in whole steps of QuickHull's grid.
@@ -569,9 +575,14 @@ package starlogo.geometry
 
         private function hull():void
         {
-            if (!_quickHull.step())
+            if (_dimension == 3)
             {
-                _phase = NUMBERING;
+                _phase = _quickHull.step() ? HULLING : NUMBERING;
+            }
+            else if (!_planarHull.step())
+            {
+                join(_planarHull.corners);
+                finish();
             }
         }
 
@@ -622,7 +633,9 @@ package starlogo.geometry
                     pairs.push(place[next], place[i]);
                 }
             }
-            link(pairs);
+            _pairs = pairs;
+            countNeighbors();
+            fillNeighbors();
         }
 
         private function numberCorners():void
@@ -672,32 +685,42 @@ package starlogo.geometry
         {
             _indices = corners;
             _points = new Vector.<Number>();
-            for (var i:int = 0; i < corners.length; i++)
+            var count:int = corners.length;
+            for (var i:int = 0; i < count; i++)
             {
                 var from:int = 3 * corners[i];
                 _points.push(_vertices[from], _vertices[from + 1], _vertices[from + 2]);
             }
         }
 
-        // The neighbours from pairs of a corner and a neighbour of it.
-        private function link(pairs:Vector.<int>):void
+        // Where each corner's neighbours are to be: there are pairs of a corner and a neighbour of it.
+        private function countNeighbors():void
         {
+            var pairs:Vector.<int> = _pairs;
+            var length:int = pairs.length;
             var count:int = _indices.length;
-            _firstNeighbor = new Vector.<int>(count + 1);
-            _neighbors = new Vector.<int>(pairs.length / 2);
+            var first:Vector.<int> = new Vector.<int>(count + 1);
             var i:int;
-            for (i = 0; i < pairs.length; i += 2)
+            for (i = 0; i < length; i += 2)
             {
-                _firstNeighbor[pairs[i] + 1]++;
+                first[int(pairs[i] + 1)]++;
             }
             for (i = 0; i < count; i++)
             {
-                _firstNeighbor[i + 1] += _firstNeighbor[i];
+                first[i + 1] += first[i];
             }
+            _firstNeighbor = first;
+        }
+
+        private function fillNeighbors():void
+        {
+            var pairs:Vector.<int> = _pairs;
+            var length:int = pairs.length;
             var next:Vector.<int> = _firstNeighbor.concat();
-            for (i = 0; i < pairs.length; i += 2)
+            _neighbors = new Vector.<int>(length / 2);
+            for (var i:int = 0; i < length; i += 2)
             {
-                _neighbors[next[pairs[i]]++] = pairs[i + 1];
+                _neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
             }
         }
 

@@ -23,9 +23,11 @@ package starlogo.geometry
         // Where a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
 
-        // About how much a step does: points put on lists, points looked at per new face, faces walked over.
+        // About how much a step does: points put on lists, points looked at per new face, faces walked over; and how many
+        // looks making a face takes as long as.
         private static const POINTS_A_STEP:int = 1000;
-        private static const LOOKS_A_STEP:int = 4000;
+        private static const LOOKS_A_STEP:int = 6000;
+        private static const LOOKS_A_FACE:int = 12;
         private static const FACES_A_STEP:int = 1500;
 
         private static const ASSIGNING:int = 0;
@@ -218,7 +220,7 @@ package starlogo.geometry
                 }
                 var moved:int = addVertex(face.farthest, face);
                 _last = _created[0];
-                looks += moved * _created.length;
+                looks += (moved + LOOKS_A_FACE) * _created.length;
                 if (looks > LOOKS_A_STEP)
                 {
                     return;

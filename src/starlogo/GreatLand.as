@@ -4,7 +4,13 @@ package starlogo
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.Hierarchy;
+    import starlogo.libraries.HierarchyBuilder;
+    import starlogo.libraries.ShapeStructures;
+    import starlogo.libraries.StructuresBuild;
     import starlogo.models.Model;
+    import starlogo.models.ModelReceiver;
+    import starlogo.models.Steps;
+    import starlogo.models.finish;
 
     use namespace engine;
 
@@ -13,8 +19,13 @@ package starlogo
      * computed for them.
      *
      * <p>The flags count for the models that are added from then on.</p>
+     *
+     * <p>Models are added at once, by <code>addModel()</code>, or while the game runs, by a ModelLoader that is given this
+     * GreatLand. A game may start with the models that are there; an agent of one that is still loading is an error of the
+     * collision systems, which says so. If two models of a name are added, the one that is there last replaces the other:
+     * one that <code>addModel()</code> adds while another is loading serves until then.</p>
      */
-    public class GreatLand
+    public class GreatLand implements ModelReceiver
     {
         // in front of every key: a model may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
@@ -32,6 +43,9 @@ package starlogo
         engine var edition:int = 0;
 
         private var _models:Object = {};
+
+        // how many models of a name are on their way
+        private var _expected:Object = {};
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
 
@@ -91,27 +105,46 @@ package starlogo
          */
         public function addModel(model:Model):void
         {
+            finish(receive(model));
+        }
+
+        /**
+         * Does what <code>addModel()</code> does in steps of a millisecond or two, as far as a model of some thousand vertices
+         * goes; a fitter that does not know of steps takes all of its time in one. Nothing changes before the last step, nor if
+         * one throws. The flags, and the settings of the libraries and their fitters, count as they are now.
+         *
+         * @param model has the name that agents have as their shape; not to be changed meanwhile
+         * @throws ArgumentError if it is null; here or in a step, as the add of BoundingStructuresLibrary and
+         *         HierarchiesLibrary do
+         * @throws RangeError as HierarchiesLibrary.add does
+         */
+        public function receive(model:Model):Steps
+        {
             if (model == null)
             {
                 throw new ArgumentError("model must not be null");
             }
-            // built first, stored last: what fails leaves nothing behind
-            var hierarchy:Hierarchy = null;
-            if (loadHierarchies)
-            {
-                hierarchy = _hierarchies.build(model.name, model.vertices, model.triangles);
-            }
-            if (loadTightestFit)
-            {
-                _boundingStructures.add(model.name, model.vertices);
-            }
-            // null where there is none: one that the name had before is another model's
-            _hierarchies.store(model.name, hierarchy);
-            if (hasModel(model.name))
-            {
-                edition++;
-            }
-            _models[PREFIX + model.name] = model;
+            var hierarchy:HierarchyBuilder = loadHierarchies ? _hierarchies.begin(model.name, model.vertices, model.triangles) : null;
+            var structures:StructuresBuild = loadTightestFit ? _boundingStructures.begin(model.name, model.vertices) : null;
+            return new ModelIntake(this, model, hierarchy, structures);
+        }
+
+        /** @inheritDoc */
+        public function expect(name:String):void
+        {
+            _expected[PREFIX + name] = int(_expected[PREFIX + name]) + 1;
+        }
+
+        /** @inheritDoc */
+        public function expectNoMore(name:String):void
+        {
+            _expected[PREFIX + name] = int(_expected[PREFIX + name]) - 1;
+        }
+
+        /** Whether a ModelLoader is loading a model of this name, be there another one of the name or not. */
+        public function isLoading(name:String):Boolean
+        {
+            return int(_expected[PREFIX + name]) > 0;
         }
 
         /** Whether a model of this name was added. */
@@ -120,13 +153,36 @@ package starlogo
             return _models.hasOwnProperty(PREFIX + name);
         }
 
-        /** Throws an ArgumentError if the agent's model was not added. */
+        /** Throws an ArgumentError if the agent's model was not added, or is not yet. */
         engine function requireModel(agent:Agent):void
         {
             if (!hasModel(agent.shape))
             {
+                if (isLoading(agent.shape))
+                {
+                    throw new ArgumentError(agent + ": the model \"" + agent.shape + "\" is still loading; wait for its ModelEvent");
+                }
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
             }
+        }
+
+        /**
+         * Stores a model and what was built for it.
+         *
+         * @param model the model
+         * @param hierarchy null for none
+         * @param structures null for none
+         */
+        internal function store(model:Model, hierarchy:Hierarchy, structures:ShapeStructures):void
+        {
+            // null where there is none: what the name had before is another model's
+            _hierarchies.store(model.name, hierarchy);
+            _boundingStructures.store(model.name, structures);
+            if (hasModel(model.name))
+            {
+                edition++;
+            }
+            _models[PREFIX + model.name] = model;
         }
     }
 }

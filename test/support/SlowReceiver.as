@@ -13,6 +13,9 @@ package support
         /** The names of the models that were received to the end. */
         public var received:Array = [];
 
+        /** The names of the models that are on their way. */
+        public var expected:Array = [];
+
         private var _refused:Array = [];
 
         public function SlowReceiver(stepMs:int)
@@ -24,6 +27,18 @@ package support
         public function refuse(name:String):void
         {
             _refused.push(name);
+        }
+
+        /** @inheritDoc */
+        public function expect(name:String):void
+        {
+            expected.push(name);
+        }
+
+        /** @inheritDoc */
+        public function expectNoMore(name:String):void
+        {
+            expected.splice(expected.indexOf(name), 1);
         }
 
         /** @inheritDoc */

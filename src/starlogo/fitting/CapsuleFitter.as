@@ -48,5 +48,11 @@ package starlogo.fitting
             var half:Number = Math.max(0, spine.half - radius);
             return Enclosing.capsule(session.vertices, spine.center, spine.axis, -half, half, radius);
         }
+
+        /** @inheritDoc */
+        override public function begin(session:FitSession):Fit
+        {
+            return new SpineFit(session, this, _boxFitter);
+        }
     }
 }

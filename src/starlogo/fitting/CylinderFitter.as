@@ -40,5 +40,11 @@ package starlogo.fitting
             var spine:BoxSpine = new BoxSpine(session, _boxFitter);
             return Enclosing.cylinder(session.vertices, spine.center, spine.axis, spine.half);
         }
+
+        /** @inheritDoc */
+        override public function begin(session:FitSession):Fit
+        {
+            return new SpineFit(session, this, _boxFitter);
+        }
     }
 }

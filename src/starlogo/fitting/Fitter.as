@@ -42,5 +42,17 @@ package starlogo.fitting
         {
             throw new IllegalOperationError(this + " does not implement fitTo");
         }
+
+        /**
+         * Begins what <code>fitTo()</code> does, for a game to go on meanwhile: in a single step, unless a subclass overrides
+         * this. Those with a search by increments do; the smallest boxes and capsules are found in one go.
+         *
+         * @param session the vertices, and their hull
+         * @return the work, not begun yet
+         */
+        public function begin(session:FitSession):Fit
+        {
+            return new Fit(session, this);
+        }
     }
 }

@@ -40,8 +40,13 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitTo(session:FitSession):BoundingStructure
         {
-            var axes:Vector.<Number> = new RotationSearch(session.hull).smallestBox(_degIncrement, _degIncrement, _degIncrement);
-            return Enclosing.box(session.vertices, axes);
+            return begin(session).run();
+        }
+
+        /** @inheritDoc */
+        override public function begin(session:FitSession):Fit
+        {
+            return new RotationFit(session, this, _degIncrement, _degIncrement, _degIncrement);
         }
     }
 }

@@ -33,6 +33,22 @@ package starlogo.fitting
         private var _asked:int = 0;
         private var _answered:int = 0;
 
+        // The search under way: the next rotation about x and y, and the best of all so far. Angles in degrees.
+        private var _stepX:Number;
+        private var _stepY:Number;
+        private var _stepZ:Number;
+        private var _aboutX:Number;
+        private var _aboutY:Number;
+        private var _isForth:Boolean;
+        private var _cosines:Vector.<Number>;
+        private var _sines:Vector.<Number>;
+        private var _corners:Vector.<int>;
+        private var _enough:Number;
+        private var _least:Number;
+        private var _bestX:Number;
+        private var _bestY:Number;
+        private var _bestZ:Number;
+
         /**
          * @param hull of the vertices
          */
@@ -70,58 +86,104 @@ package starlogo.fitting
          */
         public function smallestBox(stepX:Number, stepY:Number, stepZ:Number):Vector.<Number>
         {
-            var bestX:Number = 0;
-            var bestY:Number = 0;
-            var bestZ:Number = 0;
-            var least:Number = Infinity;
-            var enough:Number = _hull.volume * (1 + Tolerances.FIT_TIE);
-            var corners:Vector.<int> = new Vector.<int>(6);
-            var count:int = Math.ceil(90 / stepZ);
-            var cosines:Vector.<Number> = new Vector.<Number>();
-            var sines:Vector.<Number> = new Vector.<Number>();
-            while (sines.length < count)
+            begin(stepX, stepY, stepZ);
+            var hasMore:Boolean = true;
+            while (hasMore)
             {
-                cosines.push(Math.cos(sines.length * stepZ * DEGREE));
-                sines.push(Math.sin(sines.length * stepZ * DEGREE));
+                hasMore = step();
             }
-            var isForth:Boolean = false;
-            for (var aboutX:Number = 0; aboutX < 90; aboutX += stepX)
+            return axes;
+        }
+
+        /**
+         * Begins what <code>smallestBox()</code> does.
+         *
+         * @param stepX degrees
+         * @param stepY degrees
+         * @param stepZ degrees
+         */
+        public function begin(stepX:Number, stepY:Number, stepZ:Number):void
+        {
+            _stepX = stepX;
+            _stepY = stepY;
+            _stepZ = stepZ;
+            _aboutX = 0;
+            _aboutY = 0;
+            _bestX = 0;
+            _bestY = 0;
+            _bestZ = 0;
+            _least = Infinity;
+            _enough = _hull.volume * (1 + Tolerances.FIT_TIE);
+            _corners = new Vector.<int>(6);
+            _isForth = false;
+            _cosines = new Vector.<Number>();
+            _sines = new Vector.<Number>();
+            var count:int = Math.ceil(90 / stepZ);
+            while (_sines.length < count)
             {
-                for (var aboutY:Number = 0; aboutY < 90; aboutY += stepY)
+                _cosines.push(Math.cos(_sines.length * stepZ * DEGREE));
+                _sines.push(Math.sin(_sines.length * stepZ * DEGREE));
+            }
+        }
+
+        /**
+         * Goes on with what was begun: tries all rotations about z that follow one about x and y.
+         *
+         * @return whether there is more to do
+         */
+        public function step():Boolean
+        {
+            turn(_aboutX * DEGREE, _aboutY * DEGREE);
+            var corners:Vector.<int> = _corners;
+            corners[4] = climbUp(corners[4], 1);
+            corners[5] = climbUp(corners[5], -1);
+            var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
+            // to and fro: the corners found last are close to those looked for next
+            _isForth = !_isForth;
+            var count:int = _sines.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                var place:int = _isForth ? i : count - 1 - i;
+                var cosine:Number = _cosines[place];
+                var sine:Number = _sines[place];
+                var mayBe:Number = _least * (1 - Tolerances.FIT_TIE);
+                if (isTooLarge(thickness, cosine, sine, mayBe))
                 {
-                    turn(aboutX * DEGREE, aboutY * DEGREE);
-                    corners[4] = climbUp(corners[4], 1);
-                    corners[5] = climbUp(corners[5], -1);
-                    var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
-                    // to and fro: the corners found last are close to those looked for next
-                    isForth = !isForth;
-                    for (var i:int = 0; i < count; i++)
+                    continue;
+                }
+                var volume:Number = thickness * span(corners, 0, cosine, -sine) * span(corners, 2, sine, cosine);
+                remember(corners, place * _stepZ);
+                if (volume < mayBe)
+                {
+                    _least = volume;
+                    _bestX = _aboutX;
+                    _bestY = _aboutY;
+                    _bestZ = place * _stepZ;
+                    if (volume <= _enough)
                     {
-                        var step:int = isForth ? i : count - 1 - i;
-                        var cosine:Number = cosines[step];
-                        var sine:Number = sines[step];
-                        var mayBe:Number = least * (1 - Tolerances.FIT_TIE);
-                        if (isTooLarge(thickness, cosine, sine, mayBe))
-                        {
-                            continue;
-                        }
-                        var volume:Number = thickness * span(corners, 0, cosine, -sine) * span(corners, 2, sine, cosine);
-                        remember(corners, step * stepZ);
-                        if (volume < mayBe)
-                        {
-                            least = volume;
-                            bestX = aboutX;
-                            bestY = aboutY;
-                            bestZ = step * stepZ;
-                            if (least <= enough)
-                            {
-                                return axesOf(bestX * DEGREE, bestY * DEGREE, bestZ * DEGREE);
-                            }
-                        }
+                        return false;
                     }
                 }
             }
-            return axesOf(bestX * DEGREE, bestY * DEGREE, bestZ * DEGREE);
+            return goOn();
+        }
+
+        /** What <code>smallestBox()</code> returns: of the rotations tried so far. */
+        public function get axes():Vector.<Number>
+        {
+            return axesOf(_bestX * DEGREE, _bestY * DEGREE, _bestZ * DEGREE);
+        }
+
+        // To the next rotation about y, or about x; false if there is none.
+        private function goOn():Boolean
+        {
+            _aboutY += _stepY;
+            if (!(_aboutY < 90))
+            {
+                _aboutY = 0;
+                _aboutX += _stepX;
+            }
+            return _aboutX < 90;
         }
 
         // The rows of Rz Ry Rx.
@@ -141,12 +203,12 @@ package starlogo.fitting
         // About x, then about y. The matrix takes the rows of Ry Rx by columns.
         private function turn(aboutX:Number, aboutY:Number):void
         {
-            var axes:Vector.<Number> = axesOf(aboutX, aboutY, 0);
+            var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
             for (var row:int = 0; row < 3; row++)
             {
                 for (var column:int = 0; column < 3; column++)
                 {
-                    _raw[4 * column + row] = axes[3 * row + column];
+                    _raw[4 * column + row] = rows[3 * row + column];
                 }
             }
             _matrix.copyRawDataFrom(_raw);

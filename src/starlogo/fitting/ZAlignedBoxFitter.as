@@ -36,8 +36,13 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function fitTo(session:FitSession):BoundingStructure
         {
-            var axes:Vector.<Number> = new RotationSearch(session.hull).smallestBox(90, 90, _degIncrement);
-            return Enclosing.box(session.vertices, axes);
+            return begin(session).run();
+        }
+
+        /** @inheritDoc */
+        override public function begin(session:FitSession):Fit
+        {
+            return new RotationFit(session, this, 90, 90, _degIncrement);
         }
     }
 }

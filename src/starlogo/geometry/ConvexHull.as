@@ -11,10 +11,20 @@ package starlogo.geometry
      * in some other direction, axes along the set; on the grid the hull is exact (see QuickHull). What is handed out are the
      * vertices themselves, unrounded.</p>
      *
-     * <p>Cost: n log n for n vertices.</p>
+     * <p>Cost: n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>
      */
     public final class ConvexHull
     {
+        private static const MEASURING:int = 0;
+        private static const SPANNING:int = 1;
+        private static const SNAPPING:int = 2;
+        private static const HULLING:int = 3;
+        private static const NUMBERING:int = 4;
+        private static const MESHING:int = 5;
+        private static const LINKING:int = 6;
+        private static const FILLING:int = 7;
+        private static const DONE:int = 8;
+
         // Beyond it the cubes and squares of coordinates overflow.
         private static const LARGEST:Number = 1e100;
 
@@ -33,19 +43,79 @@ package starlogo.geometry
         private var _neighbors:Vector.<int>;
         private var _volume:Number = NaN;
 
+        // The work under way.
+        private var _phase:int = MEASURING;
+        private var _box:Vector.<Number>;
+        private var _flat:Number;
+        private var _simplex:Vector.<int> = new Vector.<int>();
+        private var _gridAxes:Vector.<Number>;
+        private var _planarHull:PlanarHull;
+        private var _quickHull:QuickHull;
+        private var _place:Vector.<int>;
+        private var _pairs:Vector.<int>;
+
         /**
          * Computes the hull.
          *
          * @param vertices x, y, z of each vertex, in any one unit; kept, not copied, and never changed
+         * @param atOnce false leaves the work to <code>step()</code>: until no step is left, nothing but the vertices is to be
+         *        asked for
          * @throws ArgumentError if it is null or empty, has a length that is no multiple of 3, or holds a number that is not
          *         finite or beyond 1e100
          */
-        public function ConvexHull(vertices:Vector.<Number>)
+        public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true)
         {
             checkLength(vertices);
             _vertices = vertices;
             _count = vertices.length / 3;
-            build();
+            var hasMore:Boolean = atOnce;
+            while (hasMore)
+            {
+                hasMore = step();
+            }
+        }
+
+        /**
+         * Goes on with the hull, if it was not computed at once.
+         *
+         * @return whether there is more to do
+         * @throws ArgumentError if a coordinate is not finite or beyond 1e100
+         */
+        public function step():Boolean
+        {
+            switch (_phase)
+            {
+                case MEASURING:
+                    measureBox();
+                    _phase = SPANNING;
+                    break;
+                case SPANNING:
+                    span();
+                    break;
+                case SNAPPING:
+                    snapNext();
+                    break;
+                case HULLING:
+                    hull();
+                    break;
+                case NUMBERING:
+                    numberCorners();
+                    _phase = MESHING;
+                    break;
+                case MESHING:
+                    makeTriangles();
+                    _phase = LINKING;
+                    break;
+                case LINKING:
+                    countNeighbors();
+                    _phase = FILLING;
+                    break;
+                case FILLING:
+                    fillNeighbors();
+                    finish();
+                    break;
+            }
+            return _phase != DONE;
         }
 
         /** The vertices that it was made of, x, y, z each: read only. */
@@ -147,29 +217,21 @@ package starlogo.geometry
             }
         }
 
-        private function build():void
+        // Lets go of what was needed on the way.
+        private function finish():void
         {
-            var box:Vector.<Number> = measureBox();
-            var corners:Vector.<int> = findSimplex(box);
-            switch (_dimension)
-            {
-                case 0:
-                    join(new <int>[corners[0]]);
-                    break;
-                case 1:
-                    join(new <int>[corners[0], corners[1]]);
-                    break;
-                case 2:
-                    snap(_axes, 2);
-                    join(PlanarHull.corners(_snapped));
-                    break;
-                default:
-                    mesh(buildMesh(box, corners));
-            }
+            _phase = DONE;
+            _box = null;
+            _simplex = null;
+            _gridAxes = null;
+            _planarHull = null;
+            _quickHull = null;
+            _place = null;
+            _pairs = null;
         }
 
         // The least x, y, z and the greatest.
-        private function measureBox():Vector.<Number>
+        private function measureBox():void
         {
             var lowX:Number = _vertices[0];
             var lowY:Number = _vertices[1];
@@ -214,46 +276,99 @@ package starlogo.geometry
                 }
             }
             _extent = Math.max(highX - lowX, highY - lowY, highZ - lowZ);
-            return new <Number>[lowX, lowY, lowZ, highX, highY, highZ];
+            _box = new <Number>[lowX, lowY, lowZ, highX, highY, highZ];
         }
 
-        // Four extreme vertices, as many of them as the set has dimensions, and one; sets the dimension and the axes.
-        private function findSimplex(box:Vector.<Number>):Vector.<int>
+        // Finds one more of four extreme vertices; when it adds no dimension to the set, or all are found, the axes are set.
+        private function span():void
+        {
+            var isHigher:Boolean = true;
+            switch (_simplex.length)
+            {
+                case 0:
+                    prepareAxes();
+                    _simplex.push(farthestFrom((_box[0] + _box[3]) / 2, (_box[1] + _box[4]) / 2, (_box[2] + _box[5]) / 2));
+                    return;
+                case 1:
+                    isHigher = spanLine(_simplex[0]);
+                    break;
+                case 2:
+                    isHigher = spanPlane(_simplex[0]);
+                    break;
+                default:
+                    isHigher = spanVolume(_simplex[0]);
+            }
+            if (isHigher)
+            {
+                _dimension++;
+            }
+            if (!isHigher || _dimension == 3)
+            {
+                chooseGrid();
+            }
+        }
+
+        private function prepareAxes():void
         {
             _dimension = 0;
             _axes = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
             var largest:Number = 0;
             for (var i:int = 0; i < 6; i++)
             {
-                largest = Math.max(largest, Math.abs(box[i]));
+                largest = Math.max(largest, Math.abs(_box[i]));
             }
             if (largest > LARGEST)
             {
                 throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
             }
-            var flat:Number = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
-            var a:int = farthestFrom((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2);
+            _flat = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
+        }
+
+        private function spanLine(a:int):Boolean
+        {
             var b:int = farthestFrom(_vertices[3 * a], _vertices[3 * a + 1], _vertices[3 * a + 2]);
-            var corners:Vector.<int> = new <int>[a, b];
-            if (!alignFirst(a, b, flat))
-            {
-                return corners;
-            }
-            _dimension = 1;
+            _simplex.push(b);
+            return alignFirst(a, b, _flat);
+        }
+
+        private function spanPlane(a:int):Boolean
+        {
             var c:int = farthestFromLine(a);
-            corners.push(c);
-            if (!alignSecond(a, c, flat))
-            {
-                return corners;
-            }
-            _dimension = 2;
+            _simplex.push(c);
+            return alignSecond(a, c, _flat);
+        }
+
+        private function spanVolume(a:int):Boolean
+        {
             var d:int = farthestFromPlane(a);
-            corners.push(d);
-            if (Math.abs(along(2, d) - along(2, a)) > flat)
+            _simplex.push(d);
+            return Math.abs(along(2, d) - along(2, a)) > _flat;
+        }
+
+        private function chooseGrid():void
+        {
+            if (_dimension < 2)
             {
-                _dimension = 3;
+                join(_dimension == 0 ? new <int>[_simplex[0]] : new <int>[_simplex[0], _simplex[1]]);
+                finish();
+                return;
             }
-            return corners;
+            _gridAxes = _dimension == 2 || isThin() ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+            _snapped = new Vector.<Number>(_dimension * _count);
+            _grid = new Vector.<Number>();
+            _phase = SNAPPING;
+        }
+
+        // Along the coordinate axes sides that are flat stay flat, but a set that is thin across them would lose precision.
+        private function isThin():Boolean
+        {
+            var extents:Number = (_box[3] - _box[0]) * (_box[4] - _box[1]) * (_box[5] - _box[2]);
+            var spanned:Number = 1;
+            for (var i:int = 0; i < 3; i++)
+            {
+                spanned *= Math.abs(along(i, _simplex[i + 1]) - along(i, _simplex[0]));
+            }
+            return spanned < Tolerances.HULL_THIN * extents;
         }
 
         private function farthestFrom(x:Number, y:Number, z:Number):int
@@ -404,58 +519,71 @@ package starlogo.geometry
                     _axes[0] * _axes[4] - _axes[1] * _axes[3]);
         }
 
-        private function buildMesh(box:Vector.<Number>, corners:Vector.<int>):Vector.<HullFace>
+        private function snapNext():void
         {
-            var extents:Number = (box[3] - box[0]) * (box[4] - box[1]) * (box[5] - box[2]);
-            var spanned:Number = 1;
-            for (var i:int = 0; i < 3; i++)
+            var axis:int = _grid.length / 5;
+            if (axis < _dimension)
             {
-                spanned *= Math.abs(along(i, corners[i + 1]) - along(i, corners[0]));
+                snap(axis);
+                return;
             }
-            // along the coordinate axes sides that are flat stay flat, but a set that is thin across them would lose precision
-            var isThin:Boolean = spanned < Tolerances.HULL_THIN * extents;
-            snap(isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1], 3);
-            return new QuickHull(_snapped).build(corners[0], corners[1], corners[2], corners[3]);
+            _phase = HULLING;
+            if (_dimension == 2)
+            {
+                _planarHull = new PlanarHull(_snapped);
+                return;
+            }
+            _quickHull = new QuickHull(_snapped);
+            _quickHull.begin(_simplex[0], _simplex[1], _simplex[2], _simplex[3]);
         }
 
-        // The vertices' coordinates along the first two or all three of these axes, in whole steps of QuickHull's grid.
-        private function snap(axes:Vector.<Number>, dimensions:int):void
+        // The vertices' coordinates along one of the grid's axes, in whole steps of QuickHull's grid.
+        private function snap(axis:int):void
         {
-            var snapped:Vector.<Number> = new Vector.<Number>(dimensions * _count);
-            _grid = new Vector.<Number>();
-            for (var axis:int = 0; axis < dimensions; axis++)
+            var snapped:Vector.<Number> = _snapped;
+            var dimensions:int = _dimension;
+            var axisX:Number = _gridAxes[3 * axis];
+            var axisY:Number = _gridAxes[3 * axis + 1];
+            var axisZ:Number = _gridAxes[3 * axis + 2];
+            var low:Number = Infinity;
+            var high:Number = -Infinity;
+            var length:int = _vertices.length;
+            var to:int = axis;
+            var i:int;
+            for (i = 0; i < length; i += 3)
             {
-                var axisX:Number = axes[3 * axis];
-                var axisY:Number = axes[3 * axis + 1];
-                var axisZ:Number = axes[3 * axis + 2];
-                var low:Number = Infinity;
-                var high:Number = -Infinity;
-                var length:int = _vertices.length;
-                var to:int = axis;
-                var i:int;
-                for (i = 0; i < length; i += 3)
+                var t:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ;
+                snapped[to] = t;
+                to += dimensions;
+                if (t < low)
                 {
-                    var t:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ;
-                    snapped[to] = t;
-                    to += dimensions;
-                    if (t < low)
-                    {
-                        low = t;
-                    }
-                    if (t > high)
-                    {
-                        high = t;
-                    }
+                    low = t;
                 }
-                var scale:Number = QuickHull.GRID / (high - low);
-                length = snapped.length;
-                for (i = axis; i < length; i += dimensions)
+                if (t > high)
                 {
-                    snapped[i] = int((snapped[i] - low) * scale + 0.5);
+                    high = t;
                 }
-                _grid.push(axisX, axisY, axisZ, low, (high - low) / QuickHull.GRID);
             }
-            _snapped = snapped;
+            var scale:Number = QuickHull.GRID / (high - low);
+            length = snapped.length;
+            for (i = axis; i < length; i += dimensions)
+            {
+                snapped[i] = int((snapped[i] - low) * scale + 0.5);
+            }
+            _grid.push(axisX, axisY, axisZ, low, (high - low) / QuickHull.GRID);
+        }
+
+        private function hull():void
+        {
+            if (_dimension == 3)
+            {
+                _phase = _quickHull.step() ? HULLING : NUMBERING;
+            }
+            else if (!_planarHull.step())
+            {
+                join(_planarHull.corners);
+                finish();
+            }
         }
 
         private function placeOnGrid():Vector.<Number>
@@ -505,11 +633,14 @@ package starlogo.geometry
                     pairs.push(place[next], place[i]);
                 }
             }
-            link(pairs);
+            _pairs = pairs;
+            countNeighbors();
+            fillNeighbors();
         }
 
-        private function mesh(faces:Vector.<HullFace>):void
+        private function numberCorners():void
         {
+            var faces:Vector.<HullFace> = _quickHull.faces;
             var place:Vector.<int> = new Vector.<int>(_count);
             var count:int = faces.length;
             var i:int;
@@ -527,9 +658,17 @@ package starlogo.geometry
                 }
             }
             number(corners);
+            _place = place;
+        }
+
+        private function makeTriangles():void
+        {
+            var faces:Vector.<HullFace> = _quickHull.faces;
+            var place:Vector.<int> = _place;
+            var count:int = faces.length;
             var pairs:Vector.<int> = new Vector.<int>(6 * count);
             _triangles.length = 3 * count;
-            for (i = 0; i < count; i++)
+            for (var i:int = 0; i < count; i++)
             {
                 var a:int = place[faces[i].a];
                 var b:int = place[faces[i].b];
@@ -539,39 +678,49 @@ package starlogo.geometry
                 _triangles[at + 1] = pairs[2 * at + 1] = pairs[2 * at + 2] = b;
                 _triangles[at + 2] = pairs[2 * at + 3] = pairs[2 * at + 4] = c;
             }
-            link(pairs);
+            _pairs = pairs;
         }
 
         private function number(corners:Vector.<int>):void
         {
             _indices = corners;
             _points = new Vector.<Number>();
-            for (var i:int = 0; i < corners.length; i++)
+            var count:int = corners.length;
+            for (var i:int = 0; i < count; i++)
             {
                 var from:int = 3 * corners[i];
                 _points.push(_vertices[from], _vertices[from + 1], _vertices[from + 2]);
             }
         }
 
-        // The neighbours from pairs of a corner and a neighbour of it.
-        private function link(pairs:Vector.<int>):void
+        // Where each corner's neighbours are to be: there are pairs of a corner and a neighbour of it.
+        private function countNeighbors():void
         {
+            var pairs:Vector.<int> = _pairs;
+            var length:int = pairs.length;
             var count:int = _indices.length;
-            _firstNeighbor = new Vector.<int>(count + 1);
-            _neighbors = new Vector.<int>(pairs.length / 2);
+            var first:Vector.<int> = new Vector.<int>(count + 1);
             var i:int;
-            for (i = 0; i < pairs.length; i += 2)
+            for (i = 0; i < length; i += 2)
             {
-                _firstNeighbor[pairs[i] + 1]++;
+                first[int(pairs[i] + 1)]++;
             }
             for (i = 0; i < count; i++)
             {
-                _firstNeighbor[i + 1] += _firstNeighbor[i];
+                first[i + 1] += first[i];
             }
+            _firstNeighbor = first;
+        }
+
+        private function fillNeighbors():void
+        {
+            var pairs:Vector.<int> = _pairs;
+            var length:int = pairs.length;
             var next:Vector.<int> = _firstNeighbor.concat();
-            for (i = 0; i < pairs.length; i += 2)
+            _neighbors = new Vector.<int>(length / 2);
+            for (var i:int = 0; i < length; i += 2)
             {
-                _neighbors[next[pairs[i]]++] = pairs[i + 1];
+                _neighbors[next[pairs[i]]++] = pairs[int(i + 1)];
             }
         }
 

@@ -2,33 +2,55 @@ package starlogo.geometry
 {
     /**
      * The convex hull of points in a plane (Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions",
-     * Information Processing Letters 9(5), 1979).
+     * Information Processing Letters 9(5), 1979), in three steps: the sorting, and either half.
      */
     public final class PlanarHull
     {
-        /** There are no instances. */
-        public function PlanarHull()
+        private var _points:Vector.<Number>;
+        private var _order:Array = null;
+        private var _corners:Vector.<int> = new Vector.<int>();
+
+        /**
+         * @param points x, y of each: whole numbers from 0 to QuickHull.GRID, with which every decision is exact
+         */
+        public function PlanarHull(points:Vector.<Number>)
         {
+            _points = points;
         }
 
         /**
-         * The hull's corners, as indices of points, counter-clockwise from the one with the least x. On a line: its two ends;
-         * in a point: that point.
-         *
-         * @param points x, y of each: whole numbers from 0 to QuickHull.GRID, with which every decision is exact
+         * The hull's corners, as indices of points, counter-clockwise from the one with the least x; when no step is left.
+         * On a line: its two ends; in a point: that point.
          */
-        public static function corners(points:Vector.<Number>):Vector.<int>
+        public function get corners():Vector.<int>
         {
-            var order:Array = sortedByXThenY(points);
-            var hull:Vector.<int> = new Vector.<int>();
-            extend(hull, points, order, 0);
-            order.reverse();
-            extend(hull, points, order, hull.length - 1);
-            if (hull.length > 1)
+            return _corners;
+        }
+
+        /**
+         * Does the next step.
+         *
+         * @return whether there is more to do
+         */
+        public function step():Boolean
+        {
+            if (_order == null)
             {
-                hull.length--;
+                _order = sortedByXThenY(_points);
+                return true;
             }
-            return hull;
+            if (_corners.length == 0)
+            {
+                extend(0);
+                return true;
+            }
+            _order.reverse();
+            extend(_corners.length - 1);
+            if (_corners.length > 1)
+            {
+                _corners.length--;
+            }
+            return false;
         }
 
         private static function sortedByXThenY(points:Vector.<Number>):Array
@@ -42,9 +64,13 @@ package starlogo.geometry
         }
 
         // Adds half the hull: only left turns stay. What is below keep belongs to the other half.
-        private static function extend(hull:Vector.<int>, points:Vector.<Number>, order:Array, keep:int):void
+        private function extend(keep:int):void
         {
-            for (var i:int = keep == 0 ? 0 : 1; i < order.length; i++)
+            var points:Vector.<Number> = _points;
+            var order:Array = _order;
+            var hull:Vector.<int> = _corners;
+            var count:int = order.length;
+            for (var i:int = keep == 0 ? 0 : 1; i < count; i++)
             {
                 var point:int = order[i];
                 while (hull.length > keep + 1 && !turnsLeft(points, hull[hull.length - 2], hull[hull.length - 1], point))

@@ -9,7 +9,8 @@ package starlogo.geometry
      * face on which a point lies is exact in two. Coplanar, collinear and duplicate points therefore need no special case:
      * a point in a face's plane does not see that face.</p>
      *
-     * <p>Cost: about n log n for n points; the worst case, which no model comes near, is quadratic.</p>
+     * <p>Cost: about n log n for n points; the worst case, which no model comes near, is quadratic. The work can be done in
+     * steps: <code>begin()</code>, then <code>step()</code> until nothing is left.</p>
      */
     public final class QuickHull
     {
@@ -22,7 +23,29 @@ package starlogo.geometry
         // Where a normal's components are split for exact products.
         private static const SPLIT:Number = 67108864;
 
+        // About how much a step does: points put on lists, points looked at per new face, faces walked over; and how many
+        // looks making a face takes as long as.
+        private static const POINTS_A_STEP:int = 1000;
+        private static const LOOKS_A_STEP:int = 6000;
+        private static const LOOKS_A_FACE:int = 12;
+        private static const FACES_A_STEP:int = 1500;
+
+        private static const ASSIGNING:int = 0;
+        private static const GROWING:int = 1;
+        private static const COLLECTING:int = 2;
+        private static const COUNTING:int = 3;
+        private static const DONE:int = 4;
+
         private var _points:Vector.<Number>;
+        private var _phase:int;
+
+        // The points to build the hull of: those listed, or all where that is null; and the next to be assigned.
+        private var _among:Vector.<int>;
+        private var _nextPoint:int;
+        private var _last:HullFace;
+        private var _faces:Vector.<HullFace>;
+        private var _nextFace:int;
+        private var _edgeEnds:Vector.<int>;
         private var _nextOutside:Vector.<int>;
         private var _faceFrom:Vector.<HullFace>;
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
@@ -48,16 +71,57 @@ package starlogo.geometry
          */
         public function build(a:int, b:int, c:int, d:int):Vector.<HullFace>
         {
-            start(a, b, c, d, null);
-            var faces:Vector.<HullFace> = grow();
-            var corners:Vector.<int> = cornersOf(faces);
-            if (corners == null)
+            begin(a, b, c, d);
+            var hasMore:Boolean = true;
+            while (hasMore)
             {
-                return faces;
+                hasMore = step();
             }
-            // Some vertex was taken that later ones have left in the middle of a flat side: again with the others alone.
-            restart(corners);
-            return grow();
+            return _faces;
+        }
+
+        /**
+         * Begins what <code>build()</code> does.
+         *
+         * @param a index of a point; the four span a tetrahedron
+         * @param b index of a point
+         * @param c index of a point
+         * @param d index of a point
+         */
+        public function begin(a:int, b:int, c:int, d:int):void
+        {
+            start(a, b, c, d, null);
+        }
+
+        /**
+         * Goes on with what was begun: a millisecond or two of it.
+         *
+         * @return whether there is more to do
+         */
+        public function step():Boolean
+        {
+            switch (_phase)
+            {
+                case ASSIGNING:
+                    assignSome();
+                    break;
+                case GROWING:
+                    growSome();
+                    break;
+                case COLLECTING:
+                    collectSome();
+                    break;
+                case COUNTING:
+                    countSome();
+                    break;
+            }
+            return _phase != DONE;
+        }
+
+        /** What <code>build()</code> returns, when no step is left. */
+        public function get faces():Vector.<HullFace>
+        {
+            return _faces;
         }
 
         private function start(a:int, b:int, c:int, d:int, among:Vector.<int>):void
@@ -88,20 +152,35 @@ package starlogo.geometry
             sideAB.acrossCA = sideBC;
             _created.length = 0;
             _created.push(base, sideAB, sideBC, sideCA);
+            _last = base;
+            _among = among;
+            _nextPoint = 0;
+            _phase = ASSIGNING;
+        }
+
+        private function assignSome():void
+        {
+            var count:int = _among == null ? _points.length / 3 : _among.length;
+            var end:int = Math.min(_nextPoint + POINTS_A_STEP, count);
             var i:int;
-            if (among == null)
+            if (_among == null)
             {
-                for (i = 0; i < count; i++)
+                for (i = _nextPoint; i < end; i++)
                 {
                     assign(i);
                 }
             }
             else
             {
-                for (i = 0; i < among.length; i++)
+                for (i = _nextPoint; i < end; i++)
                 {
-                    assign(among[i]);
+                    assign(_among[i]);
                 }
+            }
+            _nextPoint = end;
+            if (end == count)
+            {
+                _phase = GROWING;
             }
         }
 
@@ -129,25 +208,36 @@ package starlogo.geometry
             return face.exactX == 0 && face.exactY == 0 && face.exactZ == 0;
         }
 
-        private function grow():Vector.<HullFace>
+        private function growSome():void
         {
-            var last:HullFace = _created[0];
+            var looks:int = 0;
             while (_pending.length > 0)
             {
                 var face:HullFace = _pending.pop();
-                if (!face.isBuried && face.farthest >= 0)
+                if (face.isBuried || face.farthest < 0)
                 {
-                    addVertex(face.farthest, face);
-                    last = _created[0];
+                    continue;
+                }
+                var moved:int = addVertex(face.farthest, face);
+                _last = _created[0];
+                looks += (moved + LOOKS_A_FACE) * _created.length;
+                if (looks > LOOKS_A_STEP)
+                {
+                    return;
                 }
             }
-            return facesFrom(last);
+            _faces = new <HullFace>[_last];
+            _last.isVisited = true;
+            _nextFace = 0;
+            _phase = COLLECTING;
         }
 
-        private function addVertex(eye:int, face:HullFace):void
+        // Returns how many points had to be looked at again, the vertex being one of them.
+        private function addVertex(eye:int, face:HullFace):int
         {
             findHorizon(eye, face);
             buildCone(eye);
+            var moved:int = 0;
             for (var i:int = 0; i < _seen.length; i++)
             {
                 var point:int = _seen[i].firstOutside;
@@ -158,9 +248,11 @@ package starlogo.geometry
                     {
                         assign(point);
                     }
+                    moved++;
                     point = next;
                 }
             }
+            return moved;
         }
 
         // Fills _seen with the faces that the eye sees, and _horizon with pairs: a seen face, its unseen neighbour.
@@ -340,18 +432,25 @@ package starlogo.geometry
             return high * SPLIT + low;
         }
 
-        private function facesFrom(face:HullFace):Vector.<HullFace>
+        private function collectSome():void
         {
-            var faces:Vector.<HullFace> = new <HullFace>[face];
-            face.isVisited = true;
-            for (var i:int = 0; i < faces.length; i++)
+            var all:Vector.<HullFace> = _faces;
+            var end:int = _nextFace + FACES_A_STEP;
+            for (var i:int = _nextFace; i < all.length && i < end; i++)
             {
-                face = faces[i];
-                visit(face.acrossAB, faces);
-                visit(face.acrossBC, faces);
-                visit(face.acrossCA, faces);
+                var face:HullFace = all[i];
+                visit(face.acrossAB, all);
+                visit(face.acrossBC, all);
+                visit(face.acrossCA, all);
             }
-            return faces;
+            _nextFace = i;
+            if (i == all.length)
+            {
+                // a second hull is of corners only
+                _phase = _among == null ? COUNTING : DONE;
+                _nextFace = 0;
+                _edgeEnds = null;
+            }
         }
 
         private static function visit(face:HullFace, faces:Vector.<HullFace>):void
@@ -363,8 +462,39 @@ package starlogo.geometry
             }
         }
 
-        // The vertices where at least three edges that are none of a flat side meet; null when that is all of them.
-        private function cornersOf(faces:Vector.<HullFace>):Vector.<int>
+        // At first of all, how many edges that are none of a flat side meet at each vertex.
+        private function countSome():void
+        {
+            var all:Vector.<HullFace> = _faces;
+            if (_edgeEnds == null)
+            {
+                _edgeEnds = noEdges(all);
+                return;
+            }
+            var end:int = Math.min(_nextFace + FACES_A_STEP, all.length);
+            for (var i:int = _nextFace; i < end; i++)
+            {
+                var face:HullFace = all[i];
+                countEdge(_edgeEnds, face, face.acrossAB, face.a, face.b);
+                countEdge(_edgeEnds, face, face.acrossBC, face.b, face.c);
+                countEdge(_edgeEnds, face, face.acrossCA, face.c, face.a);
+            }
+            _nextFace = end;
+            if (end < all.length)
+            {
+                return;
+            }
+            _phase = DONE;
+            var corners:Vector.<int> = cornersOf(_edgeEnds);
+            if (corners != null)
+            {
+                // Some vertex was taken that later ones have left in the middle of a flat side: again with the others alone.
+                restart(corners);
+            }
+        }
+
+        // 0 for each point that is a vertex of the faces, -1 for the others.
+        private function noEdges(all:Vector.<HullFace>):Vector.<int>
         {
             var edgeEnds:Vector.<int> = new Vector.<int>(_points.length / 3);
             var i:int;
@@ -372,20 +502,19 @@ package starlogo.geometry
             {
                 edgeEnds[i] = -1;
             }
-            for (i = 0; i < faces.length; i++)
+            for (i = 0; i < all.length; i++)
             {
-                edgeEnds[faces[i].a] = edgeEnds[faces[i].b] = edgeEnds[faces[i].c] = 0;
+                edgeEnds[all[i].a] = edgeEnds[all[i].b] = edgeEnds[all[i].c] = 0;
             }
-            for (i = 0; i < faces.length; i++)
-            {
-                var face:HullFace = faces[i];
-                countEdge(edgeEnds, face, face.acrossAB, face.a, face.b);
-                countEdge(edgeEnds, face, face.acrossBC, face.b, face.c);
-                countEdge(edgeEnds, face, face.acrossCA, face.c, face.a);
-            }
+            return edgeEnds;
+        }
+
+        // The vertices where at least three edges that are none of a flat side meet; null when that is all of them.
+        private static function cornersOf(edgeEnds:Vector.<int>):Vector.<int>
+        {
             var corners:Vector.<int> = new Vector.<int>();
             var areAll:Boolean = true;
-            for (i = 0; i < edgeEnds.length; i++)
+            for (var i:int = 0; i < edgeEnds.length; i++)
             {
                 if (edgeEnds[i] >= 3)
                 {

@@ -4,11 +4,14 @@ package starlogo.libraries
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.fitting.CapsuleFitter;
-    import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.models.finish;
+
+    use namespace engine;
 
     /**
      * The tightest fitting bounding structure of each model, by the name of its shape (thesis §3.7). A model's structures are
@@ -96,26 +99,15 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            if (name == null || name == "")
-            {
-                throw new ArgumentError("a shape must have a name: " + name);
-            }
-            var found:Vector.<BoundingStructure> = fitAll(name, vertices);
-            var shape:StoredShape = new StoredShape();
-            shape.tightest = choose(found);
-            if (keepAll)
-            {
-                shape.sphere = smallest(found, BoundingStructure.SPHERE) as Sphere;
-                shape.capsule = smallest(found, BoundingStructure.CAPSULE) as Capsule;
-                shape.box = smallest(found, BoundingStructure.BOX) as Box;
-            }
-            _shapes[PREFIX + name] = shape;
+            var build:StructuresBuild = begin(name, vertices);
+            finish(build);
+            store(name, build.structures);
         }
 
         /** Whether there are structures for a shape. */
         public function has(name:String):Boolean
         {
-            return _shapes[PREFIX + name] is StoredShape;
+            return _shapes[PREFIX + name] is ShapeStructures;
         }
 
         /**
@@ -161,84 +153,29 @@ package starlogo.libraries
         /** Whether the sphere, the box and the capsule of a shape were all kept. */
         public function hasAll(name:String):Boolean
         {
-            var shape:StoredShape = _shapes[PREFIX + name] as StoredShape;
+            var shape:ShapeStructures = _shapes[PREFIX + name] as ShapeStructures;
             return shape != null && shape.sphere != null && shape.capsule != null && shape.box != null;
         }
 
-        private function fitAll(name:String, vertices:Vector.<Number>):Vector.<BoundingStructure>
+        /** Begins to find what store takes; changes nothing. */
+        engine function begin(name:String, vertices:Vector.<Number>):StructuresBuild
         {
-            if (fitters == null || fitters.length == 0)
+            if (name == null || name == "")
             {
-                throw new ArgumentError("shape \"" + name + "\": the library's list of fitters is empty");
+                throw new ArgumentError("a shape must have a name: " + name);
             }
-            var session:FitSession = startSession(name, vertices);
-            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for each (var fitter:Fitter in fitters)
-            {
-                var structure:BoundingStructure = session.fit(fitter);
-                if (structure == null || structure.kind == BoundingStructure.CYLINDER)
-                {
-                    throw new ArgumentError("shape \"" + name + "\": the library needs fitters of spheres, capsules or boxes, but "
-                            + fitter + " found " + structure);
-                }
-                found.push(structure);
-            }
-            return found;
+            return new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, keepAll);
         }
 
-        private static function startSession(name:String, vertices:Vector.<Number>):FitSession
+        /** Stores what a build found; null for nothing. */
+        engine function store(name:String, found:ShapeStructures):void
         {
-            try
-            {
-                var session:FitSession = new FitSession(vertices);
-            }
-            catch (error:ArgumentError)
-            {
-                throw new ArgumentError("shape \"" + name + "\": " + error.message);
-            }
-            return session;
+            _shapes[PREFIX + name] = found;
         }
 
-        private function choose(found:Vector.<BoundingStructure>):BoundingStructure
+        private function find(name:String):ShapeStructures
         {
-            var least:Number = Infinity;
-            for each (var structure:BoundingStructure in found)
-            {
-                least = Math.min(least, structure.volume);
-            }
-            var chosen:BoundingStructure = null;
-            for each (structure in found)
-            {
-                if (structure.volume <= least * _cheaperTestsFactor && (chosen == null || isCheaper(structure, chosen)))
-                {
-                    chosen = structure;
-                }
-            }
-            return chosen;
-        }
-
-        // The kinds are numbered by the cost of their tests.
-        private static function isCheaper(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return a.kind == b.kind ? a.volume < b.volume : a.kind < b.kind;
-        }
-
-        private static function smallest(found:Vector.<BoundingStructure>, kind:int):BoundingStructure
-        {
-            var best:BoundingStructure = null;
-            for each (var structure:BoundingStructure in found)
-            {
-                if (structure.kind == kind && (best == null || structure.volume < best.volume))
-                {
-                    best = structure;
-                }
-            }
-            return best;
-        }
-
-        private function find(name:String):StoredShape
-        {
-            var shape:StoredShape = _shapes[PREFIX + name] as StoredShape;
+            var shape:ShapeStructures = _shapes[PREFIX + name] as ShapeStructures;
             if (shape == null)
             {
                 throw new ArgumentError("there is no bounding structure for shape \"" + name
@@ -256,31 +193,5 @@ package starlogo.libraries
             }
             return structure;
         }
-    }
-}
-
-import starlogo.bounding.BoundingStructure;
-import starlogo.bounding.Box;
-import starlogo.bounding.Capsule;
-import starlogo.bounding.Sphere;
-
-/** What the library keeps of one shape. */
-final class StoredShape
-{
-    /** What has the least volume, or the cheapest tests within the factor. */
-    public var tightest:BoundingStructure;
-
-    /** The smallest one found, or null. */
-    public var sphere:Sphere;
-
-    /** The smallest one found, or null. */
-    public var capsule:Capsule;
-
-    /** The smallest one found, or null. */
-    public var box:Box;
-
-    /** Filled by the library. */
-    public function StoredShape()
-    {
     }
 }

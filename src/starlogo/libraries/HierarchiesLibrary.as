@@ -2,6 +2,7 @@ package starlogo.libraries
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.models.finish;
 
     use namespace engine;
 
@@ -63,7 +64,9 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
-            store(name, build(name, vertices, triangles));
+            var builder:HierarchyBuilder = begin(name, vertices, triangles);
+            finish(builder);
+            store(name, builder.hierarchy);
         }
 
         /** Whether there is a hierarchy for a shape. */
@@ -82,8 +85,8 @@ package starlogo.libraries
             return hierarchy(name).root;
         }
 
-        /** Builds what store takes; changes nothing. */
-        engine function build(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):Hierarchy
+        /** Begins to build what store takes; changes nothing. */
+        engine function begin(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):HierarchyBuilder
         {
             if (name == null || name == "")
             {
@@ -98,13 +101,13 @@ package starlogo.libraries
             if (triangles != null)
             {
                 checkTriangles(name, triangles, vertices.length / 3);
-                triangles = triangles.concat();
             }
             var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind);
-            return builder.build(vertices.concat(), triangles);
+            builder.begin(vertices.concat(), triangles == null ? null : triangles.concat());
+            return builder;
         }
 
-        /** Stores what build made; null for nothing. */
+        /** Stores what a builder made; null for nothing. */
         engine function store(name:String, built:Hierarchy):void
         {
             _hierarchies[PREFIX + name] = built;

@@ -6,6 +6,7 @@ package starlogo.libraries
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.models.Steps;
 
     use namespace engine;
 
@@ -16,9 +17,21 @@ package starlogo.libraries
      * that the centre of its extents is on. The thesis's splitting point, halfway along the longest axis of the box or at
      * the mean, may leave all triangles on one side; then it is halfway along the axis on which their centres spread
      * most. A node whose items all have the same centre is a leaf.</p>
+     *
+     * <p>The work is done in steps, a millisecond or two each for thousands of items. For the engine; a client has the
+     * HierarchiesLibrary.</p>
      */
-    internal final class HierarchyBuilder
+    public final class HierarchyBuilder implements Steps
     {
+        // About how much a step does.
+        private static const ITEMS_A_STEP:int = 2000;
+
+        private static const MEASURING:int = 0;
+        private static const ROOTING:int = 1;
+        private static const DIVIDING:int = 2;
+        private static const BOUNDING:int = 3;
+        private static const DONE:int = 4;
+
         private var _minVerticesToSplit:int;
         private var _maxDepth:int;
         private var _splitByMean:Boolean;
@@ -34,6 +47,8 @@ package starlogo.libraries
         private var _order:Vector.<int>;
         private var _nodes:Vector.<HierarchyNode>;
         private var _margin:Number;
+        private var _phase:int;
+        private var _next:int;
 
         /**
          * @param minVerticesToSplit a node of no more vertices is a leaf
@@ -49,61 +64,112 @@ package starlogo.libraries
             _boundsKind = boundsKind;
         }
 
-        /**
-         * Builds a hierarchy of triangles, or of vertices where triangles is null. It keeps both lists.
-         *
-         * @throws ArgumentError if the model's extent is not finite
-         */
-        public function build(vertices:Vector.<Number>, triangles:Vector.<uint>):Hierarchy
+        /** Begins a hierarchy of triangles, or of vertices where triangles is null. It keeps both lists. */
+        public function begin(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
             _hierarchy = new Hierarchy(vertices, triangles);
             _vertices = vertices;
             _triangles = triangles;
-            var count:int = findExtents();
-            _order = new Vector.<int>(count, true);
-            for (var i:int = 0; i < count; i++)
-            {
-                _order[i] = i;
-            }
+            _phase = MEASURING;
+            _next = 0;
+            _order = new Vector.<int>((triangles == null ? vertices.length : triangles.length) / 3, true);
             _hierarchy.order = _order;
             _hierarchy.boundsKind = _boundsKind;
-            _hierarchy.root = makeRoot(count);
-            _nodes = new <HierarchyNode>[_hierarchy.root];
-            // children are appended while their parents are divided
-            for (i = 0; i < _nodes.length; i++)
+            _stride = triangles == null ? 3 : 6;
+            _high = triangles == null ? 0 : 3;
+            _extents = triangles == null ? vertices : new Vector.<Number>(6 * _order.length, true);
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @throws ArgumentError if the model's extent is not finite
+         */
+        public function step():Boolean
+        {
+            switch (_phase)
             {
-                var node:HierarchyNode = _nodes[i];
+                case MEASURING:
+                    measureSome();
+                    break;
+                case ROOTING:
+                    _hierarchy.root = makeRoot(_order.length);
+                    _nodes = new <HierarchyNode>[_hierarchy.root];
+                    _phase = DIVIDING;
+                    break;
+                case DIVIDING:
+                    divideSome();
+                    break;
+                case BOUNDING:
+                    boundSome();
+                    break;
+            }
+            return _phase != DONE;
+        }
+
+        /** The hierarchy, when no step is left. */
+        public function get hierarchy():Hierarchy
+        {
+            return _hierarchy;
+        }
+
+        private function measureSome():void
+        {
+            var count:int = _order.length;
+            var end:int = Math.min(_next + ITEMS_A_STEP, count);
+            for (var i:int = _next; i < end; i++)
+            {
+                _order[i] = i;
+                if (_triangles != null)
+                {
+                    writeExtents(3 * i, 6 * i);
+                }
+            }
+            _next = end;
+            if (end == count)
+            {
+                _phase = ROOTING;
+                _next = 0;
+            }
+        }
+
+        private function divideSome():void
+        {
+            var items:int = 0;
+            // children are appended while their parents are divided
+            while (_next < _nodes.length)
+            {
+                var node:HierarchyNode = _nodes[_next++];
                 if (node.level < _maxDepth && hasEnough(node))
                 {
                     divide(node);
                 }
+                items += node.end - node.first;
+                if (items >= ITEMS_A_STEP)
+                {
+                    return;
+                }
             }
-            if (_boundsKind != BoundingStructure.BOX)
-            {
-                fitStructures();
-            }
-            return _hierarchy;
+            _phase = _boundsKind == BoundingStructure.BOX ? DONE : BOUNDING;
+            _next = 0;
         }
 
-        /** Returns the number of items. */
-        private function findExtents():int
+        // Spheres or capsules instead of boxes.
+        private function boundSome():void
         {
-            if (_triangles == null)
+            var items:int = 0;
+            while (_next < _nodes.length)
             {
-                _extents = _vertices;
-                _stride = 3;
-                _high = 0;
-                return _vertices.length / 3;
+                var node:HierarchyNode = _nodes[_next++];
+                var points:Vector.<Number> = pointsOf(node);
+                node.structure = _boundsKind == BoundingStructure.SPHERE ? sphereAround(node, points) : capsuleAround(node, points);
+                items += node.end - node.first;
+                if (items >= ITEMS_A_STEP)
+                {
+                    return;
+                }
             }
-            _stride = 6;
-            _high = 3;
-            var count:int = _triangles.length / 3;
-            _extents = new Vector.<Number>(6 * count, true);
-            for (var i:int = 0; i < count; i++)
-            {
-                writeExtents(3 * i, 6 * i);
-            }
-            return count;
+            _phase = DONE;
         }
 
         private function writeExtents(corner:int, at:int):void
@@ -384,16 +450,6 @@ package starlogo.libraries
                     rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             _nodes.push(node.left, node.right);
             return true;
-        }
-
-        private function fitStructures():void
-        {
-            for each (var node:HierarchyNode in _nodes)
-            {
-                var points:Vector.<Number> = pointsOf(node);
-                var isSphere:Boolean = _boundsKind == BoundingStructure.SPHERE;
-                node.structure = isSphere ? sphereAround(node, points) : capsuleAround(node, points);
-            }
         }
 
         private function pointsOf(node:HierarchyNode):Vector.<Number>

@@ -59,6 +59,7 @@ package starlogo.models
         private var _frames:Shape = new Shape();
         private var _doneCount:int = 0;
         private var _longestFrame:int = 0;
+        private var _longestStep:int = 0;
 
         /**
          * @param receiver takes the models in
@@ -80,6 +81,12 @@ package starlogo.models
         public function get longestFrame():int
         {
             return _longestFrame;
+        }
+
+        /** The longest time that a single step has taken so far, in milliseconds: that of a slow fitter, perhaps. */
+        public function get longestStep():int
+        {
+            return _longestStep;
         }
 
         /** Whether a model of a name is on its way: asked for, but not loaded yet. */
@@ -144,8 +151,10 @@ package starlogo.models
             {
                 if (name == null || _queue[i].name == name)
                 {
-                    _queue[i].cancel();
+                    var cancelled:ModelLoad = _queue[i];
                     _queue.splice(i, 1);
+                    cancelled.cancel();
+                    _receiver.expectNoMore(cancelled.name);
                 }
             }
             if (_queue.length == 0 && count > 0)
@@ -159,6 +168,7 @@ package starlogo.models
         {
             var added:ModelLoad = new ModelLoad(name, upAxis, _receiver);
             _queue.push(added);
+            _receiver.expect(name);
             _frames.addEventListener(Event.ENTER_FRAME, onFrame);
             return added;
         }
@@ -172,17 +182,17 @@ package starlogo.models
         private function onFrame(event:Event):void
         {
             var start:int = getTimer();
+            var now:int = start;
             var next:ModelLoad = nextReady();
             while (next != null)
             {
+                var before:int = now;
                 work(next);
-                if (getTimer() - start >= budget)
-                {
-                    break;
-                }
-                next = nextReady();
+                now = getTimer();
+                _longestStep = Math.max(_longestStep, now - before);
+                next = now - start < budget ? nextReady() : null;
             }
-            _longestFrame = Math.max(_longestFrame, getTimer() - start);
+            _longestFrame = Math.max(_longestFrame, now - start);
             report();
         }
 
@@ -220,6 +230,7 @@ package starlogo.models
             {
                 _queue.splice(place, 1);
                 _doneCount++;
+                _receiver.expectNoMore(load.name);
                 tell(load, problem);
             }
         }

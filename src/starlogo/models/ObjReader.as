@@ -3,6 +3,7 @@ package starlogo.models
     /** Reads Wavefront OBJ text; ObjModel says what of it. */
     internal final class ObjReader implements ModelReader
     {
+        private static const CHARACTERS_PER_PIECE:int = 50000;
         private static const WORDS_PER_STEP:int = 3000;
         private static const POLYGONS_PER_STEP:int = 100;
 
@@ -19,8 +20,12 @@ package starlogo.models
 
         private var _name:String;
         private var _upAxis:String;
-        private var _words:Array;
-        private var _word:int = 1; // the first is the nothing before the first line's end
+        private var _source:String;
+        // the piece of the text from _start up to _end is words now
+        private var _start:int = 0;
+        private var _end:int = 0;
+        private var _words:Array = null;
+        private var _word:int;
         private var _stage:int = WORDS;
         private var _line:int = 0;
         private var _polygon:int = 0;
@@ -56,7 +61,7 @@ package starlogo.models
             {
                 throw new ModelError(name, "", "this is no OBJ text but some binary file");
             }
-            _words = wordsOf(source);
+            _source = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
             _triangulator = new Triangulator(_vertices, _triangles);
         }
 
@@ -75,7 +80,12 @@ package starlogo.models
         /** @inheritDoc */
         public function get progress():Number
         {
-            return _stage == DONE ? 1 : 0.9 * _word / _words.length;
+            if (_words == null)
+            {
+                return _stage == DONE ? 1 : 0;
+            }
+            var read:Number = _start + (_end - _start) * _word / _words.length;
+            return 0.9 * read / Math.max(1, _source.length);
         }
 
         /** @inheritDoc */
@@ -84,7 +94,7 @@ package starlogo.models
             switch (_stage)
             {
                 case WORDS:
-                    readWords(_word + WORDS_PER_STEP);
+                    readSome();
                     break;
                 case POLYGONS:
                     cutPolygons(_polygon + POLYGONS_PER_STEP);
@@ -106,23 +116,60 @@ package starlogo.models
             return this;
         }
 
-        /**
-         * Splitting is native and cheap: so the text is made into words that one space divides, END after each line.
-         */
-        private static function wordsOf(source:String):Array
+        private function readSome():void
         {
-            var text:String = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
+            if (_words == null || _word == _words.length - 1)
+            {
+                takePiece();
+            }
+            else
+            {
+                readWords(_word + WORDS_PER_STEP);
+            }
+        }
+
+        private function takePiece():void
+        {
+            _start = _end;
+            _end = endOfPiece(_start + CHARACTERS_PER_PIECE);
+            // with what makes an end before each line and after it
+            _words = wordsOf(_start == 0 ? "\n" : "", _source.substring(_start, _end), _end == _source.length ? "\n" : "");
+            _word = 1;
+        }
+
+        /** Pieces end with a line, and with one that is not continued. */
+        private function endOfPiece(from:int):int
+        {
+            var place:int = _source.indexOf("\n", from);
+            while (place >= 0)
+            {
+                var before:int = _source.charCodeAt(place - 1) == 0x0D ? place - 2 : place - 1;
+                if (_source.charAt(before) != "\\")
+                {
+                    return place + 1;
+                }
+                place = _source.indexOf("\n", place + 1);
+            }
+            return _source.length;
+        }
+
+        /**
+         * Splitting is native and cheap: so the text is made into words that one space divides, END after each line. The
+         * first word and the last are nothing.
+         */
+        private static function wordsOf(before:String, text:String, after:String):Array
+        {
             text = Words.replaceAll(text, "\r\n", "\n");
             text = Words.replaceAll(text, "\r", "\n");
             text = Words.replaceAll(text, "\t", " ");
             text = Words.replaceAll(text, "\\\n", " " + CONTINUED + " ");
-            text = Words.replaceAll("\n" + text + "\n", "\n", " " + END + " ");
-            return Words.singleSpaced(text).split(" ");
+            text = Words.replaceAll(before + text + after, "\n", " " + END + " ");
+            return Words.singleSpaced(" " + text + " ").split(" ");
         }
 
         private function readWords(end:int):void
         {
-            var last:int = _words.length - 1; // the nothing after the last line's end
+            var last:int = _words.length - 1; // nothing
             end = Math.min(end, last);
             while (_word < end)
             {
@@ -144,7 +191,7 @@ package starlogo.models
                     skipStatement();
                 }
             }
-            if (_word >= last)
+            if (_word == last && _end == _source.length)
             {
                 checkIndices();
                 _stage = POLYGONS;

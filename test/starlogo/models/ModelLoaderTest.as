@@ -153,11 +153,14 @@ package starlogo.models
             _loader.load("file", "/fixtures/models/expected.json");
             _loader.loadText("text", OBJ);
             assertEquals(2, _loader.pendingCount);
+            assertEquals("file,text", _receiver.expected.join());
             _loader.cancel("text");
             assertEquals(1, _loader.pendingCount);
+            assertEquals("file", _receiver.expected.join());
             assertEquals(0, cancelled);
             _loader.cancel();
             assertEquals(0, _loader.pendingCount);
+            assertEquals(0, _receiver.expected.length);
             assertEquals(1, cancelled);
         }
 
@@ -186,6 +189,7 @@ package starlogo.models
             Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
                 {
                     assertEquals(0, _loader.pendingCount);
+                    assertEquals(0, _receiver.expected.length);
                     check();
                 }, 5000);
         }

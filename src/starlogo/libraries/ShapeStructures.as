@@ -1,0 +1,76 @@
+package starlogo.libraries
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+
+    /** What the BoundingStructuresLibrary keeps of one shape. */
+    public final class ShapeStructures
+    {
+        /** What has the least volume, or the cheapest tests within the factor. */
+        public var tightest:BoundingStructure;
+
+        /** The smallest one found, or null. */
+        public var sphere:Sphere;
+
+        /** The smallest one found, or null. */
+        public var capsule:Capsule;
+
+        /** The smallest one found, or null. */
+        public var box:Box;
+
+        /**
+         * @param found all that were found
+         * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
+         * @param keepsAll whether the smallest one of each kind is kept beside the tightest
+         */
+        public function ShapeStructures(found:Vector.<BoundingStructure>, cheaperTestsFactor:Number, keepsAll:Boolean)
+        {
+            tightest = choose(found, cheaperTestsFactor);
+            if (keepsAll)
+            {
+                sphere = smallest(found, BoundingStructure.SPHERE) as Sphere;
+                capsule = smallest(found, BoundingStructure.CAPSULE) as Capsule;
+                box = smallest(found, BoundingStructure.BOX) as Box;
+            }
+        }
+
+        private static function choose(found:Vector.<BoundingStructure>, factor:Number):BoundingStructure
+        {
+            var least:Number = Infinity;
+            for each (var structure:BoundingStructure in found)
+            {
+                least = Math.min(least, structure.volume);
+            }
+            var chosen:BoundingStructure = null;
+            for each (structure in found)
+            {
+                if (structure.volume <= least * factor && (chosen == null || isCheaper(structure, chosen)))
+                {
+                    chosen = structure;
+                }
+            }
+            return chosen;
+        }
+
+        // The kinds are numbered by the cost of their tests.
+        private static function isCheaper(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return a.kind == b.kind ? a.volume < b.volume : a.kind < b.kind;
+        }
+
+        private static function smallest(found:Vector.<BoundingStructure>, kind:int):BoundingStructure
+        {
+            var best:BoundingStructure = null;
+            for each (var structure:BoundingStructure in found)
+            {
+                if (structure.kind == kind && (best == null || structure.volume < best.volume))
+                {
+                    best = structure;
+                }
+            }
+            return best;
+        }
+    }
+}

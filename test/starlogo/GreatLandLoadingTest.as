@@ -1,0 +1,168 @@
+package starlogo
+{
+    import flash.events.ErrorEvent;
+    import flash.events.Event;
+    import flash.events.ProgressEvent;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+    import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ModelEvent;
+    import starlogo.models.ModelLoader;
+    import support.LibraryContents;
+    import support.SteppedModels;
+    import support.assertThrows;
+
+    /** GreatLand and ModelLoader together. */
+    public class GreatLandLoadingTest
+    {
+        private static const BUDGET:int = 8;
+        private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+
+        private var _greatLand:GreatLand;
+        private var _loader:ModelLoader;
+
+        [Before]
+        public function setUp():void
+        {
+            _greatLand = new GreatLand();
+            _loader = new ModelLoader(_greatLand, BUDGET);
+        }
+
+        [Test(async, timeout="60000")]
+        public function twelveModelsLoadWhileTheGameRuns():void
+        {
+            var frames:int = 0;
+            var loaded:Array = [];
+            _loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    frames++;
+                });
+            _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
+                {
+                    loaded.push(event.model);
+                });
+            for each (var model:Model in SteppedModels.builtIn())
+            {
+                _loader.loadText(model.name, SteppedModels.objText(model));
+            }
+            for each (var file:String in SteppedModels.FIXTURES)
+            {
+                _loader.load(SteppedModels.nameOf(file), file);
+            }
+            whenComplete(function():void
+                {
+                    trace("  12 models of a game in " + frames + " frames: the longest " + _loader.longestFrame + " ms of "
+                            + BUDGET + ", the longest step " + _loader.longestStep + " ms");
+                    assertEquals(12, loaded.length);
+                    // what is there is what addModel would have put there
+                    var dragon:Model = loaded.filter(isDragon)[0];
+                    var other:GreatLand = new GreatLand();
+                    other.addModel(dragon);
+                    assertEquals(LibraryContents.of(other, "dragon"), LibraryContents.of(_greatLand, "dragon"));
+                }, 60000);
+        }
+
+        [Test(async, timeout="5000")]
+        public function anAgentWhoseModelIsLoadingIsTold():void
+        {
+            var agent:Agent = new Agent("bear");
+            var cube:Agent = new Agent("cube");
+            _greatLand.addModel(BuiltInModel.cube());
+            assertSays(agent, cube, /there is no model "bear"/);
+            _loader.loadText("bear", OBJ);
+            assertTrue(_greatLand.isLoading("bear"));
+            assertSays(agent, cube, /"bear" is still loading/);
+            _loader.cancel();
+            assertSays(agent, cube, /there is no model "bear"/);
+            _loader.loadText("bear", "v 1");
+            _loader.loadText("bear", OBJ);
+            _loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
+                {
+                    // the second one is still to come
+                    assertTrue(_greatLand.isLoading("bear"));
+                });
+            whenComplete(function():void
+                {
+                    assertFalse(_greatLand.isLoading("bear"));
+                    for each (var system:CollisionSystem in systems())
+                    {
+                        assertTrue(system.areColliding(agent, cube));
+                    }
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function oneThatIsAddedMeanwhileServesUntilThen():void
+        {
+            var agent:Agent = new Agent("bear");
+            var cube:Agent = new Agent("cube");
+            cube.moveTo(0, 0, 0.5);
+            _greatLand.addModel(BuiltInModel.cube());
+            _loader.loadText("bear", OBJ);
+            _greatLand.addModel(new Model("bear", BuiltInModel.sphere().vertices));
+            assertTrue(_greatLand.isLoading("bear"));
+            var system:CollisionSystem = new TightestFitCollider(_greatLand);
+            assertTrue(system.areColliding(agent, cube));
+            whenComplete(function():void
+                {
+                    // the triangle lies on the ground, below the cube
+                    assertFalse(system.areColliding(agent, cube));
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function aFitterThatFailsIsReported():void
+        {
+            var problem:String = null;
+            _greatLand.boundingStructures.fitters.push(null);
+            _loader.loadText("bear", OBJ);
+            _loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
+                {
+                    problem = event.text;
+                });
+            whenComplete(function():void
+                {
+                    assertTrue(problem, /model "bear".*fitter must not be null/.test(problem));
+                    assertFalse(_greatLand.hasModel("bear"));
+                    assertFalse(_greatLand.isLoading("bear"));
+                });
+        }
+
+        private function systems():Array
+        {
+            return [new BinCollider(_greatLand), new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand),
+                    new CombinationCollider(_greatLand)];
+        }
+
+        private function assertSays(agent:Agent, other:Agent, message:RegExp):void
+        {
+            for each (var system:CollisionSystem in systems())
+            {
+                assertThrows(ArgumentError, message, system.areColliding, agent, other);
+                assertThrows(ArgumentError, message, system.findCollisions, new <Agent>[other, agent]);
+            }
+        }
+
+        private function whenComplete(check:Function, timeout:int = 5000):void
+        {
+            Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    check();
+                }, timeout);
+        }
+
+        private static function isDragon(model:Model, index:int, all:Array):Boolean
+        {
+            return model.name == "dragon";
+        }
+    }
+}

@@ -1,0 +1,255 @@
+package starlogo
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.AxisAlignedBoxFitter;
+    import starlogo.fitting.CapsuleFitter;
+    import starlogo.fitting.CylinderFitter;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.MinimalSphereFitter;
+    import starlogo.fitting.ZAlignedBoxFitter;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.Steps;
+    import support.LibraryContents;
+    import support.PointSets;
+    import support.SteppedModels;
+    import support.assertThrows;
+
+    public class GreatLandReceiveTest
+    {
+        public static const FIXTURES:Array = SteppedModels.FIXTURES;
+
+        [Test]
+        public function findsWhatAddModelFinds():void
+        {
+            compare(SteppedModels.twelve().concat(SteppedModels.odd()), new GreatLand(), new GreatLand());
+        }
+
+        [Test]
+        public function keepsToTheFlags():void
+        {
+            for (var flags:int = 0; flags < 8; flags++)
+            {
+                compare(SteppedModels.builtIn(), withFlags(flags), withFlags(flags));
+            }
+        }
+
+        [Test]
+        public function keepsToTheLibrariesSettings():void
+        {
+            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE])
+            {
+                compare(SteppedModels.builtIn().concat(SteppedModels.odd()), withSettings(kind), withSettings(kind));
+            }
+        }
+
+        [Test]
+        public function theSettingsAreThoseOfTheBeginning():void
+        {
+            var greatLand:GreatLand = withFlags(7);
+            var intake:Steps = greatLand.receive(turnedBox());
+            greatLand.loadTightestFit = false;
+            greatLand.loadHierarchies = false;
+            greatLand.loadAllBoundingStructures = false;
+            greatLand.orientedBoxDegIncrement = 45;
+            greatLand.boundingStructures.cheaperTestsFactor = 100;
+            greatLand.boundingStructures.fitters.length = 1;
+            greatLand.hierarchies.maxDepth = 1;
+            greatLand.hierarchies.splitByMean = true;
+            finish(intake);
+            var expected:GreatLand = withFlags(7);
+            expected.addModel(turnedBox());
+            assertEquals(LibraryContents.of(expected, "turned"), LibraryContents.of(greatLand, "turned"));
+        }
+
+        [Test]
+        public function nothingShowsBeforeTheLastStep():void
+        {
+            var count:int = finish(withFlags(7).receive(turnedBox()));
+            assertTrue(count + " steps", count > 80);
+            var greatLand:GreatLand = withFlags(7);
+            // cancelled after each number of steps
+            for (var done:int = 0; done < count; done++)
+            {
+                var intake:Steps = greatLand.receive(turnedBox());
+                for (var i:int = 0; i < done; i++)
+                {
+                    assertTrue(intake.step());
+                }
+                assertUntouched(greatLand, "after " + done + " steps");
+            }
+            // and with another model of the name
+            greatLand.addModel(new Model("turned", BuiltInModel.cube().vertices));
+            var before:String = LibraryContents.of(greatLand, "turned");
+            intake = greatLand.receive(turnedBox());
+            while (intake.step())
+            {
+                assertEquals(before, LibraryContents.of(greatLand, "turned"));
+            }
+            assertFalse(before == LibraryContents.of(greatLand, "turned"));
+        }
+
+        [Test]
+        public function aFailingStepLeavesNothing():void
+        {
+            for (var place:int = 0; place < 4; place++)
+            {
+                for each (var fitter:Fitter in [new CylinderFitter(new AxisAlignedBoxFitter()), new CapsuleFitter(new MinimalSphereFitter()), new RefusingFitter()])
+                {
+                    var greatLand:GreatLand = withFlags(7);
+                    greatLand.boundingStructures.fitters.splice(place, 0, fitter);
+                    var intake:Steps = greatLand.receive(turnedBox());
+                    assertThrows(ArgumentError, /shape "turned": /, finish, intake);
+                    assertUntouched(greatLand, fitter + " at " + place);
+                    assertThrows(ArgumentError, /shape "turned": /, greatLand.addModel, turnedBox());
+                }
+            }
+            assertThrows(ArgumentError, /null/, greatLand.receive, null);
+        }
+
+        [Test]
+        public function aFitterWithoutStepsIsOneStep():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            var counting:CountingFitter = new CountingFitter();
+            greatLand.boundingStructures.fitters = new <Fitter>[counting, new CapsuleFitter(counting)];
+            greatLand.loadHierarchies = false;
+            var intake:Steps = greatLand.receive(turnedBox());
+            assertEquals(0, counting.calls);
+            finish(intake);
+            assertEquals(1, counting.calls);
+            assertTrue(greatLand.boundingStructures.has("turned"));
+        }
+
+        [Test]
+        public function theModelThatIsThereLastCounts():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            var intake:Steps = greatLand.receive(turnedBox());
+            intake.step();
+            greatLand.addModel(new Model("turned", BuiltInModel.cube().vertices));
+            assertEquals(1, greatLand.boundingStructures.tightestFit("turned").volume);
+            finish(intake);
+            assertTrue(greatLand.boundingStructures.tightestFit("turned").volume < 0.9);
+        }
+
+        [Test]
+        public function structuresOfAnotherModelDoNotStay():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.cube());
+            greatLand.loadTightestFit = false;
+            greatLand.addModel(new Model("cube", turnedBox().vertices));
+            assertFalse(greatLand.boundingStructures.has("cube"));
+        }
+
+        // All intakes of the second at the same time, a step of each in turn.
+        private static function compare(models:Vector.<Model>, atOnce:GreatLand, stepped:GreatLand):void
+        {
+            var intakes:Array = [];
+            for each (var model:Model in models)
+            {
+                intakes.push(stepped.receive(model));
+            }
+            while (intakes.length > 0)
+            {
+                intakes = intakes.filter(hasMore);
+            }
+            for each (model in models)
+            {
+                atOnce.addModel(model);
+                var expected:String = LibraryContents.of(atOnce, model.name);
+                var actual:String = LibraryContents.of(stepped, model.name);
+                if (actual != expected)
+                {
+                    fail(model.name + ": " + actual.substr(0, 1000) + "\ninstead of " + expected.substr(0, 1000));
+                }
+            }
+        }
+
+        private static function hasMore(intake:Steps, index:int, all:Array):Boolean
+        {
+            return intake.step();
+        }
+
+        private static function finish(intake:Steps):int
+        {
+            var count:int = 1;
+            while (intake.step())
+            {
+                count++;
+            }
+            return count;
+        }
+
+        private static function withFlags(flags:int):GreatLand
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.loadTightestFit = (flags & 1) != 0;
+            greatLand.loadHierarchies = (flags & 2) != 0;
+            greatLand.loadAllBoundingStructures = (flags & 4) != 0;
+            return greatLand;
+        }
+
+        private static function withSettings(kind:int):GreatLand
+        {
+            var greatLand:GreatLand = withFlags(7);
+            greatLand.boundingStructures.fitters.push(new ZAlignedBoxFitter(5), new MinimalSphereFitter());
+            greatLand.boundingStructures.cheaperTestsFactor = 1.2;
+            greatLand.orientedBoxDegIncrement = 15;
+            greatLand.hierarchies.boundsKind = kind;
+            greatLand.hierarchies.splitByMean = true;
+            greatLand.hierarchies.maxDepth = 6;
+            return greatLand;
+        }
+
+        private static function assertUntouched(greatLand:GreatLand, when:String):void
+        {
+            assertFalse(when, greatLand.hasModel("turned"));
+            assertFalse(when, greatLand.boundingStructures.has("turned"));
+            assertFalse(when, greatLand.hierarchies.has("turned"));
+        }
+
+        // A cube on its edge, 45 degrees about x, its sides of many vertices.
+        private static function turnedBox():Model
+        {
+            var points:Vector.<Number> = PointSets.box(0.7, 0.5, 0.5, 4);
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                var y:Number = points[i + 1];
+                points[i + 1] = (y - points[i + 2]) * Math.SQRT1_2;
+                points[i + 2] = (y + points[i + 2]) * Math.SQRT1_2;
+            }
+            return new Model("turned", points);
+        }
+    }
+}
+
+import flash.geom.Vector3D;
+import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Box;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
+
+class CountingFitter extends Fitter
+{
+    public var calls:int = 0;
+
+    override public function fitTo(session:FitSession):BoundingStructure
+    {
+        calls++;
+        return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 3, 2, 2);
+    }
+}
+
+class RefusingFitter extends Fitter
+{
+    override public function fitTo(session:FitSession):BoundingStructure
+    {
+        throw new ArgumentError("no");
+    }
+}

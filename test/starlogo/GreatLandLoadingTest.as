@@ -63,6 +63,7 @@ package starlogo
                     trace("  12 models of a game in " + frames + " frames: the longest " + _loader.longestFrame + " ms of "
                             + BUDGET + ", the longest step " + _loader.longestStep + " ms");
                     assertEquals(12, loaded.length);
+                    assertTrue("it stops when the budget is spent", _loader.longestFrame <= BUDGET + _loader.longestStep);
                     // what is there is what addModel would have put there
                     var dragon:Model = loaded.filter(isDragon)[0];
                     var other:GreatLand = new GreatLand();

@@ -94,6 +94,15 @@ package starlogo
         }
 
         [Test]
+        public function largerModelsTakeMoreSteps():void
+        {
+            var few:int = finish(new GreatLand().receive(new Model("ball", PointSets.sphere(1, 20, 11))));
+            var many:int = finish(new GreatLand().receive(new Model("ball", PointSets.sphere(1, 100, 51))));
+            // the same rotations, but not the same work before them
+            assertTrue(few + " and " + many + " steps", few > 90 && many > few + 100);
+        }
+
+        [Test]
         public function aFailingStepLeavesNothing():void
         {
             for (var place:int = 0; place < 4; place++)

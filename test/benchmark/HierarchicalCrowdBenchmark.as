@@ -53,6 +53,11 @@ package benchmark
             measureCrowd("bears that look elsewhere");
             measureKind(BoundingStructure.SPHERE, "spheres");
             measureKind(BoundingStructure.CAPSULE, "capsules");
+            for (i = 0; i < COUNT; i++)
+            {
+                _scene.agents[i].pitch = i * 0.7;
+            }
+            measureCrowd("bears that lean");
             measureDragons();
             return String(_table);
         }

@@ -25,10 +25,10 @@ package starlogo.geometry
 
         // About how much a step does: points put on lists, points looked at per new face, faces walked over; and how many
         // looks making a face takes as long as.
-        private static const POINTS_A_STEP:int = 1000;
-        private static const LOOKS_A_STEP:int = 6000;
+        private static const POINTS_A_STEP:int = 500;
+        private static const LOOKS_A_STEP:int = 3000;
         private static const LOOKS_A_FACE:int = 12;
-        private static const FACES_A_STEP:int = 1500;
+        private static const FACES_A_STEP:int = 700;
 
         private static const ASSIGNING:int = 0;
         private static const GROWING:int = 1;

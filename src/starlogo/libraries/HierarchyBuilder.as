@@ -23,8 +23,9 @@ package starlogo.libraries
      */
     public final class HierarchyBuilder implements Steps
     {
-        // About how much a step does.
-        private static const ITEMS_A_STEP:int = 2000;
+        // About how much a step does, and how many items making a node takes as long as.
+        private static const ITEMS_A_STEP:int = 1000;
+        private static const ITEMS_A_NODE:int = 10;
 
         private static const MEASURING:int = 0;
         private static const ROOTING:int = 1;
@@ -144,7 +145,7 @@ package starlogo.libraries
                 {
                     divide(node);
                 }
-                items += node.end - node.first;
+                items += node.end - node.first + ITEMS_A_NODE;
                 if (items >= ITEMS_A_STEP)
                 {
                     return;
@@ -163,7 +164,7 @@ package starlogo.libraries
                 var node:HierarchyNode = _nodes[_next++];
                 var points:Vector.<Number> = pointsOf(node);
                 node.structure = _boundsKind == BoundingStructure.SPHERE ? sphereAround(node, points) : capsuleAround(node, points);
-                items += node.end - node.first;
+                items += node.end - node.first + ITEMS_A_NODE;
                 if (items >= ITEMS_A_STEP)
                 {
                     return;

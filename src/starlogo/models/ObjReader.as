@@ -3,8 +3,8 @@ package starlogo.models
     /** Reads Wavefront OBJ text; ObjModel says what of it. */
     internal final class ObjReader implements ModelReader
     {
-        private static const CHARACTERS_PER_PIECE:int = 50000;
-        private static const WORDS_PER_STEP:int = 3000;
+        private static const CHARACTERS_PER_PIECE:int = 30000;
+        private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
 
         // words of the reader's own, of characters that no text uses: a line's end, and one that the next line goes on

@@ -63,7 +63,7 @@ package starlogo.models
         public function readsLongTextsInPieces():void
         {
             // wherever the text is cut
-            for (var length:int = 49950; length < 50030; length++)
+            for (var length:int = 29950; length < 30030; length++)
             {
                 var start:String = "v 0 0 0\n" + new Array(length).join("#") + "\n";
                 var model:ObjModel = new ObjModel("a", start + "v 1 \\\n 0 0\r\nv \\\r\n1 1 0\nf 1 \\\r\n2 3");

@@ -5,7 +5,7 @@ package timing
     /** Something that is timed, and how long it took. */
     public final class Measurement
     {
-        private static const SAMPLE_MS:int = 20;
+        private static const SAMPLE_MS:int = 12;
 
         /** What is measured. */
         public var name:String;

@@ -1,9 +1,7 @@
 package timing
 {
-    import flash.display.Graphics;
     import flash.display.Sprite;
     import starlogo.agents.Agent;
-    import starlogo.collision.CollisionSystem;
 
     /** SpaceLand from above: a dot for each agent, red where it has collided. */
     public class GroundView extends Sprite

@@ -4,7 +4,6 @@ package timing
     import scenes.Scene;
     import scenes.Scenes;
     import starlogo.GreatLand;
-    import starlogo.models.Model;
 
     /** Which tasks the settings ask for, in the order of the thesis's section 6. */
     public final class Plan

@@ -1,7 +1,6 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.agents.Agent;
     import starlogo.engine;
 
     use namespace engine;

@@ -1,10 +1,8 @@
 package starlogo.collision
 {
-    import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import org.flexunit.asserts.fail;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;

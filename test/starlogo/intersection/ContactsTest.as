@@ -2,7 +2,6 @@ package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;

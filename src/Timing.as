@@ -9,15 +9,15 @@ package
     import flash.text.TextFormat;
     import flash.utils.getTimer;
     import headless.Host;
-    import timing.GameTask;
-    import timing.GroundView;
-    import timing.ModelFiles;
-    import timing.MonitorTask;
-    import timing.Plan;
-    import timing.Progress;
-    import timing.Results;
-    import timing.Settings;
-    import timing.Task;
+    import evaluation.GameTask;
+    import evaluation.GroundView;
+    import evaluation.ModelFiles;
+    import evaluation.MonitorTask;
+    import evaluation.Plan;
+    import evaluation.Progress;
+    import evaluation.Results;
+    import evaluation.Settings;
+    import evaluation.Task;
 
     /**
      * The timing harness: the thesis's evaluation (§6), run in the player a step a frame. What was measured goes to the

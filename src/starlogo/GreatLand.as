@@ -3,14 +3,14 @@ package starlogo
     import starlogo.agents.Agent;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.Hierarchy;
-    import starlogo.libraries.HierarchyBuilder;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.libraries.ShapeStructures;
     import starlogo.libraries.StructuresBuild;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
-    import starlogo.models.Steps;
-    import starlogo.models.finish;
+    import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     use namespace engine;
 

@@ -1,9 +1,9 @@
 package starlogo
 {
-    import starlogo.libraries.HierarchyBuilder;
+    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.libraries.StructuresBuild;
     import starlogo.models.Model;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
 
     /** A model on its way into a GreatLand: all is built first, and stored in the last step. */
     internal final class ModelIntake implements Steps

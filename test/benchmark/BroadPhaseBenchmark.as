@@ -4,9 +4,9 @@ package benchmark
     import starlogo.agents.Agent;
     import starlogo.collision.BinCollider;
     import starlogo.models.BuiltInModel;
-    import support.SeededRandom;
-    import timing.Measurement;
-    import timing.Table;
+    import evaluation.pairs.SeededRandom;
+    import evaluation.Measurement;
+    import evaluation.Table;
 
     /**
      * BinCollider.findCollisions with unit agents that are scattered over 100 by 100 patches and all have moved, against

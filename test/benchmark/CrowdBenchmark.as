@@ -2,9 +2,9 @@ package benchmark
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
-    import literal.LiteralTightestFitCollider;
-    import scenes.Scene;
-    import scenes.Scenes;
+    import evaluation.literal.LiteralTightestFitCollider;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
@@ -15,8 +15,8 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.models.ObjModel;
     import support.Fixtures;
-    import timing.Measurement;
-    import timing.Table;
+    import evaluation.Measurement;
+    import evaluation.Table;
 
     /**
      * The thesis's crowd (§6.1): 100 agents in one bin, all colliding, all moved in each frame. With bears, the

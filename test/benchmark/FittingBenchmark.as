@@ -1,8 +1,8 @@
 package benchmark
 {
     import flash.utils.getTimer;
-    import literal.BulkOrientedBoxFit;
-    import literal.LiteralOrientedBoxFit;
+    import evaluation.literal.BulkOrientedBoxFit;
+    import evaluation.literal.LiteralOrientedBoxFit;
     import starlogo.bounding.BoundingStructure;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.MinimalBoxFitter;

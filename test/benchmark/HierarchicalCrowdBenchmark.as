@@ -1,8 +1,8 @@
 package benchmark
 {
-    import literal.LiteralHierarchicalCollider;
-    import scenes.Scene;
-    import scenes.Scenes;
+    import evaluation.literal.LiteralHierarchicalCollider;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
@@ -13,8 +13,8 @@ package benchmark
     import starlogo.models.ColladaModel;
     import starlogo.models.ObjModel;
     import support.Fixtures;
-    import timing.Measurement;
-    import timing.Table;
+    import evaluation.Measurement;
+    import evaluation.Table;
 
     /**
      * The thesis's crowd of 100 bears, all colliding (§6.1), by hierarchies (§6.3.4) and with one hierarchical main character

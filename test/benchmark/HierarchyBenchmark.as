@@ -6,8 +6,8 @@ package benchmark
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import support.Fixtures;
-    import timing.Measurement;
-    import timing.Table;
+    import evaluation.Measurement;
+    import evaluation.Table;
 
     /** The time to build the hierarchy of each model, beside the thesis's (Figure 6-5, whose other models are not public). */
     public class HierarchyBenchmark

@@ -1,7 +1,10 @@
 package benchmark
 {
+    import evaluation.Measurement;
+    import evaluation.pairs.LiteralPairLoops;
+    import evaluation.pairs.PairLoops;
+    import evaluation.pairs.PairSet;
     import starlogo.bounding.BoundingStructure;
-    import timing.Measurement;
 
     /**
      * Times the pair tests on random pairs of which 40 % meet, and on pairs that all meet, as multiples of the

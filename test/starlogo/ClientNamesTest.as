@@ -39,7 +39,7 @@ package starlogo
     import starlogo.intersection.sphereSphere;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.libraries.HierarchyNode;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;

@@ -13,7 +13,7 @@ package starlogo
     import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
     import support.LibraryContents;
     import support.PointSets;
     import support.SteppedModels;

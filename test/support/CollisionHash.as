@@ -1,7 +1,7 @@
 package support
 {
     import flash.utils.Dictionary;
-    import scenes.Scene;
+    import evaluation.scenes.Scene;
     import starlogo.agents.Agent;
     import starlogo.collision.CollisionSystem;
 

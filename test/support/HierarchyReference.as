@@ -5,7 +5,7 @@ package support
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.intersection.intersects;
-    import starlogo.libraries.HierarchyNode;
+    import starlogo.hierarchy.HierarchyNode;
 
     use namespace engine;
 

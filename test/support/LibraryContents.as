@@ -6,7 +6,7 @@ package support
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.libraries.HierarchyNode;
+    import starlogo.hierarchy.HierarchyNode;
 
     /** Everything that a GreatLand holds of a model as text, to the last digit: two of them can be compared. */
     public final class LibraryContents

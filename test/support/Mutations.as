@@ -1,5 +1,6 @@
 package support
 {
+    import evaluation.pairs.SeededRandom;
     import flash.utils.ByteArray;
 
     /** Damages files the way disks, networks and hands do. */

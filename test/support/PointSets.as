@@ -1,5 +1,7 @@
 package support
 {
+    import evaluation.pairs.SeededRandom;
+
     /** Sets of vertices (x, y, z each) that fits and hulls are tried on: shapes by formula, random ones, degenerate ones. */
     public final class PointSets
     {

@@ -1,5 +1,6 @@
 package support
 {
+    import evaluation.pairs.SeededRandom;
     import starlogo.agents.Agent;
 
     /** Seeded random worlds of agents, of kinds that are hard on bins each in its own way. */

@@ -1,7 +1,7 @@
 package support
 {
     import starlogo.models.ModelReceiver;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
     import starlogo.models.Model;
 
     /** Receives models in ten steps that each take their time. */

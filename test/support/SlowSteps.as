@@ -1,7 +1,7 @@
 package support
 {
     import flash.utils.getTimer;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
 
     /** The steps of a SlowReceiver. */
     public class SlowSteps implements Steps

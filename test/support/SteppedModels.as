@@ -1,5 +1,6 @@
 package support
 {
+    import evaluation.pairs.SeededRandom;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;

@@ -1,5 +1,7 @@
 package support
 {
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;

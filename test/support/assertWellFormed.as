@@ -27,7 +27,7 @@ import org.flexunit.asserts.fail;
 import starlogo.bounding.BoundingStructure;
 import starlogo.bounding.Box;
 import starlogo.libraries.HierarchiesLibrary;
-import starlogo.libraries.HierarchyNode;
+import starlogo.hierarchy.HierarchyNode;
 
 class WellFormedCheck
 {

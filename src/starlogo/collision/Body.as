@@ -6,7 +6,7 @@ package starlogo.collision
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
-    import starlogo.libraries.Hierarchy;
+    import starlogo.hierarchy.Hierarchy;
 
     use namespace engine;
 

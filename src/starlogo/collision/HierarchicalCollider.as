@@ -35,7 +35,7 @@ package starlogo.collision
         public var exact:Boolean = false;
 
         private var _maxDepth:int = 5;
-        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _traversal:BodyTraversal = new BodyTraversal();
 
         /**
          * A collider for the agents of a game.

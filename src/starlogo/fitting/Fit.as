@@ -2,7 +2,7 @@ package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 

@@ -4,7 +4,7 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.ConvexHull;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 

@@ -1,6 +1,6 @@
 package starlogo.fitting
 {
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
 
     /** A fit along the longest axis of a box: the steps that find the box, and one more. */
     public final class SpineFit extends Fit

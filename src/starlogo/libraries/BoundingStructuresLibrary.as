@@ -9,7 +9,7 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.OrientedBoxFitter;
-    import starlogo.models.finish;
+    import starlogo.steps.finish;
 
     use namespace engine;
 

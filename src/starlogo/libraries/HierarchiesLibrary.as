@@ -2,7 +2,10 @@ package starlogo.libraries
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.models.finish;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyBuilder;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.steps.finish;
 
     use namespace engine;
 

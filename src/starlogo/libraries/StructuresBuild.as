@@ -4,7 +4,7 @@ package starlogo.libraries
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
-    import starlogo.models.Steps;
+    import starlogo.steps.Steps;
 
     /**
      * Finds the structures of one shape for a BoundingStructuresLibrary, with the library's settings as they were when it

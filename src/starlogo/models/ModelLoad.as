@@ -9,6 +9,7 @@ package starlogo.models
     import flash.net.URLLoaderDataFormat;
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
+    import starlogo.steps.Steps;
 
     /** One model on its way through a ModelLoader: fetched, read, normalised, and taken in by the receiver. */
     internal final class ModelLoad implements Steps

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.steps.Steps;
+
     /** Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. */
     internal interface ModelReader extends Steps
     {

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.steps.Steps;
+
     /** Takes in the models that a ModelLoader has read: fits structures to them, say. */
     public interface ModelReceiver
     {

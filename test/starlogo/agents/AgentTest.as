@@ -5,7 +5,7 @@ package starlogo.agents
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class AgentTest

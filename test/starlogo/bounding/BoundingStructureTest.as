@@ -8,7 +8,7 @@ package starlogo.bounding
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.geometry.Placement;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.Structures;
 
     /** What every bounding structure promises. */

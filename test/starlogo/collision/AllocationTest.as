@@ -5,7 +5,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
 
     /**
      * Steady frames allocate nothing. The player collects no garbage while a test runs, so that whatever a frame allocates

@@ -8,7 +8,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import support.BruteForce;
     import support.RandomWorlds;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class BinColliderTest

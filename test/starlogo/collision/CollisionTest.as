@@ -7,7 +7,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
-    import support.EveryPairSystem;
+    import evaluation.EveryPairSystem;
     import support.assertThrows;
 
     public class CollisionTest

@@ -14,7 +14,7 @@ package starlogo.collision
     import starlogo.models.Model;
     import support.BruteForce;
     import support.HierarchyReference;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class CombinationColliderTest

@@ -9,7 +9,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.HierarchyReference;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class HierarchicalColliderTest

@@ -10,7 +10,7 @@ package starlogo.collision
     import support.EveryTriangle;
     import support.Fixtures;
     import support.PlacementTally;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
 
     /**
      * The game's own models at random places, any rotation, sizes 0.3 to 5, against every triangle of each: hierarchies miss

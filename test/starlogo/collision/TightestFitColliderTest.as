@@ -11,7 +11,7 @@ package starlogo.collision
     import starlogo.models.Model;
     import support.BruteForce;
     import support.RandomWorlds;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class TightestFitColliderTest

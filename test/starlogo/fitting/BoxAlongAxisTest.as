@@ -3,7 +3,7 @@ package starlogo.fitting
     import org.flexunit.asserts.assertTrue;
     import starlogo.geometry.ConvexHull;
     import support.PointSets;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
 
     public class BoxAlongAxisTest
     {

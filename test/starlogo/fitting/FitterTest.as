@@ -1,6 +1,6 @@
 package starlogo.fitting
 {
-    import literal.LiteralOrientedBoxFit;
+    import evaluation.literal.LiteralOrientedBoxFit;
     import flash.geom.Vector3D;
     import flash.utils.getQualifiedClassName;
     import org.flexunit.asserts.assertEquals;
@@ -12,7 +12,7 @@ package starlogo.fitting
     import starlogo.bounding.Sphere;
     import support.FitChecks;
     import support.PointSets;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.SmallestSphereReference;
 
     public class FitterTest
@@ -296,10 +296,6 @@ package starlogo.fitting
 import flash.geom.Matrix3D;
 import flash.utils.ByteArray;
 import starlogo.bounding.BoundingStructure;
-import starlogo.fitting.AxisAlignedBoxFitter;
-import starlogo.fitting.FitSession;
-import starlogo.fitting.Fitter;
-import starlogo.fitting.RotationSearch;
 import starlogo.geometry.ConvexHull;
 
 class SingleRotationSearch extends RotationSearch

@@ -5,7 +5,7 @@ package starlogo.geometry
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
     import support.PointSets;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
 
     public class ConvexHullTest
     {

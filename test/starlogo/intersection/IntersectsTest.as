@@ -10,8 +10,8 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
-    import support.RandomStructures;
-    import support.SeededRandom;
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
 
     public class IntersectsTest
     {

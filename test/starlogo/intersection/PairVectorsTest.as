@@ -1,6 +1,6 @@
 package starlogo.intersection
 {
-    import literal.LiteralTests;
+    import evaluation.literal.LiteralTests;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import support.PairVectors;

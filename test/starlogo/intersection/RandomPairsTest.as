@@ -4,8 +4,8 @@ package starlogo.intersection
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import support.ConvexReference;
-    import support.RandomStructures;
-    import support.SeededRandom;
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
 
     /** Random pairs against a reference that works in another way and proves its answers. */
     public class RandomPairsTest

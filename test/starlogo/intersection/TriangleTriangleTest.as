@@ -2,7 +2,7 @@ package starlogo.intersection
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.TriangleDistance;
 
     /** The test of triangles against their distance: right about all that are not within 1e-7 of their size of touching. */

@@ -16,7 +16,7 @@ package starlogo.libraries
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
     import support.PointSets;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
 
     public class BoundingStructuresLibraryTest
     {

@@ -1,5 +1,6 @@
 package starlogo.libraries
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
@@ -7,9 +8,9 @@ package starlogo.libraries
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import support.SeededRandom;
     import support.assertThrows;
     import support.assertWellFormed;
 

@@ -5,7 +5,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import support.Collada;
     import support.Mutations;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.Zip;
 
     /** Damaged files: each loads, or fails with a ModelError, and soon. */

@@ -6,7 +6,7 @@ package starlogo.models
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import support.Failures;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.Surfaces;
 
     public class ModelTest

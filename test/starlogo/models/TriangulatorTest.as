@@ -4,7 +4,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
-    import support.SeededRandom;
+    import evaluation.pairs.SeededRandom;
     import support.Surfaces;
 
     public class TriangulatorTest

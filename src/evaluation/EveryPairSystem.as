@@ -1,0 +1,28 @@
+package evaluation
+{
+    import starlogo.agents.Agent;
+    import starlogo.collision.CollisionSystem;
+
+    /** A collision system of somebody else's, for which everything collides with everything. */
+    public class EveryPairSystem implements CollisionSystem
+    {
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            return true;
+        }
+
+        public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            out ||= new Vector.<Agent>();
+            out.length = 0;
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                for (var j:int = i + 1; j < agents.length; j++)
+                {
+                    out.push(agents[i], agents[j]);
+                }
+            }
+            return out;
+        }
+    }
+}

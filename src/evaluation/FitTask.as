@@ -1,0 +1,55 @@
+package evaluation
+{
+    import evaluation.literal.LiteralOrientedBoxFit;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.models.Model;
+
+    /** Figure 6-2: the time to find the tightest fit of a model. */
+    public final class FitTask extends MeasuringTask
+    {
+        private static const DEG_INCREMENT:Number = 10;
+        private static const KINDS:Array = ["sphere", "capsule", "box"];
+
+        private var _model:Model;
+        private var _library:BoundingStructuresLibrary = new BoundingStructuresLibrary(DEG_INCREMENT);
+        private var _ours:Measurement;
+        private var _literal:Measurement;
+
+        /**
+         * @param model what is fitted
+         * @param settings says how often
+         * @param results takes the times
+         */
+        public function FitTask(model:Model, settings:Settings, results:Results)
+        {
+            super("fits of the " + model.name, settings.repetitions * (60 + model.vertices.length / 20), settings, results);
+            _model = model;
+        }
+
+        /** @inheritDoc */
+        override protected function prepare():void
+        {
+            _ours = measure("fit", function():void
+                {
+                    _library.add(_model.name, _model.vertices);
+                }, 1);
+            // a ninth of the rotations: all of them would leave more objects than the player can hold in one call
+            _literal = measure("literal fit", function():void
+                {
+                    new LiteralOrientedBoxFit(_model.vertices, DEG_INCREMENT, DEG_INCREMENT);
+                }, DEG_INCREMENT / 90);
+        }
+
+        /** @inheritDoc */
+        override protected function conclude():Boolean
+        {
+            var tightest:BoundingStructure = _library.tightestFit(_model.name);
+            var entry:Object = _results.addTime("fits", _model.name, "engine", _ours, _base, Thesis.FIT_MS[_model.name]);
+            entry.vertices = _model.vertices.length / 3;
+            entry.tightest = KINDS[tightest.kind];
+            _results.addTime("fits", _model.name, "literal", _literal, _base);
+            return true;
+        }
+    }
+}

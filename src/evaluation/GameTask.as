@@ -1,0 +1,144 @@
+package evaluation
+{
+    import evaluation.scenes.Scene;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionSystem;
+
+    /**
+     * Plays a scene with a collider: the time of a frame's collision detection, handlers included (§6.1). The collisions of
+     * the last frame are checked against those of all pairs.
+     */
+    public final class GameTask extends MeasuringTask
+    {
+        private static const LITERAL_PAIRS:int = 300;
+        private static const CHECKED_PAIRS:int = 100000;
+
+        /** What is played. */
+        public var scene:Scene;
+
+        /** Finds the collisions. */
+        public var collider:CollisionSystem;
+
+        private var _figure:String;
+        private var _subject:String;
+        private var _variant:String;
+        private var _literalTest:Function;
+        private var _thesis:*;
+        private var _checkedPairs:int;
+        private var _collision:Collision;
+        private var _paint:Number = 0;
+        private var _frame:Measurement;
+        private var _literal:Measurement;
+        private var _check:AllPairsCheck;
+
+        /**
+         * @param figure what it belongs to
+         * @param subject the row
+         * @param variant the column: the collider
+         * @param scene what is played
+         * @param collider finds the collisions
+         * @param literalTest tells literally whether two agents collide, or null
+         * @param thesis the thesis's milliseconds, or undefined
+         * @param settings says how often
+         * @param results takes the times
+         */
+        public function GameTask(figure:String, subject:String, variant:String, scene:Scene, collider:CollisionSystem, literalTest:Function, thesis:*, settings:Settings, results:Results)
+        {
+            super(variant + ", " + subject, settings.repetitions * 120, settings, results);
+            _figure = figure;
+            _subject = subject;
+            _variant = variant;
+            this.scene = scene;
+            this.collider = collider;
+            _literalTest = literalTest;
+            _thesis = thesis;
+            _checkedPairs = settings.isFull ? 10 * CHECKED_PAIRS : CHECKED_PAIRS;
+        }
+
+        /** Calls of the last frame's handlers, pairs and collisions, in words. */
+        public function get lastFrame():String
+        {
+            return _collision == null ? "" : _collision.statistics.candidatePairs + " pairs\n" + _collision.statistics.collisions + " collisions";
+        }
+
+        /** @inheritDoc */
+        override protected function prepare():void
+        {
+            _collision = new Collision(collider);
+            _collision.onCollision("turtles", "turtles", changeColor);
+            _frame = measure("step and update", playFrame, 1);
+            measureOverhead(_frame, "step", scene.step, 1);
+            if (_literalTest != null)
+            {
+                var pairs:Vector.<Agent> = somePairs();
+                _literal = measure("literal", function():void
+                    {
+                        for (var i:int = 0; i < pairs.length; i += 2)
+                        {
+                            if (_literalTest(pairs[i], pairs[i + 1]))
+                            {
+                                changeColor(pairs[i], pairs[i + 1]);
+                                changeColor(pairs[i + 1], pairs[i]);
+                            }
+                        }
+                    }, pairs.length / scene.agents.length / (scene.agents.length - 1));
+            }
+        }
+
+        /** @inheritDoc */
+        override protected function conclude():Boolean
+        {
+            if (_check == null)
+            {
+                _collision.update(scene.agents);
+                _check = new AllPairsCheck(collider, scene.agents, _checkedPairs);
+            }
+            if (!_check.work())
+            {
+                return false;
+            }
+            var entry:Object = _results.addTime(_figure, _subject, _variant, _frame, _base, _thesis);
+            entry.agents = scene.agents.length;
+            _results.check(entry, _collision.statistics.collisions, _check.agrees);
+            if (_literal != null)
+            {
+                _results.addTime(_figure, _subject, _variant + ", literal", _literal, _base);
+            }
+            return true;
+        }
+
+        private function playFrame():void
+        {
+            scene.step();
+            _paint++;
+            _collision.update(scene.agents);
+        }
+
+        // Pairs of agents at an even distance in the list, as many as the literal collider can test in a moment.
+        private function somePairs():Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = scene.agents;
+            var stride:int = Math.max(1, Math.ceil(agents.length * (agents.length - 1) / 2 / LITERAL_PAIRS));
+            var pairs:Vector.<Agent> = new Vector.<Agent>();
+            var index:int = 0;
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                for (var j:int = i + 1; j < agents.length; j++)
+                {
+                    if (index++ % stride == 0)
+                    {
+                        pairs.push(agents[i], agents[j]);
+                    }
+                }
+            }
+            return pairs;
+        }
+
+        // What the thesis's game does on a collision (§6.1): the agent changes its colour.
+        private function changeColor(agent:Agent, other:Agent):void
+        {
+            agent.color = _paint;
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package evaluation
+{
+    import flash.display.Sprite;
+    import starlogo.agents.Agent;
+
+    /** SpaceLand from above: a dot for each agent, red where it has collided. */
+    public class GroundView extends Sprite
+    {
+        private static const HALF_WIDTH:Number = 50.5;
+        private static const GROUND:uint = 0xeef2e6;
+        private static const BORDER:uint = 0xb9c4a8;
+        private static const FREE:uint = 0x3d6b8e;
+        private static const COLLIDING:uint = 0xd1442f;
+
+        private var _scale:Number;
+
+        /**
+         * @param width of the view in pixels, and its height
+         */
+        public function GroundView(width:Number)
+        {
+            _scale = width / (2 * HALF_WIDTH);
+        }
+
+        /** Draws the agents, and those in red that have collided in this frame. */
+        public function show(agents:Vector.<Agent>, collisions:Vector.<Agent>):void
+        {
+            graphics.clear();
+            graphics.lineStyle(1, BORDER);
+            graphics.beginFill(GROUND);
+            graphics.drawRect(0, 0, 2 * HALF_WIDTH * _scale, 2 * HALF_WIDTH * _scale);
+            graphics.endFill();
+            graphics.lineStyle();
+            drawDots(agents, FREE);
+            drawDots(collisions, COLLIDING);
+        }
+
+        private function drawDots(agents:Vector.<Agent>, color:uint):void
+        {
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                var agent:Agent = agents[i];
+                graphics.beginFill(color);
+                graphics.drawCircle((agent.x + HALF_WIDTH) * _scale, (HALF_WIDTH - agent.y) * _scale, Math.max(1.5, agent.size * _scale / 2));
+                graphics.endFill();
+            }
+        }
+    }
+}

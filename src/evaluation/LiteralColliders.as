@@ -1,0 +1,53 @@
+package evaluation
+{
+    import evaluation.literal.LiteralBinCollider;
+    import evaluation.literal.LiteralHierarchicalCollider;
+    import evaluation.literal.LiteralTightestFitCollider;
+    import starlogo.GreatLand;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.Model;
+
+    /** The thesis's collider to the letter beside each collider. */
+    public final class LiteralColliders
+    {
+        private var _bins:LiteralBinCollider = new LiteralBinCollider();
+        private var _tightest:LiteralTightestFitCollider;
+        private var _hierarchical:LiteralHierarchicalCollider;
+
+        /**
+         * @param greatLand has the tightest fits
+         * @param models those of which hierarchies are built
+         */
+        public function LiteralColliders(greatLand:GreatLand, models:Array)
+        {
+            _tightest = new LiteralTightestFitCollider(greatLand.boundingStructures);
+            // of vertices alone, as in the thesis
+            var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
+            for each (var model:Model in models)
+            {
+                hierarchies.add(model.name, model.vertices);
+            }
+            _hierarchical = new LiteralHierarchicalCollider(hierarchies);
+        }
+
+        /**
+         * The function that tells whether two agents collide, or null where the thesis leaves out how that goes.
+         *
+         * @param name one of Settings.COLLIDERS
+         */
+        public function pairTest(name:String):Function
+        {
+            switch (name)
+            {
+                case "BinCollider":
+                    return _bins.areColliding;
+                case "TightestFitCollider":
+                    return _tightest.areColliding;
+                case "HierarchicalCollider":
+                    return _hierarchical.areColliding;
+                default:
+                    return null;
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package evaluation
+{
+    import evaluation.pairs.PairLoops;
+    import evaluation.pairs.PairSet;
+    import starlogo.bounding.BoundingStructure;
+
+    /**
+     * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. Where the samples
+     * are too far apart it takes up to three times as many.
+     */
+    public class MeasuringTask extends Task
+    {
+        private static const SEED:uint = 31;
+        private static const HITS:Number = 0.4;
+        private static const MOST_TIMES:int = 3;
+
+        private static var sBasePairs:PairLoops;
+
+        /** Takes what was measured. */
+        protected var _results:Results;
+
+        /** The sphere-sphere test. */
+        protected var _base:Measurement;
+
+        private var _repetitions:int;
+        private var _measurements:Vector.<Measurement> = new Vector.<Measurement>();
+        private var _overheads:Vector.<Measurement> = new Vector.<Measurement>();
+        private var _isPrepared:Boolean = false;
+        private var _warm:int = 0;
+        private var _next:int = 0;
+        private var _rounds:int = 0;
+
+        /**
+         * For subclasses.
+         *
+         * @param title what is done
+         * @param weight how long it takes
+         * @param settings says how often things are measured
+         * @param results takes what was measured
+         */
+        public function MeasuringTask(title:String, weight:Number, settings:Settings, results:Results)
+        {
+            super(title, weight);
+            _repetitions = settings.repetitions;
+            _results = results;
+        }
+
+        /** @inheritDoc */
+        override public function work():Boolean
+        {
+            if (!_isPrepared)
+            {
+                _isPrepared = true;
+                sBasePairs ||= new PairLoops(new PairSet(BoundingStructure.SPHERE, BoundingStructure.SPHERE, HITS, SEED));
+                _base = measure("sphere-sphere", sBasePairs.sphereSpherePairs, PairSet.COUNT);
+                prepare();
+                return false;
+            }
+            if (_warm < _measurements.length)
+            {
+                _measurements[_warm++].warmUp();
+                return false;
+            }
+            if (!areEnough())
+            {
+                sampleNext();
+                return false;
+            }
+            return conclude();
+        }
+
+        /** Makes what is measured. */
+        protected function prepare():void
+        {
+        }
+
+        /** Puts what was measured into the results; called again until it returns true. */
+        protected function conclude():Boolean
+        {
+            return true;
+        }
+
+        /** Adds something that is measured only to be taken off something else: it need not be steady. */
+        protected function measureOverhead(of:Measurement, name:String, method:Function, count:Number):void
+        {
+            of.overhead = measure(name, method, count);
+            _overheads.push(of.overhead);
+        }
+
+        /** Adds something to be measured. */
+        protected function measure(name:String, method:Function, count:Number):Measurement
+        {
+            var measurement:Measurement = new Measurement(name, method, count);
+            _measurements.push(measurement);
+            return measurement;
+        }
+
+        private function sampleNext():void
+        {
+            _measurements[_next++].sample();
+            if (_next == _measurements.length)
+            {
+                _next = 0;
+                _rounds++;
+            }
+        }
+
+        private function areEnough():Boolean
+        {
+            if (_next != 0 || _rounds < _repetitions)
+            {
+                return false;
+            }
+            return _rounds >= MOST_TIMES * _repetitions || areSteady();
+        }
+
+        private function areSteady():Boolean
+        {
+            for (var i:int = 0; i < _measurements.length; i++)
+            {
+                if (_overheads.indexOf(_measurements[i]) < 0 && !_measurements[i].samples.isSteady)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+    }
+}

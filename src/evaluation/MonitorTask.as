@@ -1,0 +1,127 @@
+package evaluation
+{
+    import flash.display.Stage;
+    import flash.events.Event;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.diagnostics.CollisionMonitor;
+    import starlogo.diagnostics.CollisionRecorder;
+
+    /**
+     * Plays a game with the CollisionMonitor on the stage and a CollisionRecorder about its collider, and measures what a
+     * frame of the monitor takes, and a collision of the recorder.
+     */
+    public final class MonitorTask extends MeasuringTask
+    {
+        private static const FRAMES:int = 200;
+        private static const MONITORED_FRAMES:int = 240;
+        private static const FRAME_MS:Number = 40;
+        private static const CROWD:int = 100;
+
+        /** What is played. */
+        public var scene:Scene;
+
+        /** Finds the collisions, and records them. */
+        public var recorder:CollisionRecorder;
+
+        private var _stage:Stage;
+        private var _collision:Collision;
+        private var _monitor:CollisionMonitor;
+        private var _time:Measurement;
+        private var _recording:Measurement;
+        private var _played:int = 0;
+
+        /**
+         * @param stage where the monitor is shown
+         * @param scene what is played
+         * @param collider finds the collisions
+         * @param settings says how often
+         * @param results takes the time
+         */
+        public function MonitorTask(stage:Stage, scene:Scene, collider:CollisionSystem, settings:Settings, results:Results)
+        {
+            super("the monitor in a running game", settings.repetitions * 60 + FRAME_MS * MONITORED_FRAMES / 2, settings, results);
+            _stage = stage;
+            this.scene = scene;
+            recorder = new CollisionRecorder(collider);
+        }
+
+        /** @inheritDoc */
+        override protected function prepare():void
+        {
+            _collision = new Collision(recorder);
+            _collision.onCollision("turtles", "turtles", changeColor);
+            _monitor = new CollisionMonitor(_collision);
+            _stage.addChild(_monitor);
+            _monitor.x = _stage.stageWidth - _monitor.width - 40;
+            _monitor.y = 180;
+            _collision.update(scene.agents);
+            _time = measure("monitor", showFrames, FRAMES);
+            prepareRecording();
+        }
+
+        /** @inheritDoc */
+        override protected function conclude():Boolean
+        {
+            if (_played == 0)
+            {
+                // a new one: what those frames of no length made it show is no game's
+                var used:CollisionMonitor = _monitor;
+                _monitor = new CollisionMonitor(_collision);
+                _monitor.x = used.x;
+                _monitor.y = used.y;
+                _stage.removeChild(used);
+                _stage.addChild(_monitor);
+            }
+            scene.step();
+            _collision.update(scene.agents);
+            _played++;
+            if (_played < MONITORED_FRAMES)
+            {
+                return false;
+            }
+            var entry:Object = _results.addTime("monitor", scene.agents.length + " agents", "a frame of the monitor", _time, _base);
+            _results.addTime("monitor", "recorder", "a collision recorded", _recording, _base);
+            if (entry.value != null)
+            {
+                _results.addNumber("monitor", scene.agents.length + " agents", "part of a frame at 25 a second", 100 * entry.value / FRAME_MS, "%");
+            }
+            return true;
+        }
+
+        // A system that finds every pair, with a recorder and without.
+        private function prepareRecording():void
+        {
+            var crowd:Vector.<Agent> = Scenes.crowd(CROWD, "spheres").agents;
+            var found:Vector.<Agent> = new Vector.<Agent>();
+            var plain:EveryPairSystem = new EveryPairSystem();
+            var recording:CollisionRecorder = new CollisionRecorder(plain);
+            var pairs:int = CROWD * (CROWD - 1) / 2;
+            _recording = measure("recorder", function():void
+                {
+                    recording.findCollisions(crowd, found);
+                }, pairs);
+            measureOverhead(_recording, "every pair", function():void
+                {
+                    plain.findCollisions(crowd, found);
+                }, pairs);
+        }
+
+        private function showFrames():void
+        {
+            var frame:Event = new Event(Event.ENTER_FRAME);
+            for (var i:int = 0; i < FRAMES; i++)
+            {
+                _monitor.dispatchEvent(frame);
+            }
+        }
+
+        private function changeColor(agent:Object, other:Object):void
+        {
+            agent.color++;
+        }
+    }
+}

@@ -1,0 +1,167 @@
+package evaluation
+{
+    import flash.display.Stage;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
+    import starlogo.GreatLand;
+
+    /** Which tasks the settings ask for, in the order of the thesis's section 6. */
+    public final class Plan
+    {
+        private static const HIERARCHICAL_CROWD:int = 100;
+        private static const MONITORED_GAME:int = 1000;
+
+        /** The tasks. */
+        public var tasks:Vector.<Task> = new Vector.<Task>();
+
+        private var _settings:Settings;
+        private var _results:Results;
+        private var _models:Object;
+        private var _greatLand:GreatLand = new GreatLand();
+        private var _literal:LiteralColliders;
+        private var _stage:Stage;
+
+        /**
+         * @param settings what is asked for
+         * @param models all models, by name
+         * @param results takes what is measured
+         * @param stage where the monitor is shown
+         */
+        public function Plan(settings:Settings, models:Object, results:Results, stage:Stage)
+        {
+            _settings = settings;
+            _models = models;
+            _results = results;
+            _stage = stage;
+            for each (var name:String in ["sphere", "cube", "cylinder", "bear", "dragon"])
+            {
+                _greatLand.addModel(models[name]);
+            }
+            _literal = new LiteralColliders(_greatLand, [models.sphere, models.cube, models.bear]);
+            var planners:Object = {volumes: planVolumes, fits: planFits, access: planAccess, tests: planTests,
+                    hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, scattered: planScattered,
+                    monitor: planMonitor};
+            for each (var figure:String in settings.figures)
+            {
+                planners[figure]();
+            }
+        }
+
+        private function planVolumes():void
+        {
+            for each (var name:String in _settings.models)
+            {
+                tasks.push(new VolumesTask(_models[name], _results));
+            }
+        }
+
+        private function planFits():void
+        {
+            for each (var name:String in _settings.models)
+            {
+                tasks.push(new FitTask(_models[name], _settings, _results));
+            }
+        }
+
+        private function planAccess():void
+        {
+            for each (var name:String in _settings.models)
+            {
+                if (_greatLand.hasModel(name))
+                {
+                    tasks.push(new AccessTask(name, _greatLand, _settings, _results));
+                }
+            }
+        }
+
+        private function planTests():void
+        {
+            for each (var name:String in TestTask.TESTS)
+            {
+                tasks.push(new TestTask(name, _settings, _results));
+            }
+        }
+
+        private function planHierarchies():void
+        {
+            for each (var name:String in _settings.models)
+            {
+                tasks.push(new HierarchyTask(_models[name], _settings, _results));
+            }
+        }
+
+        private function planCrowds():void
+        {
+            for each (var count:int in _settings.crowds)
+            {
+                for each (var cast:String in Scenes.CASTS)
+                {
+                    for each (var collider:String in _settings.colliders)
+                    {
+                        var scene:Scene = Scenes.crowd(count, cast);
+                        var subject:String = count + " " + cast;
+                        makeSomeHierarchical(scene, collider == "CombinationCollider" ? 1 : 0);
+                        addGame("crowds", subject, collider, collider, scene, Thesis.CROWD_MS[collider + " " + subject]);
+                    }
+                }
+            }
+        }
+
+        // §6.4: between the TightestFitCollider and the HierarchicalCollider
+        private function planCombination():void
+        {
+            for each (var cast:String in _settings.isFull ? Scenes.CASTS : ["bears"])
+            {
+                for each (var hierarchical:int in [0, 1, 10, HIERARCHICAL_CROWD])
+                {
+                    var scene:Scene = Scenes.crowd(HIERARCHICAL_CROWD, cast);
+                    makeSomeHierarchical(scene, hierarchical);
+                    addGame("combination", HIERARCHICAL_CROWD + " " + cast, hierarchical + " hierarchical", "CombinationCollider", scene, undefined);
+                }
+            }
+        }
+
+        private function planScattered():void
+        {
+            for each (var cast:String in _settings.casts)
+            {
+                planGames(cast, Scenes.scattered, "");
+                planGames(cast, Scenes.scatteredAsDense, ", as dense");
+            }
+        }
+
+        private function planGames(cast:String, make:Function, suffix:String):void
+        {
+            for each (var count:int in _settings.games)
+            {
+                for each (var collider:String in _settings.colliders)
+                {
+                    var scene:Scene = make(count, cast);
+                    makeSomeHierarchical(scene, collider == "CombinationCollider" ? 1 : 0);
+                    addGame("scattered", count + " " + cast + suffix, collider, collider, scene, undefined);
+                }
+            }
+        }
+
+        private function planMonitor():void
+        {
+            var scene:Scene = Scenes.scattered(MONITORED_GAME, "mix");
+            makeSomeHierarchical(scene, MONITORED_GAME / 10);
+            tasks.push(new MonitorTask(_stage, scene, Colliders.make("CombinationCollider", _greatLand), _settings, _results));
+        }
+
+        private function addGame(figure:String, subject:String, variant:String, collider:String, scene:Scene, thesis:*):void
+        {
+            tasks.push(new GameTask(figure, subject, variant, scene, Colliders.make(collider, _greatLand),
+                        figure == "crowds" ? _literal.pairTest(collider) : null, thesis, _settings, _results));
+        }
+
+        private static function makeSomeHierarchical(scene:Scene, count:int):void
+        {
+            for (var i:int = 0; i < count && i < scene.agents.length; i++)
+            {
+                scene.agents[i].hierarchical = true;
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package evaluation
+{
+    import evaluation.pairs.LiteralPairLoops;
+    import evaluation.pairs.PairLoops;
+    import evaluation.pairs.PairSet;
+    import starlogo.bounding.BoundingStructure;
+
+    /** Figure 6-4: the time of an intersection test, on pairs of which 40 % intersect and on pairs that all do. */
+    public final class TestTask extends MeasuringTask
+    {
+        private static const SEED:uint = 31;
+        private static const KINDS:Object = {
+                sphereSphere: [BoundingStructure.SPHERE, BoundingStructure.SPHERE],
+                sphereCapsule: [BoundingStructure.SPHERE, BoundingStructure.CAPSULE],
+                sphereBox: [BoundingStructure.SPHERE, BoundingStructure.BOX],
+                capsuleCapsule: [BoundingStructure.CAPSULE, BoundingStructure.CAPSULE],
+                capsuleBox: [BoundingStructure.CAPSULE, BoundingStructure.BOX],
+                boxBox: [BoundingStructure.BOX, BoundingStructure.BOX]};
+
+        /** The tests, by name. */
+        public static const TESTS:Array = ["sphereSphere", "sphereCapsule", "sphereBox", "capsuleCapsule", "capsuleBox",
+                "boxBox"];
+
+        private var _test:String;
+        private var _byVariant:Object = {};
+
+        /**
+         * @param test one of TESTS
+         * @param settings says how often
+         * @param results takes the times
+         */
+        public function TestTask(test:String, settings:Settings, results:Results)
+        {
+            super("the test " + test, settings.repetitions * 160, settings, results);
+            _test = test;
+        }
+
+        /** @inheritDoc */
+        override protected function prepare():void
+        {
+            addPairs("", 0.4);
+            addPairs(", all hit", 1);
+        }
+
+        /** @inheritDoc */
+        override protected function conclude():Boolean
+        {
+            for each (var variant:String in ["engine", "literal", "engine, all hit", "literal, all hit"])
+            {
+                if (_byVariant.hasOwnProperty(variant))
+                {
+                    _results.addTime("tests", _test, variant, _byVariant[variant], _base,
+                            variant == "engine" ? Thesis.TEST_MS[_test] : undefined);
+                }
+            }
+            return true;
+        }
+
+        private function addPairs(suffix:String, hits:Number):void
+        {
+            var pairs:PairSet = new PairSet(KINDS[_test][0], KINDS[_test][1], hits, SEED);
+            var loop:String = _test + "Pairs";
+            _byVariant["engine" + suffix] = measure(_test, new PairLoops(pairs)[loop], PairSet.COUNT);
+            var literal:LiteralPairLoops = new LiteralPairLoops(pairs);
+            if (loop in literal)
+            {
+                _byVariant["literal" + suffix] = measure("literal " + _test, literal[loop], PairSet.COUNT);
+            }
+        }
+    }
+}

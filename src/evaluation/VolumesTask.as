@@ -1,0 +1,59 @@
+package evaluation
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.AxisAlignedBoxFitter;
+    import starlogo.fitting.CapsuleFitter;
+    import starlogo.fitting.FitSession;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.MinimalBoxFitter;
+    import starlogo.fitting.MinimalCapsuleFitter;
+    import starlogo.fitting.MinimalSphereFitter;
+    import starlogo.fitting.NaiveSphereFitter;
+    import starlogo.fitting.OrientedBoxFitter;
+    import starlogo.fitting.RitterSphereFitter;
+    import starlogo.fitting.ZAlignedBoxFitter;
+    import starlogo.models.Model;
+
+    /** Figure 6-1: the volumes of the structures around a model, and the smallest that are known. */
+    public final class VolumesTask extends Task
+    {
+        private static const MINIMAL:Array = ["minimal sphere", "minimal box", "minimal capsule"];
+        private static const DEG_INCREMENT:Number = 10;
+
+        private var _model:Model;
+        private var _results:Results;
+        private var _session:FitSession;
+        private var _fitters:Vector.<Fitter>;
+        private var _next:int = 0;
+
+        /**
+         * @param model what is fitted
+         * @param results takes the volumes
+         */
+        public function VolumesTask(model:Model, results:Results)
+        {
+            super("volumes around the " + model.name, 700 + model.vertices.length / 15);
+            _model = model;
+            _results = results;
+            var box:OrientedBoxFitter = new OrientedBoxFitter(DEG_INCREMENT);
+            _fitters = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(),
+                    new ZAlignedBoxFitter(DEG_INCREMENT), box, new CapsuleFitter(box), new MinimalSphereFitter(),
+                    new MinimalBoxFitter(), new MinimalCapsuleFitter()];
+        }
+
+        /** @inheritDoc */
+        override public function work():Boolean
+        {
+            _session ||= new FitSession(_model.vertices);
+            var structure:BoundingStructure = _session.fit(_fitters[_next]);
+            var ofThesis:int = Thesis.STRUCTURES.length;
+            var isOfThesis:Boolean = _next < ofThesis;
+            var entry:Object = _results.addNumber("volumes", _model.name,
+                    isOfThesis ? Thesis.STRUCTURES[_next] : MINIMAL[_next - ofThesis], structure.volume, "patches^3",
+                    isOfThesis ? Thesis.VOLUMES[_model.name][_next] : undefined);
+            entry.vertices = _model.vertices.length / 3;
+            _next++;
+            return _next == _fitters.length;
+        }
+    }
+}

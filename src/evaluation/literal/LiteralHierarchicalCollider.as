@@ -1,0 +1,73 @@
+package evaluation.literal
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Box;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.hierarchy.HierarchyNode;
+
+    /**
+     * The HierarchicalCollider as the thesis describes it (§4.5, §4.6): for each pair of nodes that is visited, both boxes are
+     * copied and put through scale, rotation and translation, then tested by eight corners on fifteen axes; where they
+     * intersect, each child of the one is visited with each of the other.
+     */
+    public final class LiteralHierarchicalCollider
+    {
+        private var _library:HierarchiesLibrary;
+        private var _maxDepth:int;
+        private var _agentA:Agent;
+        private var _agentB:Agent;
+
+        /**
+         * @param library has the hierarchies
+         * @param maxDepth how many levels are visited
+         */
+        public function LiteralHierarchicalCollider(library:HierarchiesLibrary, maxDepth:int = 5)
+        {
+            _library = library;
+            _maxDepth = maxDepth;
+        }
+
+        /** Whether two agents collide. */
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            _agentA = a;
+            _agentB = b;
+            return nodesMeet(_library.root(a.shape), _library.root(b.shape), 1);
+        }
+
+        private function nodesMeet(a:HierarchyNode, b:HierarchyNode, depth:int):Boolean
+        {
+            if (!boxBox(inWorld(a.bounds as Box, _agentA), inWorld(b.bounds as Box, _agentB)))
+            {
+                return false;
+            }
+            if (depth == _maxDepth || (a.isLeaf && b.isLeaf))
+            {
+                return true;
+            }
+            if (a.isLeaf)
+            {
+                return nodesMeet(a, b.left, depth + 1) || nodesMeet(a, b.right, depth + 1);
+            }
+            if (b.isLeaf)
+            {
+                return nodesMeet(a.left, b, depth + 1) || nodesMeet(a.right, b, depth + 1);
+            }
+            return nodesMeet(a.left, b.left, depth + 1) || nodesMeet(a.left, b.right, depth + 1)
+                || nodesMeet(a.right, b.left, depth + 1) || nodesMeet(a.right, b.right, depth + 1);
+        }
+
+        private static function inWorld(box:Box, agent:Agent):Box
+        {
+            var copy:Box = box.clone() as Box;
+            var rotation:Matrix3D = new Matrix3D();
+            rotation.appendRotation(agent.heading, Vector3D.Z_AXIS);
+            copy.scale(agent.size);
+            copy.rotate(rotation);
+            copy.translate(new Vector3D(agent.x, agent.y, agent.z));
+            return copy;
+        }
+    }
+}

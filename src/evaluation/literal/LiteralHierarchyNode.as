@@ -1,0 +1,75 @@
+package evaluation.literal
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+
+    /**
+     * A node of a hierarchy as the thesis builds it (§4.4): the axis-aligned box of some vertices, split halfway along its
+     * longest axis down to five vertices or the tenth level.
+     */
+    public final class LiteralHierarchyNode
+    {
+        private static const MIN_VERTICES_TO_SPLIT:int = 5;
+        private static const MAX_DEPTH:int = 10;
+
+        public var box:Box;
+        public var left:LiteralHierarchyNode;
+        public var right:LiteralHierarchyNode;
+
+        /** The root around vertices that are x, y, z each. */
+        public static function of(vertices:Vector.<Number>):LiteralHierarchyNode
+        {
+            var points:Vector.<Vector3D> = new Vector.<Vector3D>();
+            for (var i:int = 0; i < vertices.length; i += 3)
+            {
+                points.push(new Vector3D(vertices[i], vertices[i + 1], vertices[i + 2]));
+            }
+            return new LiteralHierarchyNode(points, 1);
+        }
+
+        public function LiteralHierarchyNode(points:Vector.<Vector3D>, level:int)
+        {
+            var min:Vector3D = points[0].clone();
+            var max:Vector3D = points[0].clone();
+            for each (var point:Vector3D in points)
+            {
+                min.x = Math.min(min.x, point.x);
+                min.y = Math.min(min.y, point.y);
+                min.z = Math.min(min.z, point.z);
+                max.x = Math.max(max.x, point.x);
+                max.y = Math.max(max.y, point.y);
+                max.z = Math.max(max.z, point.z);
+            }
+            var center:Vector3D = min.add(max);
+            center.scaleBy(0.5);
+            var half:Vector3D = max.subtract(center);
+            box = new Box(center, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half.x, half.y, half.z);
+            if (points.length > MIN_VERTICES_TO_SPLIT && level < MAX_DEPTH && half.lengthSquared > 0)
+            {
+                split(points, level);
+            }
+        }
+
+        /** Whether it has no children. */
+        public function get isLeaf():Boolean
+        {
+            return left == null;
+        }
+
+        private function split(points:Vector.<Vector3D>, level:int):void
+        {
+            var axis:String = box.halfX >= box.halfY && box.halfX >= box.halfZ ? "x" : box.halfY >= box.halfZ ? "y" : "z";
+            var low:Vector.<Vector3D> = new Vector.<Vector3D>();
+            var high:Vector.<Vector3D> = new Vector.<Vector3D>();
+            for each (var point:Vector3D in points)
+            {
+                (point[axis] < box.center[axis] ? low : high).push(point);
+            }
+            if (low.length > 0 && high.length > 0)
+            {
+                left = new LiteralHierarchyNode(low, level + 1);
+                right = new LiteralHierarchyNode(high, level + 1);
+            }
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package evaluation.literal
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+
+    /** The thesis's own pair tests for structures whose kinds are only known at run time. */
+    public final class LiteralTests
+    {
+        public static function sphereBox(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return evaluation.literal.sphereBox(a as Sphere, b as Box);
+        }
+
+        public static function capsuleCapsule(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return evaluation.literal.capsuleCapsule(a as Capsule, b as Capsule);
+        }
+
+        public static function capsuleBox(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return evaluation.literal.capsuleBox(a as Capsule, b as Box);
+        }
+
+        public static function boxBox(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            return evaluation.literal.boxBox(a as Box, b as Box);
+        }
+    }
+}

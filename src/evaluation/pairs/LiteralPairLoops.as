@@ -1,0 +1,81 @@
+package evaluation.pairs
+{
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import evaluation.literal.boxBox;
+    import evaluation.literal.capsuleBox;
+    import evaluation.literal.capsuleCapsule;
+    import evaluation.literal.sphereBox;
+
+    /** Runs the thesis's own algorithms over a set; each method returns the hits. */
+    public final class LiteralPairLoops
+    {
+        private var _set:PairSet;
+
+        public function LiteralPairLoops(pairs:PairSet)
+        {
+            _set = pairs;
+        }
+
+        public function boxBoxPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Box> = _set.boxesA;
+            var b:Vector.<Box> = _set.boxesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (boxBox(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function capsuleBoxPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Capsule> = _set.capsulesA;
+            var b:Vector.<Box> = _set.boxesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (capsuleBox(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function capsuleCapsulePairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Capsule> = _set.capsulesA;
+            var b:Vector.<Capsule> = _set.capsulesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (capsuleCapsule(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function sphereBoxPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Sphere> = _set.spheresA;
+            var b:Vector.<Box> = _set.boxesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (sphereBox(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package evaluation.pairs
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.boxBox;
+    import starlogo.intersection.capsuleBox;
+    import starlogo.intersection.capsuleCapsule;
+    import starlogo.intersection.intersects;
+    import starlogo.intersection.sphereBox;
+    import starlogo.intersection.sphereCapsule;
+    import starlogo.intersection.sphereSphere;
+
+    /** Runs the pair tests over a set; each method returns the hits. */
+    public final class PairLoops
+    {
+        private var _set:PairSet;
+
+        public function PairLoops(pairs:PairSet)
+        {
+            _set = pairs;
+        }
+
+        public function boxBoxPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Box> = _set.boxesA;
+            var b:Vector.<Box> = _set.boxesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (boxBox(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function capsuleBoxPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Capsule> = _set.capsulesA;
+            var b:Vector.<Box> = _set.boxesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (capsuleBox(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function capsuleCapsulePairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Capsule> = _set.capsulesA;
+            var b:Vector.<Capsule> = _set.capsulesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (capsuleCapsule(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function sphereBoxPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Sphere> = _set.spheresA;
+            var b:Vector.<Box> = _set.boxesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (sphereBox(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function sphereCapsulePairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Sphere> = _set.spheresA;
+            var b:Vector.<Capsule> = _set.capsulesB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (sphereCapsule(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function sphereSpherePairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<Sphere> = _set.spheresA;
+            var b:Vector.<Sphere> = _set.spheresB;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (sphereSphere(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+
+        public function intersectsPairs():int
+        {
+            var hits:int = 0;
+            var a:Vector.<BoundingStructure> = _set.a;
+            var b:Vector.<BoundingStructure> = _set.b;
+            for (var i:int = 0; i < PairSet.COUNT; i++)
+            {
+                if (intersects(a[i], b[i]))
+                {
+                    hits++;
+                }
+            }
+            return hits;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package evaluation.pairs
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.intersects;
+
+    /**
+     * Random pairs of two kinds of structures with a given share of hits. All sets of two kinds come from one
+     * distribution: sizes within a factor of five, any orientation, positions in a cube that makes 40 % of the pairs meet.
+     */
+    public final class PairSet
+    {
+        /** How many pairs there are in a set. */
+        public static const COUNT:int = 1000;
+
+        private static const NATURAL_HITS:Number = 0.4;
+
+        /** The first structures of the pairs, and the second. */
+        public var a:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+
+        /** @copy #a */
+        public var b:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+
+        /** The same by type: those of the kinds that the set is not of are null. */
+        public var spheresA:Vector.<Sphere>;
+
+        /** @copy #spheresA */
+        public var spheresB:Vector.<Sphere>;
+
+        /** @copy #spheresA */
+        public var capsulesA:Vector.<Capsule>;
+
+        /** @copy #spheresA */
+        public var capsulesB:Vector.<Capsule>;
+
+        /** @copy #spheresA */
+        public var boxesA:Vector.<Box>;
+
+        /** @copy #spheresA */
+        public var boxesB:Vector.<Box>;
+
+        private var _structures:RandomStructures;
+
+        public function PairSet(kindA:int, kindB:int, hits:Number, seed:uint)
+        {
+            _structures = new RandomStructures(new SeededRandom(seed));
+            fill(kindA, kindB, int(hits * COUNT), naturalSpread(kindA, kindB));
+            spheresA = kindA == BoundingStructure.SPHERE ? Vector.<Sphere>(a) : null;
+            spheresB = kindB == BoundingStructure.SPHERE ? Vector.<Sphere>(b) : null;
+            capsulesA = kindA == BoundingStructure.CAPSULE ? Vector.<Capsule>(a) : null;
+            capsulesB = kindB == BoundingStructure.CAPSULE ? Vector.<Capsule>(b) : null;
+            boxesA = kindA == BoundingStructure.BOX ? Vector.<Box>(a) : null;
+            boxesB = kindB == BoundingStructure.BOX ? Vector.<Box>(b) : null;
+        }
+
+        private function naturalSpread(kindA:int, kindB:int):Number
+        {
+            var low:Number = 0.1;
+            var high:Number = 10;
+            while (high / low > 1.01)
+            {
+                var spread:Number = Math.sqrt(low * high);
+                var hits:int = 0;
+                for (var i:int = 0; i < COUNT; i++)
+                {
+                    if (intersects(_structures.ofKind(kindA, 1, spread), _structures.ofKind(kindB, 1, spread)))
+                    {
+                        hits++;
+                    }
+                }
+                if (hits > NATURAL_HITS * COUNT)
+                {
+                    low = spread;
+                }
+                else
+                {
+                    high = spread;
+                }
+            }
+            return low;
+        }
+
+        private function fill(kindA:int, kindB:int, hits:int, spread:Number):void
+        {
+            var misses:int = COUNT - hits;
+            while (hits > 0 || misses > 0)
+            {
+                var first:BoundingStructure = _structures.ofKind(kindA, 1, spread);
+                var second:BoundingStructure = _structures.ofKind(kindB, 1, spread);
+                var isHit:Boolean = intersects(first, second);
+                if (isHit ? hits > 0 : misses > 0)
+                {
+                    a.push(first);
+                    b.push(second);
+                    hits -= isHit ? 1 : 0;
+                    misses -= isHit ? 0 : 1;
+                }
+            }
+        }
+    }
+}

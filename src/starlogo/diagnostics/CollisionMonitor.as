@@ -1,0 +1,264 @@
+package starlogo.diagnostics
+{
+    import flash.display.Bitmap;
+    import flash.display.BitmapData;
+    import flash.display.Sprite;
+    import flash.events.Event;
+    import flash.events.KeyboardEvent;
+    import flash.geom.Rectangle;
+    import flash.system.System;
+    import flash.text.TextField;
+    import flash.text.TextFormat;
+    import flash.text.TextFormatAlign;
+    import flash.ui.Keyboard;
+    import flash.utils.getTimer;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionStatistics;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * An overlay that shows what collision detection does and costs while a game runs:
+     *
+     * <listing version="3.0">
+     * stage.addChild(new CollisionMonitor(collision));
+     * </listing>
+     *
+     * <p>It shows frames a second, the milliseconds of collision detection in a frame and their last 180 frames as a graph
+     * (of the height of a frame at 25 a second), agents, candidate pairs, tests by kind, node visits, collisions and
+     * memory: what the last update did, and times as the mean of some frames. Its last line is what it costs itself, in
+     * parts of such a frame too.</p>
+     *
+     * <p>A key hides and shows it; hidden, it does nothing. Drag it where it is in nobody's way.</p>
+     */
+    public class CollisionMonitor extends Sprite
+    {
+        private static const WIDTH:int = 204;
+        private static const MARGIN:int = 12;
+        private static const GRAPH_TOP:int = 58;
+        private static const GRAPH_WIDTH:int = 180;
+        private static const GRAPH_HEIGHT:int = 40;
+        private static const LINES_TOP:int = 104;
+        private static const HEIGHT:int = 366;
+        private static const FRAME_MS:int = 40;
+        private static const REFRESH_FRAMES:int = 12;
+        private static const LABELS:Array = ["agents", "candidate pairs", "sphere-sphere", "sphere-capsule", "sphere-box",
+                "capsule-capsule", "capsule-box", "box-box", "hierarchies", "node visits", "triangles", "collisions", "handler calls",
+                "memory", "this monitor"];
+
+        private static const PANEL:uint = 0x14181d;
+        private static const LINE:uint = 0x2c343d;
+        private static const TEXT:uint = 0xe8edf2;
+        private static const QUIET:uint = 0x93a1b0;
+        private static const EASY:uint = 0xff4fb286;
+        private static const BUSY:uint = 0xffe0a53a;
+        private static const LATE:uint = 0xffe2574c;
+        private static const GROUND:uint = 0xff1d242b;
+
+        /** The key code that hides and shows the monitor. */
+        public var toggleKey:uint = Keyboard.BACKQUOTE;
+
+        private var _collision:Collision;
+        private var _history:BitmapData = new BitmapData(GRAPH_WIDTH, GRAPH_HEIGHT, false, GROUND);
+        private var _bar:Rectangle = new Rectangle(GRAPH_WIDTH - 1, 0, 1, 0);
+        private var _headline:TextField;
+        private var _rate:TextField;
+        private var _labels:TextField;
+        private var _numbers:TextField;
+        private var _isShown:Boolean = true;
+
+        // since the numbers were last refreshed
+        private var _frames:int = 0;
+        private var _startMs:int;
+        private var _collisionMs:int = 0;
+        private var _mostMs:int = 0;
+
+        // since the monitor was made
+        private var _ownMs:Number = 0;
+        private var _ownFrames:int = 0;
+
+        /**
+         * A monitor, shown as soon as it is on the stage.
+         *
+         * @param collision the game's collisions
+         * @throws ArgumentError if it is null
+         */
+        public function CollisionMonitor(collision:Collision)
+        {
+            if (collision == null)
+            {
+                throw new ArgumentError("collision must not be null");
+            }
+            _collision = collision;
+            x = y = MARGIN;
+            draw();
+            addEventListener(Event.ADDED_TO_STAGE, onAdded);
+            addEventListener(Event.REMOVED_FROM_STAGE, onRemoved);
+            addEventListener("mouseDown", onMouseDown);
+            addEventListener("mouseUp", onMouseUp);
+        }
+
+        /** The game's collisions; may be exchanged for those of another game. */
+        public function get collision():Collision
+        {
+            return _collision;
+        }
+
+        public function set collision(value:Collision):void
+        {
+            if (value == null)
+            {
+                throw new ArgumentError("collision must not be null");
+            }
+            _collision = value;
+        }
+
+        /** Whether it is shown and at work. */
+        public function get isShown():Boolean
+        {
+            return _isShown;
+        }
+
+        public function set isShown(value:Boolean):void
+        {
+            _isShown = visible = value;
+            if (value && stage != null)
+            {
+                restart();
+                addEventListener(Event.ENTER_FRAME, onEnterFrame);
+            }
+            else
+            {
+                removeEventListener(Event.ENTER_FRAME, onEnterFrame);
+            }
+        }
+
+        /** What the monitor itself costs: the mean milliseconds of a frame since it was made. */
+        public function get ownMsPerFrame():Number
+        {
+            return _ownFrames == 0 ? 0 : _ownMs / _ownFrames;
+        }
+
+        private function onAdded(event:Event):void
+        {
+            stage.addEventListener(KeyboardEvent.KEY_DOWN, onKeyDown);
+            isShown = _isShown;
+        }
+
+        private function onRemoved(event:Event):void
+        {
+            stage.removeEventListener(KeyboardEvent.KEY_DOWN, onKeyDown);
+            removeEventListener(Event.ENTER_FRAME, onEnterFrame);
+        }
+
+        private function onKeyDown(event:KeyboardEvent):void
+        {
+            if (event.keyCode == toggleKey)
+            {
+                isShown = !_isShown;
+            }
+        }
+
+        private function onMouseDown(event:Event):void
+        {
+            startDrag();
+        }
+
+        private function onMouseUp(event:Event):void
+        {
+            stopDrag();
+        }
+
+        private function onEnterFrame(event:Event):void
+        {
+            onFrame();
+        }
+
+        /** Takes in one frame. */
+        engine function onFrame():void
+        {
+            var start:int = getTimer();
+            var ms:int = _collision.statistics.frameMs;
+            _collisionMs += ms;
+            if (ms > _mostMs)
+            {
+                _mostMs = ms;
+            }
+            addToHistory(ms);
+            _frames++;
+            if (_frames == REFRESH_FRAMES)
+            {
+                refresh(start);
+                restart();
+            }
+            // the clock counts whole milliseconds, but their mean over many frames is right
+            _ownMs += getTimer() - start;
+            _ownFrames++;
+        }
+
+        private function restart():void
+        {
+            _frames = _collisionMs = _mostMs = 0;
+            _startMs = getTimer();
+        }
+
+        private function addToHistory(ms:int):void
+        {
+            _history.scroll(-1, 0);
+            _bar.y = 0;
+            _bar.height = GRAPH_HEIGHT;
+            _history.fillRect(_bar, GROUND);
+            var height:int = ms * GRAPH_HEIGHT / FRAME_MS;
+            _bar.height = height > GRAPH_HEIGHT ? GRAPH_HEIGHT : height < 1 ? 1 : height;
+            _bar.y = GRAPH_HEIGHT - _bar.height;
+            _history.fillRect(_bar, ms * 4 <= FRAME_MS ? EASY : ms < FRAME_MS ? BUSY : LATE);
+        }
+
+        private function refresh(now:int):void
+        {
+            var mean:Number = _collisionMs / _frames;
+            _headline.text = mean.toFixed(1) + " ms";
+            _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmost " + _mostMs + " ms";
+            var did:CollisionStatistics = _collision.statistics;
+            _numbers.text = did.agents + "\n" + did.candidatePairs + "\n" + did.sphereSphereTests + "\n" + did.sphereCapsuleTests + "\n"
+                + did.sphereBoxTests + "\n" + did.capsuleCapsuleTests + "\n" + did.capsuleBoxTests + "\n" + did.boxBoxTests + "\n"
+                + did.hierarchyTests + "\n" + did.nodeVisits + "\n" + did.triangleTests + "\n" + did.collisions + "\n"
+                + did.handlerCalls + "\n" + (System.totalMemory / 1048576).toFixed(1) + " MB\n" + ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %";
+        }
+
+        private function draw():void
+        {
+            graphics.lineStyle(1, LINE);
+            graphics.beginFill(PANEL, 0.92);
+            graphics.drawRoundRect(0, 0, WIDTH, HEIGHT, 12, 12);
+            graphics.endFill();
+            var graph:Bitmap = new Bitmap(_history);
+            graph.x = MARGIN;
+            graph.y = GRAPH_TOP;
+            addChild(graph);
+            addText(MARGIN - 2, 8, 11, QUIET, TextFormatAlign.LEFT).text = "collisions";
+            _headline = addText(MARGIN - 2, 22, 22, TEXT, TextFormatAlign.LEFT);
+            _rate = addText(MARGIN - 2, 22, 11, QUIET, TextFormatAlign.RIGHT);
+            _labels = addText(MARGIN - 2, LINES_TOP, 12, QUIET, TextFormatAlign.LEFT);
+            _labels.text = LABELS.join("\n");
+            _numbers = addText(MARGIN - 2, LINES_TOP, 12, TEXT, TextFormatAlign.RIGHT);
+            mouseChildren = false;
+        }
+
+        private function addText(x:int, y:int, size:int, color:uint, align:String):TextField
+        {
+            var format:TextFormat = new TextFormat("_sans", size, color);
+            format.align = align;
+            var field:TextField = new TextField();
+            field.defaultTextFormat = format;
+            field.x = x;
+            field.y = y;
+            field.width = WIDTH - 2 * x;
+            field.height = HEIGHT - y;
+            field.selectable = false;
+            addChild(field);
+            return field;
+        }
+    }
+}

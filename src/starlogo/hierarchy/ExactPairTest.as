@@ -1,0 +1,170 @@
+package starlogo.hierarchy
+{
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.triangleTriangle;
+
+    use namespace engine;
+
+    /**
+     * Decides by the models themselves where their hierarchies leave it open: whether triangles of two leaves touch, and
+     * whether a piece of one model is inside of the other.
+     */
+    internal final class ExactPairTest
+    {
+        /** Pairs of triangles that were tested; HierarchyTraversal sets it to 0. */
+        public var triangleTests:int = 0;
+
+        private var _pose:RelativePose;
+
+        // How close triangles of these models touch.
+        private var _touching:Number;
+
+        // The triangles of a leaf of the second model in the space of the first.
+        private var _corners:Vector.<Number> = new Vector.<Number>();
+        private var _cornersOf:HierarchyNode;
+
+        /**
+         * @param pose where the second model is in the space of the first, whenever two are to meet
+         */
+        public function ExactPairTest(pose:RelativePose)
+        {
+            _pose = pose;
+        }
+
+        /**
+         * Prepares for two models that the pose relates.
+         *
+         * @return whether both have triangles; otherwise nothing else may be asked
+         */
+        public function prepare(a:Hierarchy, b:Hierarchy):Boolean
+        {
+            if (!a.hasTriangles || !b.hasTriangles)
+            {
+                return false;
+            }
+            a.prepareTriangles();
+            b.prepareTriangles();
+            _cornersOf = null;
+            _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _pose.placement.size);
+            return true;
+        }
+
+        /** Whether a triangle of a leaf of the first model touches one of a leaf of the second. */
+        public function leavesMeet(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            if (b !== _cornersOf)
+            {
+                _pose.movePoints(b.hierarchy.corners, 9 * b.first, 9 * b.end, _corners);
+                _cornersOf = b;
+            }
+            var cornersA:Vector.<Number> = a.hierarchy.corners;
+            var extents:Vector.<Number> = a.hierarchy.extents;
+            var corners:Vector.<Number> = _corners;
+            var touching:Number = _touching;
+            var lowX:Number = a.x - a.halfX;
+            var lowY:Number = a.y - a.halfY;
+            var lowZ:Number = a.z - a.halfZ;
+            var highX:Number = a.x + a.halfX;
+            var highY:Number = a.y + a.halfY;
+            var highZ:Number = a.z + a.halfZ;
+            var first:int = a.first;
+            var last:int = a.end;
+            var length:int = 9 * (b.end - b.first);
+
+            // each triangle of b that reaches into a's box, with those of a whose extents it overlaps
+            for (var at:int = 0; at < length; at += 9)
+            {
+                var p:Number = corners[at];
+                var q:Number = corners[int(at + 3)];
+                var r:Number = corners[int(at + 6)];
+                var minX:Number = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - touching;
+                var maxX:Number = (p > q ? (p > r ? p : r) : (q > r ? q : r)) + touching;
+                if (minX > highX || maxX < lowX)
+                {
+                    continue;
+                }
+                p = corners[int(at + 1)];
+                q = corners[int(at + 4)];
+                r = corners[int(at + 7)];
+                var minY:Number = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - touching;
+                var maxY:Number = (p > q ? (p > r ? p : r) : (q > r ? q : r)) + touching;
+                if (minY > highY || maxY < lowY)
+                {
+                    continue;
+                }
+                p = corners[int(at + 2)];
+                q = corners[int(at + 5)];
+                r = corners[int(at + 8)];
+                var minZ:Number = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - touching;
+                var maxZ:Number = (p > q ? (p > r ? p : r) : (q > r ? q : r)) + touching;
+                if (minZ > highZ || maxZ < lowZ)
+                {
+                    continue;
+                }
+                for (var i:int = first; i < last; i++)
+                {
+                    var extent:int = 6 * i;
+                    if (extents[extent] > maxX || extents[int(extent + 3)] < minX || extents[int(extent + 1)] > maxY
+                            || extents[int(extent + 4)] < minY || extents[int(extent + 2)] > maxZ || extents[int(extent + 5)] < minZ)
+                    {
+                        continue;
+                    }
+                    triangleTests++;
+                    if (triangleTriangle(cornersA, 9 * i, corners, at, touching))
+                    {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
+
+        /** Whether a piece of one model is inside of the other, where their surfaces do not meet. */
+        public function isOneInside(a:Hierarchy, b:Hierarchy):Boolean
+        {
+            return secondIsInside(b, a) || firstIsInside(a, b);
+        }
+
+        // Whether a piece of the second model is inside of the first.
+        private function secondIsInside(inner:Hierarchy, outer:Hierarchy):Boolean
+        {
+            var seeds:Vector.<Number> = inner.surface.seeds;
+            var relative:Placement = _pose.placement;
+            for (var i:int = 0; outer.surface.isClosed && i < seeds.length; i += 3)
+            {
+                var x:Number = seeds[i] * relative.size;
+                var y:Number = seeds[i + 1] * relative.size;
+                var z:Number = seeds[i + 2] * relative.size;
+                if (outer.isInside(relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x,
+                            relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y,
+                            relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Whether a piece of the first model is inside of the second.
+        private function firstIsInside(inner:Hierarchy, outer:Hierarchy):Boolean
+        {
+            var seeds:Vector.<Number> = inner.surface.seeds;
+            var relative:Placement = _pose.placement;
+            for (var i:int = 0; outer.surface.isClosed && i < seeds.length; i += 3)
+            {
+                var x:Number = (seeds[i] - relative.x) / relative.size;
+                var y:Number = (seeds[i + 1] - relative.y) / relative.size;
+                var z:Number = (seeds[i + 2] - relative.z) / relative.size;
+                if (outer.isInside(relative.r00 * x + relative.r10 * y + relative.r20 * z,
+                            relative.r01 * x + relative.r11 * y + relative.r21 * z,
+                            relative.r02 * x + relative.r12 * y + relative.r22 * z))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

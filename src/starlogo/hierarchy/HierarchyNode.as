@@ -1,0 +1,158 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * A node of a model's hierarchy: a structure around a part of the model, and the two nodes that share that part
+     * between them (thesis §4.3).
+     *
+     * <p>A part is made of whole triangles where the model has them, otherwise of vertices. The structure of a node
+     * encloses the node's own part, not those of its children: a child's sphere or capsule may reach out of its
+     * parent's. All is in the model's space. Plain fields, because the traversal reads them: do not set them.</p>
+     */
+    public final class HierarchyNode
+    {
+        /** The child on the low side of the split, or null. */
+        public var left:HierarchyNode;
+
+        /** The child on the high side of the split, or null. */
+        public var right:HierarchyNode;
+
+        /** Whether the node has no children. */
+        public var isLeaf:Boolean = true;
+
+        /** The hierarchy that the node is of. */
+        engine var hierarchy:Hierarchy;
+
+        /** The number of levels down to this one, the root's being 1. */
+        engine var level:int;
+
+        /** The largest depth limit at which a visit ends here: its level, or for a leaf any. */
+        engine var endLevel:int = int.MAX_VALUE;
+
+        /** The node's items are those from first up to, and not including, end in the hierarchy's order. */
+        engine var first:int;
+
+        /** @copy #first */
+        engine var end:int;
+
+        /** The middle of the axis-aligned box. */
+        engine var x:Number;
+
+        /** @copy #x */
+        engine var y:Number;
+
+        /** @copy #x */
+        engine var z:Number;
+
+        /** Half the extents of the box. */
+        engine var halfX:Number;
+
+        /** @copy #halfX */
+        engine var halfY:Number;
+
+        /** @copy #halfX */
+        engine var halfZ:Number;
+
+        /** The radius of the sphere around the box. */
+        engine var radius:Number;
+
+        /** The radius of the largest sphere inside of the box, about its middle. */
+        engine var innerRadius:Number;
+
+        /** The axis that the node is split along: 0, 1 or 2. */
+        engine var splitAxis:int = 0;
+
+        /** The sphere or capsule; null where the box is the node's structure, until somebody asks for it. */
+        engine var structure:BoundingStructure;
+
+        private var _vertexCount:int = 0;
+
+        /** Made by the HierarchiesLibrary. */
+        public function HierarchyNode()
+        {
+        }
+
+        /**
+         * How many vertices are under the node: those of its triangles, each once, where the model has triangles. The
+         * counts of two children then add up to more than their parent's where they share vertices.
+         */
+        public function get vertexCount():int
+        {
+            if (_vertexCount == 0)
+            {
+                _vertexCount = hierarchy.countVertices(first, end);
+            }
+            return _vertexCount;
+        }
+
+        /**
+         * The structure around the node's part: an axis-aligned box, or what the library's boundsKind was when the model
+         * was added. A box is wider than the part by a rounding error (Tolerances.ROUNDING) on every side. The node's
+         * own: clone it before changing it.
+         */
+        public function get bounds():BoundingStructure
+        {
+            if (structure == null)
+            {
+                structure = new Box(new Vector3D(x, y, z), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS,
+                        halfX, halfY, halfZ);
+            }
+            return structure;
+        }
+
+        /** How many triangles are under the node; 0 where only vertices are known. */
+        public function get triangleCount():int
+        {
+            return hierarchy.hasTriangles ? end - first : 0;
+        }
+
+        /**
+         * The numbers of the triangles under the node; the model's first triangle is 0.
+         *
+         * @param out overwritten; made if null
+         * @return out
+         */
+        public function triangleIndices(out:Vector.<int> = null):Vector.<int>
+        {
+            return hierarchy.hasTriangles ? itemsInto(out) : emptied(out);
+        }
+
+        /**
+         * The numbers of the vertices under the node, where only vertices are known; the model's first vertex is 0. With
+         * triangles, none: the triangles name the vertices.
+         *
+         * @param out overwritten; made if null
+         * @return out
+         */
+        public function vertexIndices(out:Vector.<int> = null):Vector.<int>
+        {
+            return hierarchy.hasTriangles ? emptied(out) : itemsInto(out);
+        }
+
+        private function itemsInto(out:Vector.<int>):Vector.<int>
+        {
+            out = emptied(out);
+            for (var i:int = first; i < end; i++)
+            {
+                out.push(hierarchy.order[i]);
+            }
+            return out;
+        }
+
+        private static function emptied(out:Vector.<int>):Vector.<int>
+        {
+            if (out == null)
+            {
+                return new Vector.<int>();
+            }
+            out.length = 0;
+            return out;
+        }
+    }
+}

@@ -1,0 +1,175 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+    import starlogo.geometry.Placement;
+
+    /**
+     * Where one agent's model is in the space of another's: what all the nodes of their hierarchies share, so that only the
+     * agents are related, once for each pair.
+     */
+    internal final class RelativePose
+    {
+        /** Takes the second model into the space of the first. Its own isUpright is always false. */
+        public var placement:Placement = new Placement();
+
+        /** Whether both models are turned about z only, as almost always. */
+        public var isUpright:Boolean;
+
+        /** Until relate is called, both are in one place. */
+        public function RelativePose()
+        {
+            placement.isUpright = false;
+        }
+
+        /**
+         * Finds where the second model's origin and axes are in the first model's space.
+         *
+         * @param a where the first is in the world
+         * @param b where the second is
+         */
+        public function relate(a:Placement, b:Placement):void
+        {
+            var a00:Number = a.r00;
+            var a01:Number = a.r01;
+            var a10:Number = a.r10;
+            var a11:Number = a.r11;
+            var b00:Number = b.r00;
+            var b01:Number = b.r01;
+            var b10:Number = b.r10;
+            var b11:Number = b.r11;
+            var scale:Number = b.size / a.size;
+            var x:Number = (b.x - a.x) / a.size;
+            var y:Number = (b.y - a.y) / a.size;
+            var z:Number = (b.z - a.z) / a.size;
+            var relative:Placement = placement;
+            relative.size = scale;
+            isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
+            if (isUpright)
+            {
+                // the other entries are exactly 0
+                relative.x = a00 * x + a10 * y;
+                relative.y = a01 * x + a11 * y;
+                relative.z = z;
+                relative.r00 = a00 * b00 + a10 * b10;
+                relative.r01 = a00 * b01 + a10 * b11;
+                relative.r10 = a01 * b00 + a11 * b10;
+                relative.r11 = a01 * b01 + a11 * b11;
+                relative.r02 = relative.r12 = relative.r20 = relative.r21 = 0;
+                relative.r22 = 1;
+                return;
+            }
+            var a02:Number = a.r02;
+            var a12:Number = a.r12;
+            var a20:Number = a.r20;
+            var a21:Number = a.r21;
+            var a22:Number = a.r22;
+            var b02:Number = b.r02;
+            var b12:Number = b.r12;
+            var b20:Number = b.r20;
+            var b21:Number = b.r21;
+            var b22:Number = b.r22;
+            relative.x = a00 * x + a10 * y + a20 * z;
+            relative.y = a01 * x + a11 * y + a21 * z;
+            relative.z = a02 * x + a12 * y + a22 * z;
+            relative.r00 = a00 * b00 + a10 * b10 + a20 * b20;
+            relative.r01 = a00 * b01 + a10 * b11 + a20 * b21;
+            relative.r02 = a00 * b02 + a10 * b12 + a20 * b22;
+            relative.r10 = a01 * b00 + a11 * b10 + a21 * b20;
+            relative.r11 = a01 * b01 + a11 * b11 + a21 * b21;
+            relative.r12 = a01 * b02 + a11 * b12 + a21 * b22;
+            relative.r20 = a02 * b00 + a12 * b10 + a22 * b20;
+            relative.r21 = a02 * b01 + a12 * b11 + a22 * b21;
+            relative.r22 = a02 * b02 + a12 * b12 + a22 * b22;
+        }
+
+        /**
+         * Replaces the second model by a box of it, in a space of its own: its origin is the middle of the box, its axes are
+         * the box's.
+         *
+         * @param box in the second model's space
+         */
+        public function relateToAxesOf(box:Box):void
+        {
+            var relative:Placement = placement;
+            var scale:Number = relative.size;
+            var r00:Number = relative.r00;
+            var r01:Number = relative.r01;
+            var r02:Number = relative.r02;
+            var r10:Number = relative.r10;
+            var r11:Number = relative.r11;
+            var r12:Number = relative.r12;
+            var r20:Number = relative.r20;
+            var r21:Number = relative.r21;
+            var r22:Number = relative.r22;
+            var vector:Vector3D = box.center;
+            var x:Number = vector.x * scale;
+            var y:Number = vector.y * scale;
+            var z:Number = vector.z * scale;
+            relative.x += r00 * x + r01 * y + r02 * z;
+            relative.y += r10 * x + r11 * y + r12 * z;
+            relative.z += r20 * x + r21 * y + r22 * z;
+            vector = box.axisX;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r00 = r00 * x + r01 * y + r02 * z;
+            relative.r10 = r10 * x + r11 * y + r12 * z;
+            relative.r20 = r20 * x + r21 * y + r22 * z;
+            vector = box.axisY;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r01 = r00 * x + r01 * y + r02 * z;
+            relative.r11 = r10 * x + r11 * y + r12 * z;
+            relative.r21 = r20 * x + r21 * y + r22 * z;
+            vector = box.axisZ;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            relative.r02 = r00 * x + r01 * y + r02 * z;
+            relative.r12 = r10 * x + r11 * y + r12 * z;
+            relative.r22 = r20 * x + r21 * y + r22 * z;
+            isUpright = false;
+        }
+
+        /**
+         * Takes points of the second model into the space of the first.
+         *
+         * @param from x, y, z of each
+         * @param first the index of the first coordinate
+         * @param end the index after the last
+         * @param out overwritten from its beginning; longer where more points were in it before
+         * @return out
+         */
+        public function movePoints(from:Vector.<Number>, first:int, end:int, out:Vector.<Number>):Vector.<Number>
+        {
+            var relative:Placement = placement;
+            var scale:Number = relative.size;
+            var moveX:Number = relative.x;
+            var moveY:Number = relative.y;
+            var moveZ:Number = relative.z;
+            var m00:Number = relative.r00 * scale;
+            var m01:Number = relative.r01 * scale;
+            var m02:Number = relative.r02 * scale;
+            var m10:Number = relative.r10 * scale;
+            var m11:Number = relative.r11 * scale;
+            var m12:Number = relative.r12 * scale;
+            var m20:Number = relative.r20 * scale;
+            var m21:Number = relative.r21 * scale;
+            var m22:Number = relative.r22 * scale;
+            var to:int = 0;
+            for (var i:int = first; i < end; i += 3)
+            {
+                var x:Number = from[i];
+                var y:Number = from[int(i + 1)];
+                var z:Number = from[int(i + 2)];
+                out[to] = m00 * x + m01 * y + m02 * z + moveX;
+                out[int(to + 1)] = m10 * x + m11 * y + m12 * z + moveY;
+                out[int(to + 2)] = m20 * x + m21 * y + m22 * z + moveZ;
+                to += 3;
+            }
+            return out;
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package starlogo.diagnostics
+{
+    import flash.display.Sprite;
+    import flash.events.Event;
+    import flash.text.TextField;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
+    import starlogo.engine;
+    import evaluation.EveryPairSystem;
+    import support.assertThrows;
+
+    use namespace engine;
+
+    public class CollisionMonitorTest
+    {
+        private static const REFRESH_FRAMES:int = 12;
+
+        private var _collision:Collision;
+        private var _monitor:CollisionMonitor;
+
+        [Before]
+        public function make():void
+        {
+            _collision = new Collision(new EveryPairSystem());
+            _collision.onCollision("turtles", "turtles", ignore);
+            _monitor = new CollisionMonitor(_collision);
+        }
+
+        [Test]
+        public function showsWhatTheLastFrameDid():void
+        {
+            var scene:Scene = Scenes.crowd(7, "spheres");
+            _collision.update(scene.agents);
+            play(REFRESH_FRAMES);
+            assertEquals("agents", "7", valueOf("agents"));
+            assertEquals("collisions", "21", valueOf("collisions"));
+            assertEquals("either agent's handler", "42", valueOf("handler calls"));
+            assertTrue(valueOf("memory"), /^\d+\.\d MB$/.test(valueOf("memory")));
+            assertTrue("and what it costs itself: " + valueOf("this monitor"), /^\d+\.\d\d ms, \d+\.\d %$/.test(valueOf("this monitor")));
+        }
+
+        [Test]
+        public function refreshesItsNumbersAfterSomeFrames():void
+        {
+            _collision.update(Scenes.crowd(3, "spheres").agents);
+            play(REFRESH_FRAMES);
+            _collision.update(Scenes.crowd(5, "spheres").agents);
+            play(REFRESH_FRAMES - 1);
+            assertEquals("3", valueOf("agents"));
+            play(1);
+            assertEquals("5", valueOf("agents"));
+        }
+
+        [Test]
+        public function maySwitchToAnotherGame():void
+        {
+            var other:Collision = new Collision(new EveryPairSystem());
+            other.update(Scenes.crowd(9, "spheres").agents);
+            _monitor.collision = other;
+            play(REFRESH_FRAMES);
+            assertEquals("9", valueOf("agents"));
+        }
+
+        [Test]
+        public function hiddenItDoesNothing():void
+        {
+            _monitor.isShown = true;
+            _monitor.isShown = false;
+            assertFalse(_monitor.visible);
+            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
+        }
+
+        [Test]
+        public function offTheStageItDoesNothing():void
+        {
+            var parent:Sprite = new Sprite();
+            parent.addChild(_monitor);
+            _monitor.isShown = true;
+            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
+        }
+
+        [Test]
+        public function needsACollision():void
+        {
+            assertThrows(ArgumentError, /collision/, function():void
+                {
+                    new CollisionMonitor(null);
+                });
+            assertThrows(ArgumentError, /collision/, function():void
+                {
+                    _monitor.collision = null;
+                });
+        }
+
+        // Frames as the player sends them to what is on the stage, where a test is not.
+        private function play(frames:int):void
+        {
+            for (var i:int = 0; i < frames; i++)
+            {
+                _monitor.onFrame();
+            }
+        }
+
+        // The number beside a label.
+        private function valueOf(label:String):String
+        {
+            var labels:Array = null;
+            for (var i:int = 0; i < _monitor.numChildren; i++)
+            {
+                var field:TextField = _monitor.getChildAt(i) as TextField;
+                if (field == null)
+                {
+                    continue;
+                }
+                var lines:Array = field.text.split(/[\r\n]/);
+                if (lines.length > 2 && lines.indexOf(label) >= 0)
+                {
+                    labels = lines;
+                }
+                else if (labels != null)
+                {
+                    return lines[labels.indexOf(label)];
+                }
+            }
+            return "no such label";
+        }
+
+        private static function ignore(collider:Agent, collidee:Agent):void
+        {
+        }
+    }
+}

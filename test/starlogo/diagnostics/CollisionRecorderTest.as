@@ -1,0 +1,186 @@
+package starlogo.diagnostics
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.scenes.Scene;
+    import evaluation.scenes.Scenes;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.models.BuiltInModel;
+    import evaluation.EveryPairSystem;
+    import support.assertThrows;
+
+    public class CollisionRecorderTest
+    {
+        private var _greatLand:GreatLand;
+
+        [Before]
+        public function load():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+        }
+
+        [Test]
+        public function recordsFramesByBreedPair():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs"), new Agent("sphere", "dogs")];
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            recorder.findCollisions(agents);
+            agents[1].moveTo(20, 0, 0);
+            recorder.findCollisions(agents);
+            agents[2].moveTo(-20, 0, 0);
+            recorder.findCollisions(agents);
+            recorder.findCollisions(agents);
+
+            var record:Object = JSON.parse(recorder.toText());
+            assertEquals(4, record.frames);
+            assertEquals(4, record.collisions);
+            assertEquals(1, record.mean);
+            assertEquals(3, record.most);
+            assertEquals('[[0,2],[1,1],[3,1]]', pairs(record.histogram));
+            assertEquals(2, record.breeds.length);
+            assertEquals("cats and dogs come first, having collided most", "cats,dogs", record.breeds[0].breeds);
+            assertEquals(3, record.breeds[0].collisions);
+            assertEquals('[[0,2],[1,1],[2,1]]', pairs(record.breeds[0].histogram));
+            assertEquals('[[0,3],[1,1]]', pairs(record.breeds[1].histogram));
+        }
+
+        [Test]
+        public function theOrderOfTwoBreedsDoesNotMatter():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
+            var cat:Agent = new Agent("sphere", "cats");
+            var dog:Agent = new Agent("sphere", "dogs");
+            recorder.findCollisions(new <Agent>[cat, dog]);
+            recorder.findCollisions(new <Agent>[dog, cat]);
+            assertEquals(1, recorder.toObject().breeds.length);
+            assertEquals(2, recorder.toObject().breeds[0].collisions);
+        }
+
+        [Test]
+        public function numbersAboveSixteenAreInClassesThatDouble():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
+            // 15, 21, 28, 36, 66 and 78 pairs
+            for each (var count:int in [6, 7, 8, 9, 12, 13])
+            {
+                recorder.findCollisions(Scenes.crowd(count, "spheres").agents);
+            }
+            assertEquals('[[15,1],[17,2],[34,2],[68,1]]', pairs(recorder.toObject().histogram));
+        }
+
+        [Test]
+        public function everyFrameIsInTheHistogramAndEveryCollisionInABreedPair():void
+        {
+            var scene:Scene = Scenes.scattered(600, "spheres");
+            for (var i:int = 0; i < scene.agents.length; i++)
+            {
+                scene.agents[i].breed = ["cats", "dogs", "mice"][i % 3];
+            }
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            for (var frame:int = 0; frame < 20; frame++)
+            {
+                scene.step();
+                recorder.findCollisions(scene.agents);
+            }
+            var record:Object = recorder.toObject();
+            assertEquals(20, sum(record.histogram, "frames"));
+            assertEquals("six pairs of three breeds", 6, record.breeds.length);
+            assertTrue(record.collisions > 100);
+            assertEquals(record.collisions, sum(record.breeds, "collisions"));
+            for each (var pair:Object in record.breeds)
+            {
+                assertEquals(20, sum(pair.histogram, "frames"));
+            }
+        }
+
+        [Test]
+        public function findsWhatItsSystemFinds():void
+        {
+            var scene:Scene = Scenes.scattered(300, "spheres");
+            var plain:BinCollider = new BinCollider(_greatLand);
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            assertEquals(plain.findCollisions(scene.agents).join(), recorder.findCollisions(scene.agents).join());
+            assertTrue(recorder.areColliding(new Agent("sphere"), new Agent("sphere")));
+        }
+
+        [Test]
+        public function passesOnInterestsAndStatistics():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
+            var collision:Collision = new Collision(recorder);
+            collision.onCollision("cats", "dogs", ignore);
+            collision.update(new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs"), new Agent("sphere", "mice")]);
+            assertEquals("mice are nobody's concern", 1, recorder.collisions);
+            assertEquals(1, collision.statistics.agentsPassedOver);
+            assertEquals(1, collision.statistics.collisions);
+            assertTrue(collision.statistics.sphereSphereTests > 0);
+        }
+
+        [Test]
+        public function recordsASystemOfSomebodyElses():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
+            var collision:Collision = new Collision(recorder);
+            collision.onCollision("turtles", "turtles", ignore);
+            collision.update(Scenes.crowd(4, "spheres").agents);
+            assertEquals(6, recorder.collisions);
+            assertEquals(6, collision.statistics.collisions);
+            assertEquals(4, collision.statistics.agents);
+        }
+
+        [Test]
+        public function clearForgets():void
+        {
+            var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
+            recorder.findCollisions(Scenes.crowd(4, "spheres").agents);
+            recorder.clear();
+            assertEquals('{"breeds":[],"collisions":0,"frames":0,"histogram":[],"mean":0,"most":0}', sortedText(recorder.toObject()));
+        }
+
+        [Test]
+        public function needsASystem():void
+        {
+            assertThrows(ArgumentError, /collisionSystem/, function():void
+                {
+                    new CollisionRecorder(null);
+                });
+        }
+
+        private static function pairs(histogram:Array):String
+        {
+            return JSON.stringify(histogram.map(function(entry:Object, index:int, all:Array):Array
+                    {
+                        return [entry.collisions, entry.frames];
+                    }));
+        }
+
+        private static function sum(list:Array, field:String):Number
+        {
+            var total:Number = 0;
+            for each (var entry:Object in list)
+            {
+                total += entry[field];
+            }
+            return total;
+        }
+
+        private static function sortedText(record:Object):String
+        {
+            var fields:Array = [];
+            for (var field:String in record)
+            {
+                fields.push(JSON.stringify(field) + ":" + JSON.stringify(record[field]));
+            }
+            return "{" + fields.sort().join(",") + "}";
+        }
+
+        private static function ignore(collider:Agent, collidee:Agent):void
+        {
+        }
+    }
+}

@@ -114,6 +114,26 @@ package starlogo.broadphase
             forgetUnused();
         }
 
+        /** Whether a proxy is reachable from here: one that was in an earlier search only must not be. */
+        internal function isHolding(proxy:AgentProxy):Boolean
+        {
+            for each (var level:BinLevel in _levels)
+            {
+                if (level.proxies.indexOf(proxy) >= 0)
+                {
+                    return true;
+                }
+            }
+            for each (var entry:BinEntry in _entries)
+            {
+                if (entry.proxy === proxy || (entry.next != null && entry.next.proxy === proxy))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
         // The level whose bins are wide enough, and no wider than they must.
         private function levelFor(width:Number):BinLevel
         {

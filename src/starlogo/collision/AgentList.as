@@ -24,28 +24,34 @@ package starlogo.collision
         /** The list. */
         public var agents:Vector.<Agent> = null;
 
-        /** Its length when the calls began: every hint is less, unless the list was empty. */
+        /** Its length when the calls began; every hint is less. Not 0. */
         public var lengthAtStart:int;
 
         /** Whether the agent that was not found last may be there all the same. */
         public var isInDoubt:Boolean = false;
 
+        /** How many agents were looked at in this frame, to find others. */
+        public var comparisons:Number = 0;
+
         private var _cacheToken:CacheToken = new CacheToken();
         private var _frame:int = 0;
-        private var _comparisons:Number = 0;
 
         /** No list yet. */
         public function AgentList()
         {
         }
 
-        /** Notes where every agent is. */
+        /**
+         * Notes where every agent is.
+         *
+         * @param agents one at least
+         */
         public function begin(agents:Vector.<Agent>):void
         {
             this.agents = agents;
             _cacheToken.noteUse();
             _frame++;
-            _comparisons = 0;
+            comparisons = 0;
             lengthAtStart = agents.length;
             for (var i:int = 0; i < lengthAtStart; i++)
             {
@@ -123,7 +129,7 @@ package starlogo.collision
             }
             if (index >= 0)
             {
-                record.listIndex = index;
+                record.listIndex = index < lengthAtStart ? index : 0;
                 return true;
             }
             record.isGone = !isInDoubt;
@@ -164,6 +170,7 @@ package starlogo.collision
             {
                 var middle:int = (low + high) >> 1;
                 var agent:Agent = agents[middle];
+                comparisons++;
                 if (agent === record.agent)
                 {
                     return middle;
@@ -183,12 +190,12 @@ package starlogo.collision
         private function indexBySearch(record:ListedAgent, calls:int):int
         {
             var allowed:Number = COMPARISONS * (Number(lengthAtStart) + calls);
-            isInDoubt = _comparisons + agents.length > allowed;
+            isInDoubt = comparisons + agents.length > allowed;
             if (isInDoubt)
             {
                 return -1;
             }
-            _comparisons += agents.length;
+            comparisons += agents.length;
             return agents.indexOf(record.agent);
         }
     }

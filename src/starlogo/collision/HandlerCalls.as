@@ -63,9 +63,10 @@ package starlogo.collision
             _pair = 0;
             _isLookedUp = false;
             _postponed.length = 0;
+            _turns = null;
             _list.begin(agents);
             callThrough();
-            while (_postponed.length > 0)
+            while (_postponed.length > 0 && agents.length > 0)
             {
                 _turns = _postponed;
                 _turn = 0;

@@ -296,6 +296,10 @@ package starlogo.fitting
 import flash.geom.Matrix3D;
 import flash.utils.ByteArray;
 import starlogo.bounding.BoundingStructure;
+import starlogo.fitting.AxisAlignedBoxFitter;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
+import starlogo.fitting.RotationSearch;
 import starlogo.geometry.ConvexHull;
 
 class SingleRotationSearch extends RotationSearch

@@ -6,11 +6,13 @@ package evaluation
     /** A collision system of somebody else's, for which everything collides with everything. */
     public class EveryPairSystem implements CollisionSystem
     {
+        /** True. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             return true;
         }
 
+        /** Every pair, each once. */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
             out ||= new Vector.<Agent>();

@@ -8,6 +8,7 @@ package
     import support.Fixtures;
     import support.TestFilter;
     import support.TestReporter;
+    import support.TestStage;
 
     /**
      * The test SWF: loads the files that the test classes ask for, runs every class of the generated list (or those
@@ -23,6 +24,7 @@ package
 
         public function TestRunner()
         {
+            TestStage.stage = stage;
             Effort.isFull = loaderInfo.parameters["full"] == "true";
             var filter:TestFilter = new TestFilter(loaderInfo.parameters["test"]);
             var classes:Array = filter.classesOf(AllTests.CLASSES);

@@ -97,9 +97,11 @@ package evaluation
         // About three milliseconds.
         private static function wait():void
         {
-            var start:int = getTimer();
-            while (getTimer() - start < 3)
+            var end:int = getTimer() + 3;
+            var now:int = 0;
+            while (now < end)
             {
+                now = getTimer();
             }
         }
     }

@@ -239,9 +239,11 @@ class CountedPairs implements CollisionSystem
 
     public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
     {
-        var start:int = getTimer();
-        while (getTimer() - start < ms)
+        var end:int = getTimer() + ms;
+        var now:int = 0;
+        while (now < end)
         {
+            now = getTimer();
         }
         out = new Vector.<Agent>();
         var agent:Agent = new Agent("sphere");

@@ -1,11 +1,20 @@
 package evaluation
 {
     import starlogo.agents.Agent;
+    import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
 
     /** A collision system of somebody else's, for which everything collides with everything. */
     public class EveryPairSystem implements CollisionSystem
     {
+        private var _statistics:CollisionStatistics = new CollisionStatistics();
+
+        /** The agents and the pairs. */
+        public function get statistics():CollisionStatistics
+        {
+            return _statistics;
+        }
+
         /** True. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
@@ -24,6 +33,8 @@ package evaluation
                     out.push(agents[i], agents[j]);
                 }
             }
+            _statistics.agents = agents.length;
+            _statistics.collisions = out.length >> 1;
             return out;
         }
     }

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.geometry.VertexData;
+
     /**
      * The shape of a kind of agents, as the collision engine sees it: a name, vertices and, where known, triangles.
      *
@@ -40,7 +42,7 @@ package starlogo.models
             _vertices.fixed = true;
             if (triangles != null && triangles.length > 0)
             {
-                checkTriangles(triangles);
+                check(VertexData.triangleProblem(triangles, _vertices.length / 3));
                 _triangles = triangles.slice();
                 _triangles.fixed = true;
             }
@@ -81,39 +83,14 @@ package starlogo.models
             {
                 throw new ModelError(_name, "", "no vertices: a model needs at least one");
             }
-            if (vertices.length % 3 != 0)
-            {
-                throw new ModelError(_name, "", "vertices have three coordinates each, but there are " + vertices.length +
-                        " numbers in all");
-            }
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i++)
-            {
-                var coordinate:Number = vertices[i];
-                if (coordinate - coordinate != 0)
-                {
-                    throw new ModelError(_name, "vertex " + int(i / 3), "the " + "xyz".charAt(i % 3) +
-                            " coordinate must be a finite number, not " + coordinate);
-                }
-            }
+            check(VertexData.vertexProblem(vertices));
         }
 
-        private function checkTriangles(triangles:Vector.<uint>):void
+        private function check(problem:String):void
         {
-            var vertexCount:uint = _vertices.length / 3;
-            if (triangles.length % 3 != 0)
+            if (problem != null)
             {
-                throw new ModelError(_name, "", "triangles have three vertices each, but there are " + triangles.length +
-                        " indices in all");
-            }
-            var length:int = triangles.length;
-            for (var i:int = 0; i < length; i++)
-            {
-                if (triangles[i] >= vertexCount)
-                {
-                    throw new ModelError(_name, "triangle " + int(i / 3), "there is no vertex " + triangles[i] +
-                            ": the last one is " + (vertexCount - 1));
-                }
+                throw new ModelError(_name, "", problem);
             }
         }
 

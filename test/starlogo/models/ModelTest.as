@@ -119,11 +119,11 @@ package starlogo.models
             refuses("no vertices", "a", null);
             refuses("no vertices", "a", new Vector.<Number>());
             refuses("three coordinates", "a", new <Number>[1, 2]);
-            refuses("vertex 1: the y", "a", new <Number>[1, 2, 3, 4, NaN, 6]);
-            refuses("vertex 0: the z", "a", new <Number>[1, 2, Infinity]);
+            refuses("the y coordinate of vertex 1 must be a finite number, not NaN", "a", new <Number>[1, 2, 3, 4, NaN, 6]);
+            refuses("the z coordinate of vertex 0", "a", new <Number>[1, 2, Infinity]);
             refuses("too large", "a", new <Number>[1e308, 0, 0, -1e308, 0, 0]);
             refuses("three vertices", "a", new <Number>[1, 2, 3], new <uint>[0, 0]);
-            refuses("triangle 1: there is no vertex 1", "a", new <Number>[1, 2, 3], new <uint>[0, 0, 0, 0, 0, 1]);
+            refuses("triangle 1 names vertex 1", "a", new <Number>[1, 2, 3], new <uint>[0, 0, 0, 0, 0, 1]);
         }
 
         private static function refuses(words:String, name:String, vertices:Vector.<Number>,

@@ -1,0 +1,69 @@
+package starlogo.geometry
+{
+    /**
+     * Says what is wrong with vertices and triangles that somebody handed in; whoever asks knows whose they are and what to
+     * throw.
+     *
+     * @private
+     */
+    public final class VertexData
+    {
+        /** All is static. */
+        public function VertexData()
+        {
+        }
+
+        /**
+         * What keeps vertices from being used.
+         *
+         * @param vertices x, y, z, x, y, z, ... of at least one vertex; may be null, which is wrong
+         * @return null if they are fine, else a sentence that begins small
+         */
+        public static function vertexProblem(vertices:Vector.<Number>):String
+        {
+            if (vertices == null || vertices.length == 0 || vertices.length % 3 != 0)
+            {
+                return "three coordinates for each of at least one vertex are needed, not "
+                    + (vertices == null ? "null" : vertices.length + " numbers");
+            }
+            var length:int = vertices.length;
+            for (var i:int = 0; i < length; i++)
+            {
+                var coordinate:Number = vertices[i];
+                // infinity minus itself is NaN, which equals nothing
+                if (coordinate - coordinate != 0)
+                {
+                    return "the " + "xyz".charAt(i % 3) + " coordinate of vertex " + int(i / 3)
+                        + " must be a finite number, not " + coordinate;
+                }
+            }
+            return null;
+        }
+
+        /**
+         * What keeps triangles from being used.
+         *
+         * @param triangles three vertex indices each; not null, may be empty
+         * @param vertexCount how many vertices there are
+         * @return null if they are fine, else a sentence that begins small
+         */
+        public static function triangleProblem(triangles:Vector.<uint>, vertexCount:int):String
+        {
+            if (triangles.length % 3 != 0)
+            {
+                return "triangles have three vertices each, but there are " + triangles.length + " indices in all";
+            }
+            var length:int = triangles.length;
+            var end:uint = vertexCount;
+            for (var i:int = 0; i < length; i++)
+            {
+                if (triangles[i] >= end)
+                {
+                    return "triangle " + int(i / 3) + " names vertex " + triangles[i] + ", the last one is "
+                        + (vertexCount - 1);
+                }
+            }
+            return null;
+        }
+    }
+}

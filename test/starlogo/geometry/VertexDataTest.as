@@ -1,0 +1,43 @@
+package starlogo.geometry
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+
+    public class VertexDataTest
+    {
+        [Test]
+        public function nothingIsWrongWithWhatCanBeUsed():void
+        {
+            assertNull(VertexData.vertexProblem(new <Number>[0, -1e308, Number.MIN_VALUE]));
+            assertNull(VertexData.vertexProblem(new <Number>[1, 2, 3, 4, 5, 6]));
+            assertNull(VertexData.triangleProblem(new Vector.<uint>(), 1));
+            assertNull(VertexData.triangleProblem(new <uint>[0, 1, 2, 2, 2, 2], 3));
+        }
+
+        [Test]
+        public function saysWhichVertexIsWrong():void
+        {
+            var needed:String = "three coordinates for each of at least one vertex are needed, not ";
+            assertEquals(needed + "null", VertexData.vertexProblem(null));
+            assertEquals(needed + "0 numbers", VertexData.vertexProblem(new Vector.<Number>()));
+            assertEquals(needed + "7 numbers", VertexData.vertexProblem(new <Number>[0, 1, 2, 3, 4, 5, 6]));
+            assertEquals("the x coordinate of vertex 0 must be a finite number, not Infinity",
+                    VertexData.vertexProblem(new <Number>[Infinity, 1, 2]));
+            assertEquals("the y coordinate of vertex 1 must be a finite number, not NaN",
+                    VertexData.vertexProblem(new <Number>[0, 1, 2, 3, NaN, 5]));
+            assertEquals("the z coordinate of vertex 1 must be a finite number, not -Infinity",
+                    VertexData.vertexProblem(new <Number>[0, 1, 2, 3, 4, -Infinity]));
+        }
+
+        [Test]
+        public function saysWhichTriangleIsWrong():void
+        {
+            assertEquals("triangles have three vertices each, but there are 7 indices in all",
+                    VertexData.triangleProblem(new <uint>[0, 1, 2, 0, 1, 2, 0], 3));
+            assertEquals("triangle 1 names vertex 3, the last one is 2",
+                    VertexData.triangleProblem(new <uint>[0, 1, 2, 0, 3, 2], 3));
+            assertEquals("triangle 0 names vertex 4294967295, the last one is 2",
+                    VertexData.triangleProblem(new <uint>[0, 1, 0xffffffff], 3));
+        }
+    }
+}

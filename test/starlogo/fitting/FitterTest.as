@@ -49,14 +49,14 @@ package starlogo.fitting
         [Test]
         public function minimalFitsEncloseEveryVertexOfHardSets():void
         {
-            encloseHardSets(1, minimalFitters(), Effort.choose(3, 1));
+            encloseHardSets(1, minimalFitters(), Effort.choose(5, 1));
         }
 
         [Test]
         public function minimalFitsAreTheSmallest():void
         {
             var sets:Array = PointSets.hard(new SeededRandom(2));
-            for (var i:int = 0; i < sets.length; i += 4)
+            for (var i:int = 0; i < sets.length; i += 2 * Effort.choose(6, 2))
             {
                 var session:FitSession = new FitSession(sets[i + 1]);
                 var rounding:Number = 1e-9 * Math.pow(session.hull.extent, 3);

@@ -13,7 +13,7 @@ package starlogo.fitting
      * the left. So a measurement costs about the square root of the number of corners, not the number itself. One object is
      * good for many directions; those close to the one before are the fastest.</p>
      */
-    public final class BoxAlongAxis
+    internal final class BoxAlongAxis
     {
         private static const BACK:Number = Tolerances.OUTLINE_BACK;
         private static const LEVEL:Number = Tolerances.OUTLINE_LEVEL;
@@ -33,6 +33,7 @@ package starlogo.fitting
         /** The corner that is farthest against it. */
         public var lowest:int = 0;
 
+        private var _hull:ConvexHull;
         private var _points:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
@@ -57,6 +58,7 @@ package starlogo.fitting
          */
         public function BoxAlongAxis(hull:ConvexHull)
         {
+            _hull = hull;
             _points = hull.convexPoints;
             _firstNeighbor = hull.firstNeighbor;
             _neighbors = hull.neighbors;
@@ -74,8 +76,8 @@ package starlogo.fitting
          */
         public function measure(x:Number, y:Number, z:Number, enough:Number = Infinity):Number
         {
-            highest = climb(highest, x, y, z);
-            lowest = climb(lowest, -x, -y, -z);
+            highest = _hull.support(x, y, z, highest, _points);
+            lowest = _hull.support(-x, -y, -z, lowest, _points);
             var thickness:Number = (_points[3 * highest] - _points[3 * lowest]) * x
                 + (_points[3 * highest + 1] - _points[3 * lowest + 1]) * y
                 + (_points[3 * highest + 2] - _points[3 * lowest + 2]) * z;
@@ -112,35 +114,10 @@ package starlogo.fitting
             _uZ = z / length;
         }
 
-        private function climb(corner:int, x:Number, y:Number, z:Number):int
-        {
-            var points:Vector.<Number> = _points;
-            var at:int = 3 * corner;
-            var best:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
-            var from:int;
-            do
-            {
-                from = corner;
-                var end:int = _firstNeighbor[from + 1];
-                for (var i:int = _firstNeighbor[from]; i < end; i++)
-                {
-                    at = 3 * _neighbors[i];
-                    var value:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
-                    if (value > best)
-                    {
-                        best = value;
-                        corner = _neighbors[i];
-                    }
-                }
-            }
-            while (corner != from);
-            return corner;
-        }
-
         // Fills _u and _v with the outline's corners, starting at the bottom.
         private function walk():void
         {
-            _bottom = climb(_bottom, -_vX, -_vY, -_vZ);
+            _bottom = _hull.support(-_vX, -_vY, -_vZ, _bottom, _points);
             var corner:int = _bottom;
             var startU:Number = u(corner);
             var startV:Number = v(corner);

@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     /** A capsule along some direction, from which MinimalCapsuleFitter goes on. */
-    public final class CapsuleStart
+    internal final class CapsuleStart
     {
         /** The direction, a unit vector. */
         public var x:Number;

@@ -35,9 +35,14 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
         {
-            return Enclosing.box(session.vertices, smallestAxes(session.hull));
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            return EnclosingStructures.box(session.vertices, smallestAxes(session.hull));
         }
 
         private static function smallestAxes(hull:ConvexHull):Vector.<Number>
@@ -46,7 +51,7 @@ package starlogo.fitting
             {
                 return hull.axes;
             }
-            var slide:BoxSlide = new BoxSlide(hull);
+            var slide:BoxDescent = new BoxDescent(hull);
             if (hull.dimension == 2)
             {
                 slide.start(hull.axes[6], hull.axes[7], hull.axes[8]);
@@ -54,8 +59,8 @@ package starlogo.fitting
             }
             var best:Vector.<Number> = null;
             var least:Number = Infinity;
-            var samples:Vector.<BoxSample> = sample(hull);
-            for each (var start:BoxSample in startsOf(samples))
+            var samples:Vector.<DirectionSample> = sample(hull);
+            for each (var start:DirectionSample in startsOf(samples))
             {
                 slide.start(start.x, start.y, start.z);
                 slide.descend();
@@ -69,29 +74,29 @@ package starlogo.fitting
         }
 
         // Measures the normals of the hull and directions on the arcs between them.
-        private static function sample(hull:ConvexHull):Vector.<BoxSample>
+        private static function sample(hull:ConvexHull):Vector.<DirectionSample>
         {
-            var net:DirectionNet = directionsOf(hull);
+            var net:DistinctDirections = directionsOf(hull);
             var box:BoxAlongAxis = new BoxAlongAxis(hull);
-            var samples:Vector.<BoxSample> = new Vector.<BoxSample>();
+            var samples:Vector.<DirectionSample> = new Vector.<DirectionSample>();
             var directions:Vector.<Number> = net.directions;
             var least:Number = Infinity;
             for (var i:int = 0; i < directions.length; i += 3)
             {
                 var volume:Number = box.measure(directions[i], directions[i + 1], directions[i + 2], 2 * least);
                 least = Math.min(least, volume);
-                samples.push(new BoxSample(directions[i], directions[i + 1], directions[i + 2], volume));
+                samples.push(new DirectionSample(directions[i], directions[i + 1], directions[i + 2], volume));
             }
             return samples;
         }
 
-        private static function directionsOf(hull:ConvexHull):DirectionNet
+        private static function directionsOf(hull:ConvexHull):DistinctDirections
         {
             var spacing:Number = 1e-7;
-            var net:DirectionNet;
+            var net:DistinctDirections;
             do
             {
-                net = new DirectionNet(spacing);
+                net = new DistinctDirections(spacing);
                 addDirections(hull, net);
                 spacing = Math.max(0.01, 1.4 * spacing);
             }
@@ -99,7 +104,7 @@ package starlogo.fitting
             return net;
         }
 
-        private static function addDirections(hull:ConvexHull, net:DirectionNet):void
+        private static function addDirections(hull:ConvexHull, net:DistinctDirections):void
         {
             net.add(1, 0, 0);
             net.add(0, 1, 0);
@@ -122,7 +127,7 @@ package starlogo.fitting
             }
         }
 
-        private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DirectionNet):void
+        private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DistinctDirections):void
         {
             var cosine:Number = normals[a] * normals[b] + normals[a + 1] * normals[b + 1] + normals[a + 2] * normals[b + 2];
             var angle:Number = Math.acos(Math.max(-1, Math.min(1, cosine)));
@@ -177,10 +182,10 @@ package starlogo.fitting
         }
 
         // The best samples, none close to a better one.
-        private static function startsOf(samples:Vector.<BoxSample>):Vector.<BoxSample>
+        private static function startsOf(samples:Vector.<DirectionSample>):Vector.<DirectionSample>
         {
-            samples.sort(BoxSample.compare);
-            var starts:Vector.<BoxSample> = new Vector.<BoxSample>();
+            samples.sort(DirectionSample.compare);
+            var starts:Vector.<DirectionSample> = new Vector.<DirectionSample>();
             for (var i:int = 0; i < samples.length && starts.length < STARTS; i++)
             {
                 var isNew:Boolean = true;

@@ -32,13 +32,18 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
+        {
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
         {
             if (session.hull.dimension < 2)
             {
                 return segment(session);
             }
-            var sphere:Sphere = session.fit(_sphereFitter) as Sphere;
+            var sphere:Sphere = _sphereFitter.fitOnce(session) as Sphere;
             var best:Capsule = new Capsule(sphere.center, sphere.center, sphere.radius);
             var descent:CapsuleDescent = new CapsuleDescent(session.hull.points);
             for each (var start:CapsuleStart in startsOf(session.hull))
@@ -63,8 +68,8 @@ package starlogo.fitting
             var points:Vector.<Number> = session.hull.points;
             var start:Vector3D = new Vector3D(points[0], points[1], points[2]);
             var axis:Vector3D = new Vector3D(session.hull.axes[0], session.hull.axes[1], session.hull.axes[2]);
-            var radius:Number = Enclosing.distanceFromLine(session.vertices, start, axis);
-            return Enclosing.capsule(session.vertices, start, axis, Infinity, -Infinity, radius);
+            var radius:Number = EnclosingStructures.distanceFromLine(session.vertices, start, axis);
+            return EnclosingStructures.capsule(session.vertices, start, axis, Infinity, -Infinity, radius);
         }
 
         private static function enclose(vertices:Vector.<Number>, descent:CapsuleDescent):Capsule
@@ -76,8 +81,8 @@ package starlogo.fitting
             {
                 axis.setTo(1, 0, 0);
             }
-            var radius:Number = Math.max(descent.radius, Enclosing.distanceFromLine(vertices, start, axis));
-            return Enclosing.capsule(vertices, start, axis, Infinity, -Infinity, radius);
+            var radius:Number = Math.max(descent.radius, EnclosingStructures.distanceFromLine(vertices, start, axis));
+            return EnclosingStructures.capsule(vertices, start, axis, Infinity, -Infinity, radius);
         }
 
         private static function startsOf(hull:ConvexHull):Vector.<CapsuleStart>
@@ -134,7 +139,7 @@ package starlogo.fitting
                 seen[i + 1] = points[i] * vX + points[i + 1] * vY + points[i + 2] * vZ;
                 heights[i / 3] = points[i] * x + points[i + 1] * y + points[i + 2] * z;
             }
-            var circle:SmallestBall = new SmallestBall(seen);
+            var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
             var best:CapsuleStart = null;
             for each (var multiple:Number in RADII)
             {
@@ -155,7 +160,7 @@ package starlogo.fitting
             return best;
         }
 
-        private static function startOf(seen:Vector.<Number>, heights:Vector.<Number>, circle:SmallestBall, radius:Number):CapsuleStart
+        private static function startOf(seen:Vector.<Number>, heights:Vector.<Number>, circle:SmallestEnclosingBall, radius:Number):CapsuleStart
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;

@@ -10,6 +10,7 @@ package starlogo.fitting
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.steps.finish;
     import support.FitChecks;
     import support.PointSets;
     import evaluation.pairs.SeededRandom;
@@ -59,11 +60,11 @@ package starlogo.fitting
             {
                 var session:FitSession = new FitSession(sets[i + 1]);
                 var rounding:Number = 1e-9 * Math.pow(session.hull.extent, 3);
-                var sphere:Number = session.fit(new MinimalSphereFitter()).volume;
-                var box:Number = session.fit(new MinimalBoxFitter()).volume;
+                var sphere:Number = new MinimalSphereFitter().fitOnce(session).volume;
+                var box:Number = new MinimalBoxFitter().fitOnce(session).volume;
                 for each (var fitter:Fitter in thesisFitters())
                 {
-                    var found:BoundingStructure = session.fit(fitter);
+                    var found:BoundingStructure = fitter.fitOnce(session);
                     var least:Number = found is Sphere ? sphere : (found is Box ? box : 0);
                     assertTrue(sets[i] + ", " + fitter + ": " + found.volume + " below " + least,
                             found.volume >= least * (1 - 1e-5) - rounding);
@@ -94,9 +95,11 @@ package starlogo.fitting
             for (var i:int = 0; i < sets.length; i += 2)
             {
                 var session:FitSession = new FitSession(sets[i + 1]);
-                var box:Box = Enclosing.box(session.vertices, new SingleRotationSearch(session.hull).smallestBox(15, 15, 15));
+                var search:RotationSearch = new SingleRotationSearch(session, 15, 15, 15);
+                finish(search);
+                var box:Box = search.smallestBox(session);
                 assertEquals(sets[i], "", FitChecks.outside(box, session.vertices));
-                var expected:Number = session.fit(new OrientedBoxFitter(15)).volume;
+                var expected:Number = new OrientedBoxFitter(15).fitOnce(session).volume;
                 var far:Number = 1e-6 * Math.pow(new Vector3D(session.vertices[0], session.vertices[1], session.vertices[2]).length
                         + session.hull.extent, 3);
                 assertTrue(sets[i] + ": " + box.volume + " instead of " + expected, Math.abs(box.volume - expected) <= far);
@@ -125,7 +128,7 @@ package starlogo.fitting
             var session:FitSession = new FitSession(cloud);
             for each (var fitter:Fitter in allFitters())
             {
-                assertHoldsAll("a cloud of 100000", fitter, session.fit(fitter), cloud);
+                assertHoldsAll("a cloud of 100000", fitter, fitter.fitOnce(session), cloud);
             }
         }
 
@@ -149,9 +152,9 @@ package starlogo.fitting
             for (var i:int = 0; i < 20; i++)
             {
                 var session:FitSession = new FitSession(PointSets.turned(PointSets.cloud(random, 40, 1, 0.5, 0.2), random));
-                var aligned:Number = session.fit(new AxisAlignedBoxFitter()).volume;
-                var zAligned:Number = session.fit(new ZAlignedBoxFitter(10)).volume;
-                var oriented:Number = session.fit(new OrientedBoxFitter(10)).volume;
+                var aligned:Number = new AxisAlignedBoxFitter().fitOnce(session).volume;
+                var zAligned:Number = new ZAlignedBoxFitter(10).fitOnce(session).volume;
+                var oriented:Number = new OrientedBoxFitter(10).fitOnce(session).volume;
                 assertTrue(zAligned <= aligned * (1 + 1e-6));
                 assertTrue(oriented <= zAligned * (1 + 1e-6));
             }
@@ -212,9 +215,9 @@ package starlogo.fitting
         {
             var counting:CountingFitter = new CountingFitter();
             var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
-            session.fit(counting);
-            session.fit(new CapsuleFitter(counting));
-            session.fit(new CylinderFitter(counting));
+            counting.fitOnce(session);
+            new CapsuleFitter(counting).fitOnce(session);
+            new CylinderFitter(counting).fitOnce(session);
             assertEquals(1, counting.count);
             new CapsuleFitter(counting).fit(PointSets.box(1, 1, 1));
             assertEquals(2, counting.count);
@@ -282,7 +285,7 @@ package starlogo.fitting
 
         private static function assertEncloses(name:String, fitter:Fitter, session:FitSession):void
         {
-            assertHoldsAll(name, fitter, session.fit(fitter), session.vertices);
+            assertHoldsAll(name, fitter, fitter.fitOnce(session), session.vertices);
         }
 
         private static function assertHoldsAll(name:String, fitter:Fitter, structure:BoundingStructure,
@@ -293,51 +296,24 @@ package starlogo.fitting
     }
 }
 
-import flash.geom.Matrix3D;
-import flash.utils.ByteArray;
 import starlogo.bounding.BoundingStructure;
-import starlogo.geometry.ConvexHull;
-
-class SingleRotationSearch extends RotationSearch
-{
-    private var _bytes:ByteArray = new ByteArray();
-
-    public function SingleRotationSearch(hull:ConvexHull)
-    {
-        super(hull);
-    }
-
-    override protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
-    {
-        matrix.rawData = rounded(matrix.rawData, new Vector.<Number>(16));
-        matrix.transformVectors(points, out);
-        rounded(out, out);
-    }
-
-    private function rounded(numbers:Vector.<Number>, out:Vector.<Number>):Vector.<Number>
-    {
-        _bytes.position = 0;
-        var i:int;
-        for (i = 0; i < numbers.length; i++)
-        {
-            _bytes.writeFloat(numbers[i]);
-        }
-        _bytes.position = 0;
-        for (i = 0; i < numbers.length; i++)
-        {
-            out[i] = _bytes.readFloat();
-        }
-        return out;
-    }
-}
+import starlogo.fitting.AxisAlignedBoxFitter;
+import starlogo.fitting.Fit;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
 
 class CountingFitter extends Fitter
 {
     public var count:int = 0;
 
-    override public function fitTo(session:FitSession):BoundingStructure
+    override public function begin(session:FitSession):Fit
+    {
+        return new Fit(session, find);
+    }
+
+    private function find(session:FitSession):BoundingStructure
     {
         count++;
-        return session.fit(new AxisAlignedBoxFitter());
+        return new AxisAlignedBoxFitter().fitOnce(session);
     }
 }

@@ -209,6 +209,7 @@ package starlogo.geometry
         private static function checkSupports(name:String, hull:ConvexHull, random:SeededRandom):void
         {
             var p:Vector.<Number> = hull.points;
+            var at:int = 0;
             for (var trial:int = 0; trial < 30; trial++)
             {
                 var x:Number = random.normal();
@@ -220,19 +221,8 @@ package starlogo.geometry
                 {
                     farthest = Math.max(farthest, hull.vertices[i] * x + hull.vertices[i + 1] * y + hull.vertices[i + 2] * z);
                 }
-                var at:int = 0;
-                var best:Number = p[0] * x + p[1] * y + p[2] * z;
-                for (var k:int = hull.firstNeighbor[0]; k < hull.firstNeighbor[at + 1]; k++)
-                {
-                    var n:int = hull.neighbors[k];
-                    var t:Number = p[3 * n] * x + p[3 * n + 1] * y + p[3 * n + 2] * z;
-                    if (t > best)
-                    {
-                        best = t;
-                        at = n;
-                        k = hull.firstNeighbor[at] - 1;
-                    }
-                }
+                at = hull.support(x, y, z, at);
+                var best:Number = p[3 * at] * x + p[3 * at + 1] * y + p[3 * at + 2] * z;
                 var missing:Number = (farthest - best) / length;
                 assertTrue(name + ": short by " + missing, missing <= Tolerances.HULL * hull.extent);
             }

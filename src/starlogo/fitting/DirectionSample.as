@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     /** A direction, and the volume of the smallest box with an axis along it. */
-    public final class BoxSample
+    internal final class DirectionSample
     {
         /** Of the direction, a unit vector. */
         public var x:Number;
@@ -21,7 +21,7 @@ package starlogo.fitting
          * @param z of the direction
          * @param volume of the box
          */
-        public function BoxSample(x:Number, y:Number, z:Number, volume:Number)
+        public function DirectionSample(x:Number, y:Number, z:Number, volume:Number)
         {
             this.x = x;
             this.y = y;
@@ -30,13 +30,13 @@ package starlogo.fitting
         }
 
         /** Sorts by volume, the smallest first. */
-        public static function compare(a:BoxSample, b:BoxSample):Number
+        public static function compare(a:DirectionSample, b:DirectionSample):Number
         {
             return a.volume < b.volume ? -1 : (a.volume > b.volume ? 1 : 0);
         }
 
         /** Whether the two directions, or one and the other's opposite, are less than an angle (radians, small) apart. */
-        public function isNear(other:BoxSample, angle:Number):Boolean
+        public function isNear(other:DirectionSample, angle:Number):Boolean
         {
             var crossX:Number = y * other.z - z * other.y;
             var crossY:Number = z * other.x - x * other.z;

@@ -10,7 +10,7 @@ package starlogo.fitting
      * there, and given one normal the best box is known exactly (see BoxAlongAxis). What is left is a search along
      * one arc of directions for each edge of the hull.
      *
-     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples slides along arcs,
+     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples descents along arcs,
      * from one to the next, with steps that shrink until nothing is gained. It is not a proof; against certified minima
      * on the models and sets of the project's tests it is within 0.001 %.</p>
      *
@@ -51,23 +51,23 @@ package starlogo.fitting
             {
                 return hull.axes;
             }
-            var slide:BoxDescent = new BoxDescent(hull);
+            var descent:BoxDescent = new BoxDescent(hull);
             if (hull.dimension == 2)
             {
-                slide.start(hull.axes[6], hull.axes[7], hull.axes[8]);
-                return slide.axes;
+                descent.start(hull.axes[6], hull.axes[7], hull.axes[8]);
+                return descent.axes;
             }
             var best:Vector.<Number> = null;
             var least:Number = Infinity;
             var samples:Vector.<DirectionSample> = sample(hull);
-            for each (var start:DirectionSample in startsOf(samples))
+            for each (var start:DirectionSample in DirectionSample.best(samples, STARTS, APART))
             {
-                slide.start(start.x, start.y, start.z);
-                slide.descend();
-                if (slide.volume < least)
+                descent.start(start.x, start.y, start.z);
+                descent.descend();
+                if (descent.volume < least)
                 {
-                    least = slide.volume;
-                    best = slide.axes;
+                    least = descent.volume;
+                    best = descent.axes;
                 }
             }
             return best;
@@ -179,26 +179,6 @@ package starlogo.fitting
                 across[i] = faceOf[t[i % 3 == 2 ? i - 2 : i + 1] * corners + t[i]];
             }
             return across;
-        }
-
-        // The best samples, none close to a better one.
-        private static function startsOf(samples:Vector.<DirectionSample>):Vector.<DirectionSample>
-        {
-            samples.sort(DirectionSample.compare);
-            var starts:Vector.<DirectionSample> = new Vector.<DirectionSample>();
-            for (var i:int = 0; i < samples.length && starts.length < STARTS; i++)
-            {
-                var isNew:Boolean = true;
-                for (var k:int = 0; k < starts.length && isNew; k++)
-                {
-                    isNew = !samples[i].isNear(starts[k], APART);
-                }
-                if (isNew)
-                {
-                    starts.push(samples[i]);
-                }
-            }
-            return starts;
         }
     }
 }

@@ -46,7 +46,7 @@ package starlogo.fitting
             var sphere:Sphere = _sphereFitter.fitOnce(session) as Sphere;
             var best:Capsule = new Capsule(sphere.center, sphere.center, sphere.radius);
             var descent:CapsuleDescent = new CapsuleDescent(session.hull.points);
-            for each (var start:CapsuleStart in startsOf(session.hull))
+            for each (var start:CapsuleStart in DirectionSample.best(samplesOf(session.hull), STARTS, APART))
             {
                 for (var i:int = 0; i < 6; i++)
                 {
@@ -85,9 +85,9 @@ package starlogo.fitting
             return EnclosingStructures.capsule(vertices, start, axis, Infinity, -Infinity, radius);
         }
 
-        private static function startsOf(hull:ConvexHull):Vector.<CapsuleStart>
+        private static function samplesOf(hull:ConvexHull):Vector.<DirectionSample>
         {
-            var all:Vector.<CapsuleStart> = new Vector.<CapsuleStart>();
+            var all:Vector.<DirectionSample> = new Vector.<DirectionSample>();
             var i:int;
             for (i = 0; i < 9; i += 3)
             {
@@ -101,21 +101,7 @@ package starlogo.fitting
                 var across:Number = Math.sqrt(1 - z * z);
                 all.push(startAlong(hull.points, across * Math.cos(angle), across * Math.sin(angle), z));
             }
-            all.sort(CapsuleStart.compare);
-            var starts:Vector.<CapsuleStart> = new Vector.<CapsuleStart>();
-            for (i = 0; i < all.length && starts.length < STARTS; i++)
-            {
-                var isNew:Boolean = true;
-                for (var k:int = 0; k < starts.length && isNew; k++)
-                {
-                    isNew = !all[i].isNear(starts[k], APART);
-                }
-                if (isNew)
-                {
-                    starts.push(all[i]);
-                }
-            }
-            return starts;
+            return all;
         }
 
         // The axis through the smallest circle, and the radius of the smallest volume.
@@ -140,27 +126,22 @@ package starlogo.fitting
                 heights[i / 3] = points[i] * x + points[i + 1] * y + points[i + 2] * z;
             }
             var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
-            var best:CapsuleStart = null;
+            var best:CapsuleStart = new CapsuleStart(x, y, z);
             for each (var multiple:Number in RADII)
             {
-                var start:CapsuleStart = startOf(seen, heights, circle, multiple * circle.radius);
-                if (best == null || start.volume < best.volume)
-                {
-                    best = start;
-                }
+                tryRadius(multiple * circle.radius, best, seen, heights, circle);
             }
             var centerX:Number = circle.x * uX + circle.y * vX;
             var centerY:Number = circle.x * uY + circle.y * vY;
             var centerZ:Number = circle.x * uZ + circle.y * vZ;
             best.ends = new <Number>[centerX + best.low * x, centerY + best.low * y, centerZ + best.low * z,
                     centerX + best.high * x, centerY + best.high * y, centerZ + best.high * z];
-            best.x = x;
-            best.y = y;
-            best.z = z;
             return best;
         }
 
-        private static function startOf(seen:Vector.<Number>, heights:Vector.<Number>, circle:SmallestEnclosingBall, radius:Number):CapsuleStart
+        // Takes the capsule of a radius if it is smaller than the best so far.
+        private static function tryRadius(radius:Number, best:CapsuleStart, seen:Vector.<Number>, heights:Vector.<Number>,
+                circle:SmallestEnclosingBall):void
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -177,11 +158,13 @@ package starlogo.fitting
             {
                 low = high = (low + high) / 2;
             }
-            var start:CapsuleStart = new CapsuleStart();
-            start.low = low;
-            start.high = high;
-            start.volume = Math.PI * radius * radius * (high - low + 4 / 3 * radius);
-            return start;
+            var volume:Number = Math.PI * radius * radius * (high - low + 4 / 3 * radius);
+            if (volume < best.volume)
+            {
+                best.volume = volume;
+                best.low = low;
+                best.high = high;
+            }
         }
     }
 }

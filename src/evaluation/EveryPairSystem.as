@@ -1,11 +1,19 @@
 package evaluation
 {
     import starlogo.agents.Agent;
+    import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
 
     /** A collision system of somebody else's, for which everything collides with everything. */
     public class EveryPairSystem implements CollisionSystem
     {
+        private var _statistics:CollisionStatistics = new CollisionStatistics();
+
+        public function get statistics():CollisionStatistics
+        {
+            return _statistics;
+        }
+
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             return true;
@@ -22,6 +30,8 @@ package evaluation
                     out.push(agents[i], agents[j]);
                 }
             }
+            _statistics.agents = agents.length;
+            _statistics.collisions = out.length >> 1;
             return out;
         }
     }

@@ -46,6 +46,12 @@ package starlogo.libraries
          */
         public var boundsKind:int = BoundingStructure.BOX;
 
+        /** Whether what exact tests need is prepared when a model is added. */
+        public var prepareExact:Boolean = false;
+
+        /** Another number whenever the hierarchy under a name has been replaced or removed. */
+        engine var revision:int = 0;
+
         private var _hierarchies:Object = {};
 
         /** A library without models. */
@@ -113,7 +119,23 @@ package starlogo.libraries
         /** Stores what a builder made; null for nothing. */
         engine function store(name:String, built:Hierarchy):void
         {
-            _hierarchies[PREFIX + name] = built;
+            remove(name);
+            if (built != null)
+            {
+                _hierarchies[PREFIX + name] = built;
+            }
+        }
+
+        /** Forgets a shape; returns whether it was there. */
+        engine function remove(name:String):Boolean
+        {
+            if (!has(name))
+            {
+                return false;
+            }
+            delete _hierarchies[PREFIX + name];
+            revision++;
+            return true;
         }
 
         /** The hierarchy of a shape; throws an ArgumentError if there is none. */

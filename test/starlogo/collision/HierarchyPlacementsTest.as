@@ -142,7 +142,7 @@ package starlogo.collision
             return greatLand;
         }
 
-        private static function tallyOf(name:String, collider:BinCollider):PlacementTally
+        private static function tallyOf(name:String, collider:CollisionSystem):PlacementTally
         {
             var tally:PlacementTally = new PlacementTally(name);
             for (var i:int = 0; i < sVectors.count; i++)

@@ -116,7 +116,7 @@ package starlogo.diagnostics
             collision.onCollision("cats", "dogs", ignore);
             collision.update(new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs"), new Agent("sphere", "mice")]);
             assertEquals("mice are nobody's concern", 1, recorder.collisions);
-            assertEquals(1, collision.statistics.agentsPassedOver);
+            assertEquals(1, collision.statistics.agentsSkipped);
             assertEquals(1, collision.statistics.collisions);
             assertTrue(collision.statistics.sphereSphereTests > 0);
         }

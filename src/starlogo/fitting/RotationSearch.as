@@ -93,8 +93,8 @@ package starlogo.fitting
             }
             turn(_aboutX * DEGREE, _aboutY * DEGREE);
             var corners:Vector.<int> = _corners;
-            corners[4] = _hull.support(0, 0, 1, corners[4], _turned);
-            corners[5] = _hull.support(0, 0, -1, corners[5], _turned);
+            corners[4] = climb(corners[4], 1, 0, 1);
+            corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
             // to and fro: the corners found last are close to those looked for next
             _isForth = !_isForth;
@@ -203,8 +203,8 @@ package starlogo.fitting
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.
         private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
-            var high:int = corners[index] = climb(corners[index], alongX, alongY);
-            var low:int = corners[index + 1] = climb(corners[index + 1], -alongX, -alongY);
+            var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
+            var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);
             return (_turned[3 * high] - _turned[3 * low]) * alongX + (_turned[3 * high + 1] - _turned[3 * low + 1]) * alongY;
         }
 
@@ -268,22 +268,22 @@ package starlogo.fitting
             return (highX - lowX) * (highY - lowY);
         }
 
-        // The corner that is farthest in a direction of the plane. Nearly all of the search's time goes here, so this is not the
-        // hull's support(), which would multiply by a third coordinate of 0 for every neighbour.
-        private function climb(corner:int, alongX:Number, alongY:Number):int
+        // The corner that is farthest in a direction of the plane of two coordinates that follow each other: 0 for x and y, 1 for
+        // y and z. Nearly all of the search's time goes here, and the hull's support() takes a third coordinate for every neighbour.
+        private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;
             var neighbors:Vector.<int> = _neighbors;
             var firstNeighbor:Vector.<int> = _firstNeighbor;
-            var at:int = 3 * corner;
-            var best:Number = alongX * turned[at] + alongY * turned[at + 1];
+            var at:int = 3 * corner + plane;
+            var best:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
             var end:int = firstNeighbor[corner + 1];
             var i:int = firstNeighbor[corner];
             while (i < end)
             {
                 var neighbor:int = neighbors[i];
-                at = 3 * neighbor;
-                var value:Number = alongX * turned[at] + alongY * turned[at + 1];
+                at = 3 * neighbor + plane;
+                var value:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
                 if (value > best)
                 {
                     // on from there at once: to see whether another neighbour is better still costs more than it brings

@@ -18,12 +18,11 @@ package starlogo.geometry
      */
     public final class ConvexHull implements Steps
     {
-        private static const CHECKING:int = 0;
-        private static const SPANNING:int = 1;
-        private static const SNAPPING:int = 2;
-        private static const HULLING:int = 3;
-        private static const MESHING:int = 4;
-        private static const DONE:int = 5;
+        private static const SPANNING:int = 0;
+        private static const SNAPPING:int = 1;
+        private static const HULLING:int = 2;
+        private static const MESHING:int = 3;
+        private static const DONE:int = 4;
 
         private var _vertices:Vector.<Number>;
         private var _dimension:int;
@@ -39,7 +38,7 @@ package starlogo.geometry
         private var _volume:Number = NaN;
 
         // The work under way.
-        private var _phase:int = CHECKING;
+        private var _phase:int = SPANNING;
         private var _simplex:InitialSimplex;
         private var _planarHull:PlanarHull;
         private var _quickHull:QuickHull;
@@ -57,6 +56,7 @@ package starlogo.geometry
         public function ConvexHull(vertices:Vector.<Number>, atOnce:Boolean = true)
         {
             _vertices = vertices;
+            _simplex = new InitialSimplex(vertices);
             if (atOnce)
             {
                 finish(this);
@@ -72,9 +72,6 @@ package starlogo.geometry
         {
             switch (_phase)
             {
-                case CHECKING:
-                    check();
-                    break;
                 case SPANNING:
                     if (!_simplex.step())
                     {
@@ -224,17 +221,6 @@ package starlogo.geometry
             }
             while (corner != from);
             return corner;
-        }
-
-        private function check():void
-        {
-            var problem:String = VertexData.vertexProblem(_vertices);
-            if (problem != null)
-            {
-                throw new ArgumentError(problem);
-            }
-            _simplex = new InitialSimplex(_vertices);
-            _phase = SPANNING;
         }
 
         private function takeSimplex():void

@@ -21,7 +21,7 @@ package starlogo.geometry
         private var _corners:Vector.<int> = new Vector.<int>();
 
         /**
-         * @param vertices x, y, z each, all finite
+         * @param vertices x, y, z each
          */
         public function InitialSimplex(vertices:Vector.<Number>)
         {
@@ -31,7 +31,8 @@ package starlogo.geometry
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if a coordinate is beyond 1e100
+         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not
+         *         finite or beyond 1e100
          */
         public function step():Boolean
         {
@@ -101,21 +102,27 @@ package starlogo.geometry
             return spanned < Tolerances.HULL_THIN * extents;
         }
 
-        // The least x, y, z and the greatest.
+        // The least x, y, z and the greatest; and the check of the vertices, without a pass of its own.
         private function measureBox():void
         {
+            if (_vertices == null || _vertices.length == 0 || _vertices.length % 3 != 0)
+            {
+                refuseIfWrong();
+            }
             var lowX:Number = _vertices[0];
             var lowY:Number = _vertices[1];
             var lowZ:Number = _vertices[2];
             var highX:Number = lowX;
             var highY:Number = lowY;
             var highZ:Number = lowZ;
+            var sum:Number = 0;
             var length:int = _vertices.length;
             for (var i:int = 0; i < length; i += 3)
             {
                 var x:Number = _vertices[i];
                 var y:Number = _vertices[i + 1];
                 var z:Number = _vertices[i + 2];
+                sum += x + y + z;
                 if (x < lowX)
                 {
                     lowX = x;
@@ -141,6 +148,11 @@ package starlogo.geometry
                     highZ = z;
                 }
             }
+            // the sum of numbers that are not all finite is not either, nor that of numbers too large
+            if (sum - sum != 0)
+            {
+                refuseIfWrong();
+            }
             _extent = Math.max(highX - lowX, highY - lowY, highZ - lowZ);
             var largest:Number = Math.max(-lowX, -lowY, -lowZ, highX, highY, highZ);
             if (largest > LARGEST)
@@ -149,6 +161,15 @@ package starlogo.geometry
             }
             _flat = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
             _box = new <Number>[lowX, lowY, lowZ, highX, highY, highZ];
+        }
+
+        private function refuseIfWrong():void
+        {
+            var problem:String = VertexData.vertexProblem(_vertices);
+            if (problem != null)
+            {
+                throw new ArgumentError(problem);
+            }
         }
 
         private function spanLine(a:int):Boolean

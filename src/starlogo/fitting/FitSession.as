@@ -55,14 +55,22 @@ package starlogo.fitting
             return _hull;
         }
 
-        /** The work that was kept under a name, which is any object; null if there is none. */
+        /**
+         * The work that was kept for an owner, which is any object; null if there is none.
+         *
+         * @private
+         */
         engine function workOf(owner:Object):Steps
         {
             var i:int = _owners.indexOf(owner);
             return i < 0 ? null : _works[i];
         }
 
-        /** Keeps work for whoever else needs it. */
+        /**
+         * Keeps work for whoever else needs it.
+         *
+         * @private
+         */
         engine function keep(owner:Object, work:Steps):void
         {
             _owners.push(owner);

@@ -14,10 +14,10 @@ package starlogo.fitting
         private static const LEVEL:Number = Tolerances.OUTLINE_LEVEL;
 
         /** The outline's corners, counter-clockwise, along the picture's first axis; as many as in <code>v</code>. */
-        public const u:Vector.<Number> = new Vector.<Number>();
+        public var u:Vector.<Number> = new Vector.<Number>();
 
         /** The same along its second axis. */
-        public const v:Vector.<Number> = new Vector.<Number>();
+        public var v:Vector.<Number> = new Vector.<Number>();
 
         /** The picture's first axis, a unit vector across the direction; the others alike. */
         public var uX:Number;

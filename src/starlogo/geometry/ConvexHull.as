@@ -198,18 +198,18 @@ package starlogo.geometry
         public function support(x:Number, y:Number, z:Number, from:int = 0, points:Vector.<Number> = null):int
         {
             var places:Vector.<Number> = points || _points;
-            var firstNeighbor:Vector.<int> = _firstNeighbor;
-            var neighbors:Vector.<int> = _neighbors;
+            var first:Vector.<int> = _firstNeighbor;
+            var joined:Vector.<int> = _neighbors;
             var corner:int = from;
             var at:int = 3 * corner;
             var best:Number = places[at] * x + places[at + 1] * y + places[at + 2] * z;
             do
             {
                 from = corner;
-                var end:int = firstNeighbor[from + 1];
-                for (var i:int = firstNeighbor[from]; i < end; i++)
+                var end:int = first[from + 1];
+                for (var i:int = first[from]; i < end; i++)
                 {
-                    var neighbor:int = neighbors[i];
+                    var neighbor:int = joined[i];
                     at = 3 * neighbor;
                     var value:Number = places[at] * x + places[at + 1] * y + places[at + 2] * z;
                     if (value > best)

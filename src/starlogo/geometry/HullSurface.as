@@ -146,20 +146,20 @@ package starlogo.geometry
         // The vertices where at least three edges that are none of a flat side meet; null when that is all of them.
         private function findCorners():Vector.<int>
         {
-            var corners:Vector.<int> = new Vector.<int>();
+            var found:Vector.<int> = new Vector.<int>();
             var areAll:Boolean = true;
             for (var i:int = 0; i < _edgeEnds.length; i++)
             {
                 if (_edgeEnds[i] >= 3)
                 {
-                    corners.push(i);
+                    found.push(i);
                 }
                 else if (_edgeEnds[i] >= 0)
                 {
                     areAll = false;
                 }
             }
-            return areAll ? null : corners;
+            return areAll ? null : found;
         }
     }
 }

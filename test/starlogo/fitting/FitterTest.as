@@ -1,9 +1,11 @@
 package starlogo.fitting
 {
     import evaluation.literal.LiteralOrientedBoxFit;
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import flash.utils.getQualifiedClassName;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
     import starlogo.bounding.BoundingStructure;
@@ -15,6 +17,7 @@ package starlogo.fitting
     import support.PointSets;
     import evaluation.pairs.SeededRandom;
     import support.SmallestSphereReference;
+    import support.assertThrows;
 
     public class FitterTest
     {
@@ -223,6 +226,79 @@ package starlogo.fitting
             assertEquals(2, counting.count);
         }
 
+        // Whoever comes first, and however far the other has got.
+        [Test]
+        public function twoThatNeedTheSameFitShareIt():void
+        {
+            for (var ahead:int = 0; ahead < 4; ahead++)
+            {
+                var counting:CountingFitter = new CountingFitter();
+                var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
+                var capsule:Fit = new CapsuleFitter(counting).begin(session);
+                var box:Fit = counting.beginOnce(session);
+                assertEquals(0, counting.count);
+                for (var i:int = 0; i < ahead; i++)
+                {
+                    capsule.step();
+                }
+                finish(box);
+                finish(capsule);
+                assertEquals(ahead + " steps ahead", 1, counting.count);
+                assertTrue(counting.fitOnce(session) === box.structure && box.structure is Box);
+                assertTrue(capsule.structure is Capsule);
+            }
+        }
+
+        [Test]
+        public function whatHasToBeDoneFirstIsDoneInSteps():void
+        {
+            var before:CountedSteps = new CountedSteps(3);
+            var cube:Vector.<Number> = PointSets.box(1, 1, 1);
+            var fit:Fit = new Fit(new FitSession(cube), before.boxOfThem, before);
+            for (var i:int = 0; i < 3; i++)
+            {
+                assertTrue(fit.step());
+                assertEquals(null, fit.structure);
+            }
+            assertFalse(fit.step());
+            assertEquals(3, Box(fit.structure).halfX);
+            assertFalse("done", fit.step());
+            assertEquals(3, before.done);
+        }
+
+        [Test]
+        public function settingsCountAsTheyWereAtTheBeginning():void
+        {
+            var random:SeededRandom = new SeededRandom(59);
+            var points:Vector.<Number> = PointSets.turned(PointSets.cloud(random, 40, 1, 0.5, 0.2), random);
+            for each (var fitter:* in [new OrientedBoxFitter(10), new ZAlignedBoxFitter(10)])
+            {
+                var expected:Number = fitter.fit(points).volume;
+                var session:FitSession = new FitSession(points, false);
+                var work:Fit = fitter.begin(session);
+                fitter.degIncrement = 90;
+                finish(session);
+                finish(work);
+                assertEquals(expected, work.structure.volume);
+                assertTrue(fitter.fit(points).volume > expected);
+            }
+        }
+
+        [Test]
+        public function theBaseClassFindsNothing():void
+        {
+            assertThrows(IllegalOperationError, /begin/, new Fitter().fit, PointSets.box(1, 1, 1));
+        }
+
+        [Test]
+        public function aSessionInStepsRefusesInThem():void
+        {
+            for each (var vertices:Vector.<Number> in [null, new Vector.<Number>(), new <Number>[1, 2], new <Number>[1, 2, NaN]])
+            {
+                assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
+            }
+        }
+
         [Test]
         public function refusesWhatItCannotUse():void
         {
@@ -296,11 +372,36 @@ package starlogo.fitting
     }
 }
 
+import flash.geom.Vector3D;
 import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Box;
 import starlogo.fitting.AxisAlignedBoxFitter;
 import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
+import starlogo.steps.Steps;
+
+class CountedSteps implements Steps
+{
+    public var done:int = 0;
+    private var _count:int;
+
+    public function CountedSteps(count:int)
+    {
+        _count = count;
+    }
+
+    public function step():Boolean
+    {
+        done++;
+        return done < _count;
+    }
+
+    public function boxOfThem(session:FitSession):BoundingStructure
+    {
+        return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, done, done, done);
+    }
+}
 
 class CountingFitter extends Fitter
 {

@@ -43,6 +43,31 @@ package starlogo.geometry
             }
         }
 
+        // Of corners that were turned, or rounded to the grid, the farthest are found just so.
+        [Test]
+        public function climbsOverTheCornersWhereverTheyAre():void
+        {
+            var random:SeededRandom = new SeededRandom(29);
+            var hull:ConvexHull = new ConvexHull(PointSets.cloud(random, 300));
+            var same:int = 0;
+            for (var trial:int = 0; trial < 30; trial++)
+            {
+                var x:Number = random.normal();
+                var y:Number = random.normal();
+                var z:Number = random.normal();
+                var turned:Vector.<Number> = PointSets.turned(hull.convexPoints, random);
+                var found:int = hull.support(x, y, z, trial % hull.indices.length, turned);
+                var best:Number = -Infinity;
+                for (var i:int = 0; i < turned.length; i += 3)
+                {
+                    best = Math.max(best, turned[i] * x + turned[i + 1] * y + turned[i + 2] * z);
+                }
+                assertNear(best, turned[3 * found] * x + turned[3 * found + 1] * y + turned[3 * found + 2] * z, 1e-12);
+                same += hull.support(x, y, z) == found ? 1 : 0;
+            }
+            assertTrue(same + " alike", same < 10);
+        }
+
         [Test]
         public function flatSidesHaveCornersOnly():void
         {

@@ -28,10 +28,13 @@ package starlogo.fitting
      * 
      *     private function find(session:FitSession):BoundingStructure
      *     {
-     *         var radius:Number = 0;
-     *         var corners:Vector.&lt;Number&gt; = session.hull.points;
-     *         // ... the distance of the farthest corner from the origin
-     *         return new Sphere(new Vector3D(), radius);
+     *         var v:Vector.&lt;Number&gt; = session.vertices;
+     *         var square:Number = 0;
+     *         for (var i:int = 0; i &lt; v.length; i += 3)
+     *         {
+     *             square = Math.max(square, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
+     *         }
+     *         return new Sphere(new Vector3D(), Math.sqrt(square));
      *     }
      * }
      * </listing>

@@ -46,7 +46,7 @@ package starlogo.fitting
             var sphere:Sphere = _sphereFitter.fitOnce(session) as Sphere;
             var best:Capsule = new Capsule(sphere.center, sphere.center, sphere.radius);
             var descent:CapsuleDescent = new CapsuleDescent(session.hull.points);
-            for each (var start:CapsuleStart in DirectionSample.best(samplesOf(session.hull), STARTS, APART))
+            for each (var start:CapsuleSample in DirectionSample.best(samplesOf(session.hull), STARTS, APART))
             {
                 for (var i:int = 0; i < 6; i++)
                 {
@@ -105,7 +105,7 @@ package starlogo.fitting
         }
 
         // The axis through the smallest circle, and the radius of the smallest volume.
-        private static function startAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):CapsuleStart
+        private static function startAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):CapsuleSample
         {
             var uX:Number = z * z > 0.5 ? z : y;
             var uY:Number = z * z > 0.5 ? 0 : -x;
@@ -126,7 +126,7 @@ package starlogo.fitting
                 heights[i / 3] = points[i] * x + points[i + 1] * y + points[i + 2] * z;
             }
             var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
-            var best:CapsuleStart = new CapsuleStart(x, y, z);
+            var best:CapsuleSample = new CapsuleSample(x, y, z);
             for each (var multiple:Number in RADII)
             {
                 tryRadius(multiple * circle.radius, best, seen, heights, circle);
@@ -140,7 +140,7 @@ package starlogo.fitting
         }
 
         // Takes the capsule of a radius if it is smaller than the best so far.
-        private static function tryRadius(radius:Number, best:CapsuleStart, seen:Vector.<Number>, heights:Vector.<Number>,
+        private static function tryRadius(radius:Number, best:CapsuleSample, seen:Vector.<Number>, heights:Vector.<Number>,
                 circle:SmallestEnclosingBall):void
         {
             var low:Number = Infinity;

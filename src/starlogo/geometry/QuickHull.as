@@ -31,7 +31,7 @@ package starlogo.geometry
         private static const STARTING:int = 0;
         private static const ASSIGNING:int = 1;
         private static const GROWING:int = 2;
-        private static const SURFACING:int = 3;
+        private static const WALKING:int = 3;
         private static const DONE:int = 4;
 
         private var _points:Vector.<Number>;
@@ -42,7 +42,7 @@ package starlogo.geometry
         private var _among:Vector.<int>;
         private var _nextPoint:int;
         private var _last:HullFace;
-        private var _surface:HullSurface;
+        private var _walk:FaceWalk;
         private var _nextOutside:Vector.<int>;
         private var _faceFrom:Vector.<HullFace>;
         private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
@@ -74,8 +74,8 @@ package starlogo.geometry
                 case GROWING:
                     growSome();
                     break;
-                case SURFACING:
-                    if (!_surface.step())
+                case WALKING:
+                    if (!_walk.step())
                     {
                         finishOrRestart();
                     }
@@ -90,7 +90,7 @@ package starlogo.geometry
          */
         public function get faces():Vector.<HullFace>
         {
-            return _surface.faces;
+            return _walk.faces;
         }
 
         private function start(a:int, b:int, c:int, d:int, among:Vector.<int>):void
@@ -135,10 +135,10 @@ package starlogo.geometry
         private function finishOrRestart():void
         {
             _phase = DONE;
-            if (_surface.corners != null)
+            if (_walk.corners != null)
             {
                 // Some vertex was taken that later ones have left in the middle of a flat side: again with the others alone.
-                restart(_surface.corners);
+                restart(_walk.corners);
             }
         }
 
@@ -185,8 +185,8 @@ package starlogo.geometry
                 }
             }
             // a second hull is of corners only
-            _surface = new HullSurface(_points, _last, _among == null);
-            _phase = SURFACING;
+            _walk = new FaceWalk(_points, _last, _among == null);
+            _phase = WALKING;
         }
 
         // Returns how many points had to be looked at again, the vertex being one of them.

@@ -3,10 +3,10 @@ package starlogo.geometry
     import starlogo.steps.Steps;
 
     /**
-     * The faces of a hull that QuickHull has built, found by walking from one to the next; and which of their vertices are
-     * corners of the hull, rather than inside of an edge or a flat side. A step takes a millisecond or two.
+     * A walk over a hull that QuickHull has built, from face to neighbour: all of its faces, and which of their vertices are
+     * corners of the hull, rather than inside an edge or a flat side. A step takes a millisecond or two.
      */
-    internal final class HullSurface implements Steps
+    internal final class FaceWalk implements Steps
     {
         private static const FACES_A_STEP:int = 700;
 
@@ -25,7 +25,7 @@ package starlogo.geometry
          * @param face any of the faces
          * @param areVerticesChecked false if all vertices are known to be corners
          */
-        public function HullSurface(points:Vector.<Number>, face:HullFace, areVerticesChecked:Boolean)
+        public function FaceWalk(points:Vector.<Number>, face:HullFace, areVerticesChecked:Boolean)
         {
             _points = points;
             _faces = new <HullFace>[face];

@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
-    /** A capsule along some direction, from which MinimalCapsuleFitter goes on. */
-    internal final class CapsuleStart extends DirectionSample
+    /** A capsule along some direction, that MinimalCapsuleFitter may go on from. */
+    internal final class CapsuleSample extends DirectionSample
     {
         /** Where the segment starts along the direction, seen from the plane through the origin. */
         public var low:Number;
@@ -19,7 +19,7 @@ package starlogo.fitting
          * @param y of the direction
          * @param z of the direction
          */
-        public function CapsuleStart(x:Number, y:Number, z:Number)
+        public function CapsuleSample(x:Number, y:Number, z:Number)
         {
             super(x, y, z);
         }

@@ -9,16 +9,19 @@ package evaluation
     {
         private var _statistics:CollisionStatistics = new CollisionStatistics();
 
+        /** The agents and the pairs. */
         public function get statistics():CollisionStatistics
         {
             return _statistics;
         }
 
+        /** True. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             return true;
         }
 
+        /** Every pair, each once. */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
             out ||= new Vector.<Agent>();

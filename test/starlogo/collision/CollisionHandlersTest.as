@@ -338,9 +338,7 @@ class RuleBook
     /** A handler. */
     public function handle(collider:Agent, collidee:Agent):void
     {
-        log.push(collider.color + "-" + collidee.color);
-        change(collider, collidee);
-        if (_random.chance(0.1))
+        if (act(collider, collidee))
         {
             throw new Error("now and then");
         }
@@ -383,13 +381,7 @@ class RuleBook
                 skipped++;
                 return;
             }
-            try
-            {
-                handle(collider, collidee);
-            }
-            catch (error:Error)
-            {
-            }
+            act(collider, collidee);
         }
     }
 
@@ -410,6 +402,14 @@ class RuleBook
             return otherBreed == "bears" ? 2 : (otherBreed == "balls" ? 1 : 0);
         }
         return breed == "balls" && otherBreed == "bears" ? 1 : 0;
+    }
+
+    // Whether it ends with an error.
+    private function act(collider:Agent, collidee:Agent):Boolean
+    {
+        log.push(collider.color + "-" + collidee.color);
+        change(collider, collidee);
+        return _random.chance(0.1);
     }
 
     private function make():Agent

@@ -10,7 +10,7 @@ package starlogo.fitting
      * there, and given one normal the best box is known exactly (see BoxAlongAxis). What is left is a search along
      * one arc of directions for each edge of the hull.
      *
-     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples descents along arcs,
+     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples descends along arcs,
      * from one to the next, with steps that shrink until nothing is gained. It is not a proof; against certified minima
      * on the models and sets of the project's tests it is within 0.001 %.</p>
      *

@@ -36,9 +36,13 @@ package starlogo.libraries
             _name = name;
             _cheaperTestsFactor = cheaperTestsFactor;
             _keepsAll = keepsAll;
-            if (fitters == null || fitters.length == 0 || fitters.indexOf(null) >= 0)
+            if (fitters == null || fitters.length == 0)
             {
-                throw named("the library's list of fitters is empty, or one of them is null");
+                throw named("the library's list of fitters is empty");
+            }
+            if (fitters.indexOf(null) >= 0)
+            {
+                throw named("a fitter must not be null");
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);

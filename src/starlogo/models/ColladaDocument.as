@@ -140,21 +140,21 @@ package starlogo.models
 
         private function parse(source:String):ColladaElement
         {
-            var root:ColladaElement = null;
+            var parsed:ColladaElement = null;
             try
             {
                 // a byte-order mark is no XML to every player
-                root = source.indexOf("<") < 0 ? null : ColladaElement.parse(source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source);
+                parsed = source.indexOf("<") < 0 ? null : ColladaElement.parse(source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source);
             }
             catch (error:TypeError)
             {
                 throw new ModelError(_name, "", "this is not well-formed XML, or cut off: " + error.message);
             }
-            if (root == null)
+            if (parsed == null)
             {
                 throw new ModelError(_name, "", "this is not XML: expected a COLLADA document");
             }
-            return root;
+            return parsed;
         }
 
         private static function childWithId(element:ColladaElement, name:String, id:String):ColladaElement
@@ -174,30 +174,19 @@ package starlogo.models
             if (_elementsById == null)
             {
                 _elementsById = {};
-                collectIds();
+                for each (var element:ColladaElement in _root.identified)
+                {
+                    var key:String = keyOf(element.name, element.id);
+                    _elementsById[key] = _elementsById[key] || element;
+                }
             }
-            return _elementsById[name + "#" + id];
+            return _elementsById[keyOf(name, id)];
         }
 
-        /** The first one counts, if there are more of a name and id. */
-        private function collectIds():void
+        /** Never the name of a property that each Object has. */
+        private static function keyOf(name:String, id:String):String
         {
-            var left:Vector.<ColladaElement> = new <ColladaElement>[_root];
-            while (left.length > 0)
-            {
-                var element:ColladaElement = left.pop();
-                var id:String = element.id;
-                var key:String = element.name + "#" + id; // never the name of a property that each Object has
-                if (id != "" && _elementsById[key] == null)
-                {
-                    _elementsById[key] = element;
-                }
-                var children:Vector.<ColladaElement> = element.children;
-                for (var i:int = children.length - 1; i >= 0; i--)
-                {
-                    left.push(children[i]);
-                }
-            }
+            return name + "#" + id;
         }
     }
 }

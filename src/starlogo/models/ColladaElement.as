@@ -9,18 +9,15 @@ package starlogo.models
     {
         private var _xml:XML;
         private var _name:String;
-        private var _parent:ColladaElement;
         private var _children:Vector.<ColladaElement> = null;
 
         /**
          * @param xml the element
-         * @param parent what it is in, or null
          */
-        public function ColladaElement(xml:XML, parent:ColladaElement)
+        public function ColladaElement(xml:XML)
         {
             _xml = xml;
             _name = xml.localName();
-            _parent = parent;
         }
 
         /**
@@ -31,7 +28,7 @@ package starlogo.models
         internal static function parse(source:String):ColladaElement
         {
             var xml:XML = new XML(source);
-            return xml.nodeKind() == "element" ? new ColladaElement(xml, null) : null;
+            return xml.nodeKind() == "element" ? new ColladaElement(xml) : null;
         }
 
         /** Its name, without that of a namespace. */
@@ -60,7 +57,7 @@ package starlogo.models
                 _children = new Vector.<ColladaElement>();
                 for each (var xml:XML in _xml.elements())
                 {
-                    _children.push(new ColladaElement(xml, this));
+                    _children.push(new ColladaElement(xml));
                 }
             }
             return _children;
@@ -104,26 +101,52 @@ package starlogo.models
             return TextTokens.of(texts.join(" "));
         }
 
+        /** The elements with ids anywhere in it, in the document's order. */
+        public function get identified():Vector.<ColladaElement>
+        {
+            var found:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+            for each (var xml:XML in _xml.descendants())
+            {
+                if (xml.nodeKind() == "element" && xml.@id.toString() != "")
+                {
+                    found.push(new ColladaElement(xml));
+                }
+            }
+            return found;
+        }
+
         /** The way to it from the root: names, with ids or, among several without, with numbers from 1. */
         public function get path():String
         {
             var places:Array = [];
-            for (var element:ColladaElement = this; element._parent != null; element = element._parent)
+            var xml:XML = _xml;
+            for (var parent:XML = xml.parent(); parent != null; parent = xml.parent())
             {
-                places.unshift(element.place);
+                places.unshift(placeOf(xml, parent));
+                xml = parent;
             }
             return places.length > 0 ? places.join("/") : _name;
         }
 
-        private function get place():String
+        private static function placeOf(xml:XML, parent:XML):String
         {
-            var id:String = this.id;
-            if (id != "")
+            var ownName:String = xml.localName();
+            var ownId:String = xml.@id.toString();
+            if (ownId != "")
             {
-                return _name + "#" + TextTokens.shorten(id);
+                return ownName + "#" + TextTokens.shorten(ownId);
             }
-            var siblings:Vector.<ColladaElement> = _parent.childrenNamed(_name);
-            return siblings.length == 1 ? _name : _name + "[" + (siblings.indexOf(this) + 1) + "]";
+            var count:int = 0;
+            var place:int = 0;
+            for each (var sibling:XML in parent.elements())
+            {
+                if (sibling.localName() == ownName)
+                {
+                    count++;
+                    place = sibling.childIndex() == xml.childIndex() ? count : place;
+                }
+            }
+            return count == 1 ? ownName : ownName + "[" + place + "]";
         }
     }
 }

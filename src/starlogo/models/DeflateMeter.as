@@ -235,9 +235,9 @@ package starlogo.models
             var distances:Vector.<int> = _distances.entries;
             var bits:int = _bits;
             var bitCount:int = _bitCount;
-            var size:Number = _size;
+            var counted:Number = _size;
             var limit:Number = _limit;
-            for (var i:int = 0; i < SYMBOLS_PER_STEP && size <= limit; i++)
+            for (var i:int = 0; i < SYMBOLS_PER_STEP && counted <= limit; i++)
             {
                 if (bitCount < 16)
                 {
@@ -254,7 +254,7 @@ package starlogo.models
                 var symbol:int = entry >> 4;
                 if (symbol < END_OF_BLOCK)
                 {
-                    size++;
+                    counted++;
                     continue;
                 }
                 if (symbol == END_OF_BLOCK)
@@ -273,7 +273,7 @@ package starlogo.models
                     bitCount += 16;
                 }
                 var extra:int = LENGTH_BITS[symbol];
-                size += LENGTHS[symbol] + (bits & (1 << extra) - 1);
+                counted += LENGTHS[symbol] + (bits & (1 << extra) - 1);
                 bits >>= extra;
                 bitCount -= extra;
                 // the distance back plays no part
@@ -303,7 +303,7 @@ package starlogo.models
             }
             _bits = bits;
             _bitCount = bitCount;
-            _size = size;
+            _size = counted;
         }
     }
 }

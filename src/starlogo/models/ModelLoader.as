@@ -55,7 +55,7 @@ package starlogo.models
     public class ModelLoader extends EventDispatcher
     {
         // its listeners are the loaders that have work: static, so that they are not collected with what they are doing
-        private static const sFrames:Shape = new Shape();
+        private static var sFrames:Shape = new Shape();
 
         private var _receiver:ModelReceiver;
         private var _budget:Number;

@@ -71,7 +71,7 @@ package starlogo.models
             var element:ColladaElement = _primitives.shift();
             var work:StepSequence = new StepSequence();
             var source:ColladaElement = positionSource(ColladaPrimitive.positionInput(_document, element));
-            var positions:ColladaPositions = positionsOf(source, work);
+            var positions:ColladaPointRange = positionsOf(source, work);
             return work.add(new ColladaPrimitive(_document, element, positions, _isUsed, _triangles, _triangulator));
         }
 
@@ -107,7 +107,7 @@ package starlogo.models
         }
 
         /** A source's points; the work of reading them is added, once, however many primitives have them. */
-        private function positionsOf(source:ColladaElement, work:StepSequence):ColladaPositions
+        private function positionsOf(source:ColladaElement, work:StepSequence):ColladaPointRange
         {
             var key:String = "#" + source.id; // an id may be the name of a property that each Object has
             if (_positions[key] == null)
@@ -115,7 +115,7 @@ package starlogo.models
                 var first:int = _vertices.length / 3;
                 var reading:ColladaSource = new ColladaSource(_document, source, _vertices);
                 work.add(reading);
-                _positions[key] = new ColladaPositions(first, reading.count);
+                _positions[key] = new ColladaPointRange(first, reading.count);
                 _isUsed.length = first + reading.count;
             }
             return _positions[key];

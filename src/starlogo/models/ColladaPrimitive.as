@@ -39,7 +39,7 @@ package starlogo.models
          * @param triangles where the triangles go
          * @param triangulator cuts the polygons, into the same triangles
          */
-        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaPositions,
+        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaPointRange,
                 isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
         {
             _document = document;

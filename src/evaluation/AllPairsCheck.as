@@ -7,7 +7,7 @@ package evaluation
 
     /**
      * Whether what a collider has found is what trying pairs one by one finds, no more and no less: all pairs, or those of
-     * some agents with all others where that would take too long.
+     * every so manyth agent with all others where that would take too long.
      */
     public final class AllPairsCheck
     {

@@ -8,6 +8,7 @@ package starlogo
     import starlogo.libraries.StructuresBuild;
     import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
@@ -167,7 +168,19 @@ package starlogo
             }
             var hierarchy:HierarchyBuilder = loadHierarchies ? _hierarchies.begin(model.name, model.vertices, model.triangles) : null;
             var structures:StructuresBuild = loadTightestFit ? _boundingStructures.begin(model.name, model.vertices) : null;
-            return new ModelIntake(this, model, hierarchy, structures);
+            var intake:StepSequence = new StepSequence();
+            if (hierarchy != null)
+            {
+                intake.add(hierarchy);
+            }
+            if (structures != null)
+            {
+                intake.add(structures);
+            }
+            return intake.call(function():void
+                {
+                    store(model, hierarchy == null ? null : hierarchy.hierarchy, structures == null ? null : structures.structures);
+                });
         }
 
         /** @inheritDoc */
@@ -220,14 +233,7 @@ package starlogo
             return _revision + _boundingStructures.revision + _hierarchies.revision;
         }
 
-        /**
-         * Stores a model and what was built for it.
-         *
-         * @param model the model
-         * @param hierarchy null for none
-         * @param structures null for none
-         */
-        internal function store(model:Model, hierarchy:Hierarchy, structures:ShapeStructures):void
+        private function store(model:Model, hierarchy:Hierarchy, structures:ShapeStructures):void
         {
             // null where there is none: what the name had before is another model's
             _hierarchies.store(model.name, hierarchy);

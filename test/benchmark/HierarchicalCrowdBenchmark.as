@@ -7,6 +7,7 @@ package benchmark
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;

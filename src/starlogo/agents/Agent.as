@@ -15,6 +15,8 @@ package starlogo.agents
      * point in z (thesis §2.2, §3.5).</p>
      *
      * <p>A trait that gets a value that it can't have throws a RangeError that names the agent, and keeps its value.</p>
+     *
+     * <p>This file is long because every trait is a documented property that checks what it is given; there is one trade.</p>
      */
     public class Agent
     {

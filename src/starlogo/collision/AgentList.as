@@ -11,8 +11,8 @@ package starlogo.collision
      * Tells whether an agent still is in the list that handlers change, in a time that does not grow with the list: 10,000 agents
      * of which 1,000 are taken out one by one must not take 1,000 searches through all.
      *
-     * <p>An agent mostly is where it was. In a list that kept its order it is found by bisection; who has taken the place of
-     * another is noted, which finds the one that a swap with the last moved. What is not found so is searched for in the whole
+     * <p>It is for agents that are not where they were. In a list that kept its order they are found by bisection; who has taken the
+     * place of another is noted, which finds the one that a swap with the last moved. What is not found so is searched for in the whole
      * list, as long as such searches cost less than the frame itself does. Beyond that an agent is in doubt, and whoever asks is to
      * come back when the whole list has been looked at anew.</p>
      */
@@ -21,10 +21,10 @@ package starlogo.collision
         // How many comparisons the searches may take for each agent and call: about as long as these take themselves.
         private static const COMPARISONS:int = 32;
 
-        /** The list. */
+        /** The list; null between frames. */
         public var agents:Vector.<Agent> = null;
 
-        /** Its length when the calls began; not 0. */
+        /** Its length then. */
         public var lengthAtStart:int;
 
         /** Whether the agent that was not found last may be there all the same. */
@@ -44,11 +44,7 @@ package starlogo.collision
         {
         }
 
-        /**
-         * Notes where every agent is.
-         *
-         * @param agents one at least
-         */
+        /** Notes where every agent is. */
         public function begin(agents:Vector.<Agent>):void
         {
             this.agents = agents;
@@ -73,6 +69,12 @@ package starlogo.collision
             }
         }
 
+        /** Whether it knows the list of this frame. */
+        public function get isBegun():Boolean
+        {
+            return agents != null;
+        }
+
         /** Lets go of the list. */
         public function end():void
         {
@@ -80,8 +82,7 @@ package starlogo.collision
         }
 
         /**
-         * The record of an agent in this frame. Its listIndex is where the agent was when the calls began: in any case less than
-         * lengthAtStart.
+         * The record of an agent in this frame. Its listIndex is where the agent was when the list was looked at.
          */
         public function recordOf(agent:Agent):AgentRecord
         {
@@ -94,7 +95,7 @@ package starlogo.collision
             {
                 // it was not in the list; should it come into it, then most likely at the end
                 record.frame = frame;
-                record.listIndex = lengthAtStart - 1;
+                record.listIndex = Math.max(0, lengthAtStart - 1);
             }
             return record;
         }
@@ -102,13 +103,13 @@ package starlogo.collision
         /**
          * Whether an agent is in the list.
          *
-         * @param record of this frame
+         * @param agent anybody
          * @param calls how many handlers were called in this frame
          * @return false for one that is in doubt, too
          */
-        public function contains(record:AgentRecord, calls:int):Boolean
+        public function contains(agent:Agent, calls:int):Boolean
         {
-            var notes:ListRecord = record as ListRecord;
+            var notes:ListRecord = recordOf(agent) as ListRecord;
             isInDoubt = false;
             if (notes.goneIn == frame)
             {
@@ -117,7 +118,7 @@ package starlogo.collision
             var index:int = notes.movedIn == frame ? notes.movedTo : notes.listIndex;
             if (index < agents.length)
             {
-                if (agents[index] === notes.agent)
+                if (agents[index] === agent)
                 {
                     return true;
                 }

@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
 
     /**
      * A collision system of the engine's: the common face of its four colliders.
@@ -52,6 +53,12 @@ package starlogo.collision
         public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
             return _search.find(agents, interests, out);
+        }
+
+        /** As findCollisionsAmong, but gives the collider's records of the agents. */
+        internal function findRecordsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<AgentRecord>):void
+        {
+            _search.findRecords(agents, interests, out);
         }
     }
 }

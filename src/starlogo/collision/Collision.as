@@ -146,11 +146,11 @@ package starlogo.collision
                 _table = new HandlerTable(_handlers);
                 _tableIsStale = false;
             }
-            var pairs:Vector.<Agent> = findPairs(agents);
+            findPairs(agents);
             _isUpdating = true;
             try
             {
-                _calls.make(_table, pairs, agents, _handlerErrors);
+                _calls.make(_table, agents, _handlerErrors);
             }
             finally
             {
@@ -164,26 +164,29 @@ package starlogo.collision
             }
         }
 
-        private function findPairs(agents:Vector.<Agent>):Vector.<Agent>
+        private function findPairs(agents:Vector.<Agent>):void
         {
             var start:int = getTimer();
             var system:CollisionSystem = _collisionSystem;
+            var collider:Collider = system as Collider;
             var selective:SelectiveCollisionSystem = system as SelectiveCollisionSystem;
-            var pairs:Vector.<Agent>;
-            // a client's system may return a vector of its own
-            if (selective != null)
+            if (collider != null)
             {
-                pairs = selective.findCollisionsAmong(agents, _table.interests, _pairs);
+                collider.findRecordsAmong(agents, _table.interests, _calls.pairs);
+            }
+            else if (selective != null)
+            {
+                _calls.takePairs(selective.findCollisionsAmong(agents, _table.interests, _pairs), agents);
             }
             else
             {
-                pairs = system.findCollisions(agents, _pairs);
+                // a client's system may return a vector of its own
+                _calls.takePairs(system.findCollisions(agents, _pairs), agents);
             }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
-            _statistics.collisions = pairs.length >> 1;
+            _statistics.collisions = _calls.pairs.length >> 1;
             _statistics.findMs = getTimer() - start;
-            return pairs;
         }
 
         private static function requireHandler(breed:String, otherBreed:String, handler:Function):void

@@ -34,6 +34,7 @@ package starlogo.collision
         private var _interests:Vector.<Boolean> = null;
         private var _breedCount:int = 0;
         private var _found:Vector.<Agent> = null;
+        private var _foundRecords:Vector.<AgentRecord> = null;
         private var _foundLength:int = 0;
         private var _skippedPairs:int = 0;
         private var _shapePairs:int = 0;
@@ -98,25 +99,21 @@ package starlogo.collision
         /** Finds the pairs that collide and that somebody cares about, as SelectiveCollisionSystem says. */
         public function find(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
-            if (agents == null || out == null)
+            if (out == null)
             {
-                throw new ArgumentError((agents == null ? "agents" : "out") + " must not be null");
+                throw new ArgumentError("out must not be null");
             }
-            var start:int = getTimer();
-            enterIntoBins(agents, interests);
-            _strategy.resetCounts();
-            _interests = interests == null ? null : interests.pairs;
-            _breedCount = interests == null ? 0 : interests.breedCount;
-            _found = out;
-            _foundLength = 0;
-            _skippedPairs = 0;
-            _shapePairs = 0;
-            _bins.findPairs(this, _somebodyLeft);
-            _found = null;
-            out.length = _foundLength;
-            report(agents.length);
-            _statistics.findMs = getTimer() - start;
+            search(agents, interests, out, null);
             return out;
+        }
+
+        /**
+         * Does what <code>find()</code> does, but gives this search's records of the agents: who is going to look at the pairs finds
+         * their places in the list and the numbers of their breeds there.
+         */
+        public function findRecords(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<AgentRecord>):void
+        {
+            search(agents, interests, null, out);
         }
 
         /** @inheritDoc */
@@ -158,9 +155,14 @@ package starlogo.collision
                     return;
                 }
             }
-            var found:Vector.<Agent> = _found;
             var length:int = _foundLength;
-            if (a.listIndex < b.listIndex)
+            _foundLength = length + 2;
+            var found:Vector.<Agent> = _found;
+            if (found == null)
+            {
+                keepRecords(a, b, length);
+            }
+            else if (a.listIndex < b.listIndex)
             {
                 found[length] = a.agent;
                 found[int(length + 1)] = b.agent;
@@ -170,7 +172,53 @@ package starlogo.collision
                 found[length] = b.agent;
                 found[int(length + 1)] = a.agent;
             }
-            _foundLength = length + 2;
+        }
+
+        private function keepRecords(a:AgentProxy, b:AgentProxy, place:int):void
+        {
+            if (a.listIndex < b.listIndex)
+            {
+                _foundRecords[place] = a;
+                _foundRecords[int(place + 1)] = b;
+            }
+            else
+            {
+                _foundRecords[place] = b;
+                _foundRecords[int(place + 1)] = a;
+            }
+        }
+
+        // One of the two is null.
+        private function search(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
+                foundRecords:Vector.<AgentRecord>):void
+        {
+            if (agents == null)
+            {
+                throw new ArgumentError("agents must not be null");
+            }
+            var start:int = getTimer();
+            enterIntoBins(agents, interests);
+            _strategy.resetCounts();
+            _interests = interests == null ? null : interests.pairs;
+            _breedCount = interests == null ? 0 : interests.breedCount;
+            _found = found;
+            _foundRecords = foundRecords;
+            _foundLength = 0;
+            _skippedPairs = 0;
+            _shapePairs = 0;
+            _bins.findPairs(this, _somebodyLeft);
+            _found = null;
+            _foundRecords = null;
+            if (found != null)
+            {
+                found.length = _foundLength;
+            }
+            else
+            {
+                foundRecords.length = _foundLength;
+            }
+            report(agents.length);
+            _statistics.findMs = getTimer() - start;
         }
 
         private function report(agentCount:int):void
@@ -208,17 +256,13 @@ package starlogo.collision
                     throw new ArgumentError("agents[" + i + "] is null");
                 }
                 var record:AgentRecord = agent.records;
-                while (record != null && record.cacheToken !== cacheToken)
+                if (record == null || record.cacheToken !== cacheToken)
                 {
-                    record = record.next;
+                    record = findShape(agent);
                 }
                 // untyped, the cheapest of casts
-                var untyped:* = record == null ? addShape(agent) : record;
+                var untyped:* = record;
                 var shape:WorldShape = untyped;
-                if (shape.revision != agent.revision)
-                {
-                    update(shape, agent);
-                }
                 if (shape.frame != lastFrame)
                 {
                     newcomers++;
@@ -229,8 +273,7 @@ package starlogo.collision
                 }
                 shape.frame = frame;
                 shape.listIndex = i;
-                var level:BinLevel = shape.level;
-                if (level == null)
+                if (shape.revision != agent.revision && !update(shape, agent))
                 {
                     loading++;
                     continue;
@@ -248,6 +291,7 @@ package starlogo.collision
                     }
                 }
                 // as Bins.add does
+                var level:BinLevel = shape.level;
                 level.proxies[level.count] = shape;
                 level.count++;
                 members++;
@@ -272,13 +316,7 @@ package starlogo.collision
         // The agent's shape, up to date; without a level while the model is loading.
         private function shapeOf(agent:Agent):WorldShape
         {
-            var record:AgentRecord = agent.records;
-            while (record != null && record.cacheToken !== _cacheToken)
-            {
-                record = record.next;
-            }
-            var untyped:* = record == null ? addShape(agent) : record;
-            var shape:WorldShape = untyped;
+            var shape:WorldShape = findShape(agent);
             if (shape.revision != agent.revision)
             {
                 update(shape, agent);
@@ -286,14 +324,24 @@ package starlogo.collision
             return shape;
         }
 
-        private function addShape(agent:Agent):WorldShape
+        private function findShape(agent:Agent):WorldShape
         {
+            var record:AgentRecord = agent.records;
+            while (record != null && record.cacheToken !== _cacheToken)
+            {
+                record = record.next;
+            }
+            if (record != null)
+            {
+                return record as WorldShape;
+            }
             var shape:WorldShape = new WorldShape(agent, _cacheToken);
             agent.addRecord(shape);
             return shape;
         }
 
-        private function update(shape:WorldShape, agent:Agent):void
+        // Returns false if the agent's model is loading.
+        private function update(shape:WorldShape, agent:Agent):Boolean
         {
             var extentsRevision:int = agent.placement.extentsRevision;
             if (shape.extentsRevision == extentsRevision)
@@ -305,14 +353,17 @@ package starlogo.collision
                 {
                     _bins.assignLevel(shape);
                 }
+                return true;
             }
-            else if (shape.model == agent.shape || bindModel(shape, agent))
+            if (shape.model != agent.shape && !bindModel(shape, agent))
             {
-                _strategy.updateWorldShape(shape);
-                shape.revision = agent.revision;
-                shape.extentsRevision = extentsRevision;
-                _bins.assignLevel(shape);
+                return false;
             }
+            _strategy.updateWorldShape(shape);
+            shape.revision = agent.revision;
+            shape.extentsRevision = extentsRevision;
+            _bins.assignLevel(shape);
+            return true;
         }
 
         // Whether the agent's model is there; otherwise it is loading.

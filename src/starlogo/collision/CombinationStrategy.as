@@ -1,5 +1,7 @@
 package starlogo.collision
 {
+    import starlogo.bounding.BoundingStructure;
+
     /** An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5). */
     internal final class CombinationStrategy extends ShapeStrategy
     {
@@ -40,6 +42,10 @@ package starlogo.collision
             if (shape.structure == null)
             {
                 _tightestFit.bindModel(shape);
+            }
+            else if (shape.isHierarchical)
+            {
+                shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
             }
             shape.isHierarchical = false;
             _tightestFit.updateWorldShape(shape);

@@ -14,26 +14,34 @@ package starlogo.collision
      */
     internal final class HandlerCalls
     {
+        /** The pairs of the frame, in the order of their calls: records that tell where an agent is in the list, or most likely is. */
+        public var pairs:Vector.<AgentRecord> = new Vector.<AgentRecord>();
+
         /** How many handlers were called. */
         public var count:int = 0;
 
-        private var _list:AgentList = new AgentList();
         private var _table:HandlerTable = null;
-        private var _pairs:Vector.<Agent> = null;
+        private var _agents:Vector.<Agent> = null;
         private var _errors:Vector.<Error> = null;
         private var _pair:int;
         private var _direction:int;
         private var _handler:int;
 
-        // The pair whose turn it is: whether it was looked up, its agents, and the handlers of its two directions. The latter
-        // stay for the next pair of the same breeds.
+        // The pair whose turn it is: whether it was looked up, its agents and their places in the list, and the handlers of its
+        // two directions. The latter stay for the next pair of the same breeds.
         private var _isLookedUp:Boolean;
-        private var _first:AgentRecord;
-        private var _second:AgentRecord;
+        private var _first:Agent;
+        private var _second:Agent;
+        private var _firstIndex:int;
+        private var _secondIndex:int;
         private var _breed:int;
         private var _otherBreed:int;
         private var _handlers:Vector.<CollisionHandler>;
         private var _handlersBack:Vector.<CollisionHandler>;
+
+        // The list's length for as long as nobody was seen to have left his place; then -1, and the list is asked.
+        private var _length:int;
+        private var _list:AgentList = new AgentList();
 
         // Calls that were put off because an agent was in doubt: pair, direction, handler of each. Of the ones before, those
         // whose turn it is now, or null.
@@ -47,32 +55,45 @@ package starlogo.collision
         }
 
         /**
+         * Takes the pairs that a client's system has found.
+         *
+         * @param found the agents of each pair
+         * @param agents the list
+         */
+        public function takePairs(found:Vector.<Agent>, agents:Vector.<Agent>):void
+        {
+            _list.begin(agents);
+            var length:int = found.length;
+            for (var i:int = 0; i < length; i++)
+            {
+                pairs[i] = _list.recordOf(found[i]);
+            }
+            pairs.length = length;
+        }
+
+        /**
          * Makes the calls of a frame.
          *
          * @param table says which
-         * @param pairs of agents that collide, in the order of the calls
          * @param agents the list, which handlers may change
          * @param errors takes what handlers throw
          */
-        public function make(table:HandlerTable, pairs:Vector.<Agent>, agents:Vector.<Agent>, errors:Vector.<Error>):void
+        public function make(table:HandlerTable, agents:Vector.<Agent>, errors:Vector.<Error>):void
         {
-            count = 0;
-            if (agents.length == 0)
-            {
-                return;
-            }
             _table = table;
-            _pairs = pairs;
+            _agents = agents;
             _errors = errors;
+            _length = agents.length;
+            _list.end();
             _pair = 0;
             _isLookedUp = false;
             _breed = _otherBreed = -1;
             _handlers = _handlersBack = null;
             _postponed.length = 0;
             _turns = null;
-            _list.begin(agents);
+            count = 0;
             callThrough();
-            while (_postponed.length > 0 && agents.length > 0)
+            while (_postponed.length > 0)
             {
                 _turns = _postponed;
                 _turn = 0;
@@ -86,7 +107,7 @@ package starlogo.collision
         private function letGo():void
         {
             _table = null;
-            _pairs = null;
+            _agents = null;
             _errors = null;
             _turns = null;
             _first = _second = null;
@@ -125,7 +146,7 @@ package starlogo.collision
                 callPostponed();
                 return;
             }
-            for (; _pair < _pairs.length; _pair += 2)
+            for (; _pair < pairs.length; _pair += 2)
             {
                 if (!_isLookedUp)
                 {
@@ -135,14 +156,14 @@ package starlogo.collision
                 {
                     if (_handlers != null)
                     {
-                        callHandlers(_handlers, _first, _second);
+                        callHandlers(_handlers, _first, _second, _firstIndex, _secondIndex);
                     }
                     _direction = 1;
                     _handler = 0;
                 }
                 if (_handlersBack != null)
                 {
-                    callHandlers(_handlersBack, _second, _first);
+                    callHandlers(_handlersBack, _second, _first, _secondIndex, _firstIndex);
                 }
                 _isLookedUp = false;
             }
@@ -161,11 +182,11 @@ package starlogo.collision
                 }
                 if (_direction == 0 && _handlers != null)
                 {
-                    callHandlers(_handlers, _first, _second);
+                    callHandlers(_handlers, _first, _second, _firstIndex, _secondIndex);
                 }
                 else if (_direction == 1 && _handlersBack != null)
                 {
-                    callHandlers(_handlersBack, _second, _first);
+                    callHandlers(_handlersBack, _second, _first, _secondIndex, _firstIndex);
                 }
                 _isLookedUp = false;
             }
@@ -174,17 +195,8 @@ package starlogo.collision
         // The breeds count that the two have now, for all of the pair's calls.
         private function lookUpPair():void
         {
-            var list:AgentList = _list;
-            var first:AgentRecord = _pairs[_pair].records;
-            if (first == null || first.cacheToken !== list.cacheToken || first.frame != list.frame)
-            {
-                first = list.recordOf(_pairs[_pair]);
-            }
-            var second:AgentRecord = _pairs[int(_pair + 1)].records;
-            if (second == null || second.cacheToken !== list.cacheToken || second.frame != list.frame)
-            {
-                second = list.recordOf(_pairs[int(_pair + 1)]);
-            }
+            var first:AgentRecord = pairs[_pair];
+            var second:AgentRecord = pairs[int(_pair + 1)];
             var interests:BreedInterests = _table.interests;
             var breedToken:Object = interests.token;
             if (first.breedToken !== breedToken)
@@ -199,8 +211,15 @@ package starlogo.collision
             {
                 lookUpHandlers(first.breedIndex, second.breedIndex);
             }
-            _first = first;
-            _second = second;
+            _first = first.agent;
+            _second = second.agent;
+            _firstIndex = first.listIndex;
+            _secondIndex = second.listIndex;
+            if (_firstIndex >= _length || _secondIndex >= _length)
+            {
+                // the list has changed, or a handler has had the collider search another one
+                _length = -1;
+            }
             _direction = 0;
             _handler = 0;
             _isLookedUp = true;
@@ -218,24 +237,18 @@ package starlogo.collision
             }
         }
 
-        private function callHandlers(handlers:Vector.<CollisionHandler>, colliderRecord:AgentRecord, collideeRecord:AgentRecord):void
+        private function callHandlers(handlers:Vector.<CollisionHandler>, collider:Agent, collidee:Agent, colliderIndex:int,
+                collideeIndex:int):void
         {
-            var agents:Vector.<Agent> = _list.agents;
-            var collider:Agent = colliderRecord.agent;
-            var collidee:Agent = collideeRecord.agent;
+            var agents:Vector.<Agent> = _agents;
             var handlerCount:int = handlers.length;
             while (_handler < handlerCount)
             {
                 // mostly both still are where they were
-                if (agents.length != _list.lengthAtStart || agents[colliderRecord.listIndex] !== collider
-                        || agents[collideeRecord.listIndex] !== collidee)
+                if (agents.length != _length || agents[colliderIndex] !== collider || agents[collideeIndex] !== collidee)
                 {
-                    if (!_list.contains(colliderRecord, count) || !_list.contains(collideeRecord, count))
+                    if (!areListed(collider, collidee))
                     {
-                        if (_list.isInDoubt)
-                        {
-                            _postponed.push(_pair, _direction, _handler);
-                        }
                         return;
                     }
                 }
@@ -248,6 +261,25 @@ package starlogo.collision
                     handler(collider, collidee);
                 }
             }
+        }
+
+        // Asks the list, from now on for the rest of the frame.
+        private function areListed(collider:Agent, collidee:Agent):Boolean
+        {
+            _length = -1;
+            if (!_list.isBegun)
+            {
+                _list.begin(_agents);
+            }
+            if (_list.contains(collider, count) && _list.contains(collidee, count))
+            {
+                return true;
+            }
+            if (_list.isInDoubt)
+            {
+                _postponed.push(_pair, _direction, _handler);
+            }
+            return false;
         }
     }
 }

@@ -4,7 +4,6 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -48,14 +47,11 @@ package starlogo.collision
             shape.structure = library.tightestFit(agent.shape);
             shape.worldStructure = shape.structure.clone();
             shape.worldBox = shape.worldStructure as Box;
-            if (shape.structure.kind == BoundingStructure.SPHERE || !library.hasAll(agent.shape))
+            shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
+            if (!shape.isSphere && library.hasAll(agent.shape))
             {
-                return;
+                shape.outer = new OuterStructures(library.sphere(agent.shape), library.capsule(agent.shape));
             }
-            shape.outerSphere = library.sphere(agent.shape);
-            shape.worldOuterSphere = shape.outerSphere.clone() as Sphere;
-            shape.outerCapsule = library.capsule(agent.shape);
-            shape.worldOuterCapsule = shape.outerCapsule.clone() as Capsule;
         }
 
         /** @inheritDoc */
@@ -63,7 +59,6 @@ package starlogo.collision
         {
             var placement:Placement = shape.agent.worldPlacement();
             var world:BoundingStructure = shape.structure.place(placement, shape.worldStructure);
-            shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
             if (shape.isSphere)
             {
                 var sphere:Sphere = Sphere(world);
@@ -74,19 +69,18 @@ package starlogo.collision
                 return;
             }
             shape.takeExtentsOf(world);
-            if (shape.outerSphere != null)
+            if (shape.outer != null)
             {
-                shape.outerSphere.place(placement, shape.worldOuterSphere);
-                shape.outerCapsule.place(placement, shape.worldOuterCapsule);
+                shape.outer.place(placement);
             }
         }
 
         /** @inheritDoc */
         override public function overlaps(a:WorldShape, b:WorldShape):Boolean
         {
-            if (a.worldOuterSphere != null)
+            if (a.outer != null)
             {
-                if (b.worldOuterSphere != null && !passPreliminaryTests(a, b))
+                if (b.outer != null && !passPreliminaryTests(a, b))
                 {
                     return false;
                 }
@@ -133,7 +127,7 @@ package starlogo.collision
             if (tests.spheresFirst)
             {
                 _tests[BoundingStructure.SPHERE << 2 | BoundingStructure.SPHERE]++;
-                if (!sphereSphere(a.worldOuterSphere, b.worldOuterSphere))
+                if (!sphereSphere(a.outer.worldSphere, b.outer.worldSphere))
                 {
                     return false;
                 }
@@ -141,7 +135,7 @@ package starlogo.collision
             if (tests.capsulesFirst && (a.worldBox != null || b.worldBox != null))
             {
                 _tests[BoundingStructure.CAPSULE << 2 | BoundingStructure.CAPSULE]++;
-                return capsuleCapsule(a.worldOuterCapsule, b.worldOuterCapsule);
+                return capsuleCapsule(a.outer.worldCapsule, b.outer.worldCapsule);
             }
             return true;
         }

@@ -4,8 +4,6 @@ package starlogo.collision
     import starlogo.agents.CacheToken;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.broadphase.AgentProxy;
     import starlogo.hierarchy.Hierarchy;
 
@@ -30,17 +28,8 @@ package starlogo.collision
         /** The structure in the world if it is a box, else null: spares the costliest frequent test its casts. */
         public var worldBox:Box = null;
 
-        /** A sphere around the structure that is tried first, in the model's space, or null. */
-        public var outerSphere:Sphere = null;
-
-        /** The same in the world. */
-        public var worldOuterSphere:Sphere = null;
-
-        /** A capsule around the structure that is tried first, in the model's space, or null. */
-        public var outerCapsule:Capsule = null;
-
-        /** The same in the world. */
-        public var worldOuterCapsule:Capsule = null;
+        /** What is tried before the structure, or null. */
+        public var outer:OuterStructures = null;
 
         /** The hierarchy of the model, or null where none is used. */
         public var hierarchy:Hierarchy = null;
@@ -69,8 +58,7 @@ package starlogo.collision
             model = null;
             structure = worldStructure = null;
             worldBox = null;
-            outerSphere = worldOuterSphere = null;
-            outerCapsule = worldOuterCapsule = null;
+            outer = null;
             hierarchy = null;
             worldRoot = null;
             isHierarchical = isSphere = false;

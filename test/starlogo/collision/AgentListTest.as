@@ -160,7 +160,7 @@ package starlogo.collision
         private function ask(agent:Agent):Boolean
         {
             _questions++;
-            return _list.contains(_list.recordOf(agent), _questions);
+            return _list.contains(agent, _questions);
         }
 
         private function askAbout(agent:Agent):void

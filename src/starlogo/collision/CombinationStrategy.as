@@ -36,6 +36,8 @@ package starlogo.collision
                 {
                     _hierarchy.bindModel(shape);
                 }
+                shape.isHierarchical = true;
+                shape.isSphere = false;
                 _hierarchy.updateWorldShape(shape);
                 return;
             }

@@ -43,16 +43,16 @@ package starlogo.collision
                         + ": its model was added while loadHierarchies was off; set it, and add the model again");
             }
             shape.hierarchy = _greatLand.hierarchies.hierarchy(agent.shape);
-            shape.worldRoot = shape.hierarchy.root.bounds.clone();
+            shape.root = shape.hierarchy.root.bounds;
+            shape.worldRoot = shape.root.clone();
+            shape.isHierarchical = true;
         }
 
         /** @inheritDoc */
         override public function updateWorldShape(shape:WorldShape):void
         {
             var agent:Agent = shape.agent;
-            shape.isHierarchical = true;
-            shape.isSphere = false;
-            shape.hierarchy.root.bounds.place(agent.worldPlacement(), shape.worldRoot);
+            shape.root.place(agent.worldPlacement(), shape.worldRoot);
             shape.takeExtentsOf(shape.worldRoot);
             shape.depth = agent.traversalDepth;
         }

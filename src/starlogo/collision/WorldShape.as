@@ -34,7 +34,10 @@ package starlogo.collision
         /** The hierarchy of the model, or null where none is used. */
         public var hierarchy:Hierarchy = null;
 
-        /** The structure around all of it in the world. */
+        /** The structure around all of it, in the model's space. */
+        public var root:BoundingStructure = null;
+
+        /** The same in the world. */
         public var worldRoot:BoundingStructure = null;
 
         /** Whether the hierarchy decides, and not the structure. */
@@ -60,7 +63,7 @@ package starlogo.collision
             worldBox = null;
             outer = null;
             hierarchy = null;
-            worldRoot = null;
+            root = worldRoot = null;
             isHierarchical = isSphere = false;
             level = null;
             revision = extentsRevision = -1;

@@ -12,6 +12,8 @@ package starlogo.intersection
      *
      * @param tX the way from a's centre to b's, in a's axes
      * @param cosXX the dot product of a's axisX and b's axisX; the others alike, a's axis first
+     *
+     * @private
      */
     internal function areSeparatedByEdges(a:Box, b:Box, tX:Number, tY:Number, tZ:Number,
             cosXX:Number, cosXY:Number, cosXZ:Number, cosYX:Number, cosYY:Number, cosYZ:Number,

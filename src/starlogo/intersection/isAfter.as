@@ -5,6 +5,8 @@ package starlogo.intersection
     /**
      * Whether a comes after b in y, or where these are equal in z: what settles the order of two structures whose x is
      * the same. A test that always works in one order gives the same answer, rounding included, for both.
+     *
+     * @private
      */
     internal function isAfter(a:Vector3D, b:Vector3D):Boolean
     {

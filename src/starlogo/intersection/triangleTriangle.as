@@ -21,6 +21,8 @@ package starlogo.intersection
      * @param atB where in b they begin
      * @param tolerance the gap that still counts as touching, a distance: Tolerances.SURFACES of the coordinates' size is
      *     above the rounding errors
+     *
+     * @private
      */
     public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, tolerance:Number):Boolean
     {

@@ -126,10 +126,25 @@ package starlogo.geometry
 
         /**
          * The gap across which the surfaces of two models still touch, as a fraction of the sum of the radii of spheres
-         * around both. Smaller than 1e-14: surfaces that touch may, turned, be told apart by rounding. Larger: surfaces
-         * with a gap between them collide.
+         * around both. What stands for a model, nodes of its hierarchy and fitted structures alike, is wider than the model by
+         * this fraction of its radius, so that it touches what the surface touches. Smaller than 1e-14: surfaces that touch
+         * may, turned, be told apart by rounding. Larger: surfaces with a gap between them collide.
          */
         public static const SURFACES:Number = 1e-12;
+
+        /**
+         * How much wider the nodes of a hierarchy's level are than those of the next, as a fraction of the model's radius, down
+         * to level 64. Smaller than 2e-15: rounding may let children meet what their parents do not, so that a greater depth
+         * finds more than a smaller one. Larger: as for SURFACES, 64 times.
+         */
+        public static const NESTING:Number = 1e-14;
+
+        /**
+         * How close corners of triangles are taken for one when a surface is looked at as a whole, as a fraction of the
+         * model's largest coordinate. Smaller than 2.1e-7: seams between corners that were rounded to single precision may
+         * stay open, and the model has no inside. Larger: features as small as that are closed over.
+         */
+        public static const WELDING:Number = 2.5e-7;
 
         /**
          * The squared height of a triangle, as a fraction of its squared longest edge, below which it is a segment: its
@@ -140,7 +155,7 @@ package starlogo.geometry
         /**
          * How near to an edge of a triangle a ray may pass before its crossing is not trusted and another ray is tried, as
          * a fraction of the model's radius. Smaller than 1e-14: rounding may count a crossing twice, or not at all.
-         * Larger: more rays are tried, with the same answers.
+         * Larger: more rays are tried, with the same answers. Where seams were welded it is no less than their gaps.
          */
         public static const GRAZING:Number = 1e-10;
 

@@ -12,8 +12,13 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether trees of spheres or capsules meet, trees of different structures, or a tree and a single structure: by
+     * Decides whether trees of spheres or capsules overlap, trees of different structures, or a tree and a single structure: by
      * the pair tests of their kinds.
+     *
+     * <p>A child's sphere may reach out of its parent's, so that what meets the child need not meet the parent. Still a greater
+     * depth never finds more: both trees are descended level by level (thesis §4.6), and two nodes count only if all their
+     * ancestors overlap, level by level. Below the last level of one tree, the cover of its node there stands for all its
+     * descendants, on every level that is left of the other.</p>
      */
     internal final class StructureTreeTraversal
     {
@@ -30,7 +35,7 @@ package starlogo.hierarchy
                 new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)];
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are to meet
+         * @param pose where the second model is in the space of the first, whenever two are asked about
          */
         public function StructureTreeTraversal(pose:RelativePose)
         {
@@ -46,41 +51,52 @@ package starlogo.hierarchy
          * @param depthB how many levels of that are visited
          * @param exact decides in place of such nodes that overlap, or null
          */
-        public function meet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
+        public function overlap(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
         {
             var relative:Placement = _pose.placement;
-            var scale:Number = relative.size;
             var stack:Vector.<HierarchyNode> = _stack;
             var top:int = 0;
             while (true)
             {
                 nodeVisits++;
-                var structure:BoundingStructure = b.bounds;
-                var moved:BoundingStructure = structure.place(relative, _moved[structure.kind]);
-                if (intersects(structureOf(a), moved))
+                var structureA:BoundingStructure = a.level < b.level && a.cover != null ? a.cover : structureOf(a);
+                var structureB:BoundingStructure = b.level < a.level && b.cover != null ? b.cover : b.bounds;
+                var moved:BoundingStructure = structureB.place(relative, _moved[structureB.kind]);
+                if (intersects(structureA, moved))
                 {
-                    var aEnds:Boolean = a.endLevel >= depthA;
-                    var bEnds:Boolean = b.endLevel >= depthB;
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (exact == null || exact.leavesMeet(a, b))
+                        if (exact == null || exact.leavesTouch(a, b))
                         {
                             return true;
                         }
                     }
-                    else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
-                    {
-                        var next:HierarchyNode = nearerChild(a, moved);
-                        stack[top++] = next === a.left ? a.right : a.left;
-                        stack[top++] = b;
-                        a = next;
-                        continue;
-                    }
                     else
                     {
-                        stack[top++] = a;
-                        stack[top++] = b.right;
-                        b = b.left;
+                        // nearer children first: those pushed last
+                        var nearA:HierarchyNode = aEnds ? a : nearerChild(a, moved);
+                        var farA:HierarchyNode = nearA === a.left ? a.right : a.left;
+                        var nearB:HierarchyNode = bEnds ? b : childNearerTo(a, b);
+                        var farB:HierarchyNode = nearB === b.left ? b.right : b.left;
+                        if (!aEnds && !bEnds)
+                        {
+                            stack[top++] = farA;
+                            stack[top++] = farB;
+                        }
+                        if (!aEnds)
+                        {
+                            stack[top++] = farA;
+                            stack[top++] = nearB;
+                        }
+                        if (!bEnds)
+                        {
+                            stack[top++] = nearA;
+                            stack[top++] = farB;
+                        }
+                        a = nearA;
+                        b = nearB;
                         continue;
                     }
                 }
@@ -101,7 +117,7 @@ package starlogo.hierarchy
          * @param depth how many levels of it are visited
          * @param structure of the second model, in its space
          */
-        public function structureMeets(root:HierarchyNode, depth:int, structure:BoundingStructure):Boolean
+        public function structureOverlaps(root:HierarchyNode, depth:int, structure:BoundingStructure):Boolean
         {
             var moved:BoundingStructure = structure.place(_pose.placement, _moved[structure.kind]);
             var stack:Vector.<HierarchyNode> = _stack;
@@ -112,7 +128,7 @@ package starlogo.hierarchy
                 nodeVisits++;
                 if (intersects(structureOf(node), moved))
                 {
-                    if (node.endLevel >= depth)
+                    if (node.cutoffLevel >= depth)
                     {
                         return true;
                     }
@@ -147,6 +163,29 @@ package starlogo.hierarchy
             box.halfY = node.halfY;
             box.halfZ = node.halfZ;
             return box;
+        }
+
+        // The child of a node of the second model on the side where a node of the first is.
+        private function childNearerTo(a:HierarchyNode, b:HierarchyNode):HierarchyNode
+        {
+            var relative:Placement = _pose.placement;
+            var x:Number = a.x - relative.x;
+            var y:Number = a.y - relative.y;
+            var z:Number = a.z - relative.z;
+            var beyond:Number;
+            if (b.splitAxis == 0)
+            {
+                beyond = -b.x * relative.size + relative.r00 * x + relative.r10 * y + relative.r20 * z;
+            }
+            else if (b.splitAxis == 1)
+            {
+                beyond = -b.y * relative.size + relative.r01 * x + relative.r11 * y + relative.r21 * z;
+            }
+            else
+            {
+                beyond = -b.z * relative.size + relative.r02 * x + relative.r12 * y + relative.r22 * z;
+            }
+            return beyond > 0 ? b.right : b.left;
         }
 
         // On the side of the node's middle where the middle of a structure is.

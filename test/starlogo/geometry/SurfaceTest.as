@@ -13,10 +13,10 @@ package starlogo.geometry
         {
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
             {
-                var surface:Surface = new Surface(model.vertices, model.triangles);
+                var surface:Surface = Surface.of(model.vertices, model.triangles);
                 assertTrue(model.name, surface.isClosed);
                 assertTrue(model.name, surface.isOriented);
-                assertEquals("pieces", 3, surface.seeds.length);
+                assertEquals("pieces", 1, surface.pieceCount);
             }
         }
 
@@ -24,9 +24,9 @@ package starlogo.geometry
         public function aMissingTriangleOpensIt():void
         {
             var cube:Model = BuiltInModel.cube();
-            var surface:Surface = new Surface(cube.vertices, cube.triangles.slice(3));
+            var surface:Surface = Surface.of(cube.vertices, cube.triangles.slice(3));
             assertFalse(surface.isClosed);
-            assertEquals("pieces", 3, surface.seeds.length);
+            assertEquals("pieces", 1, surface.pieceCount);
         }
 
         [Test]
@@ -37,7 +37,7 @@ package starlogo.geometry
             var first:uint = triangles[0];
             triangles[0] = triangles[1];
             triangles[1] = first;
-            var surface:Surface = new Surface(cube.vertices, triangles);
+            var surface:Surface = Surface.of(cube.vertices, triangles);
             assertTrue(surface.isClosed);
             assertFalse(surface.isOriented);
         }
@@ -49,7 +49,7 @@ package starlogo.geometry
             var triangles:Vector.<uint> = cube.triangles.slice();
             triangles.fixed = false;
             triangles.push(3, 3, 5, 7, 7, 7);
-            assertTrue(new Surface(cube.vertices, triangles).isClosed);
+            assertTrue(Surface.of(cube.vertices, triangles).isClosed);
         }
 
         [Test]
@@ -66,18 +66,18 @@ package starlogo.geometry
                     triangles.push(4 * piece + corner);
                 }
             }
-            var surface:Surface = new Surface(vertices, triangles);
+            var surface:Surface = Surface.of(vertices, triangles);
             assertTrue(surface.isClosed);
-            assertEquals(9, surface.seeds.length);
+            assertEquals(3, surface.pieceCount);
         }
 
         [Test]
         public function aSingleTriangleIsOpen():void
         {
-            assertFalse(new Surface(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
+            assertFalse(Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
             // there and back: closed around nothing
-            assertTrue(new Surface(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
-            assertFalse(new Surface(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
+            assertTrue(Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
+            assertFalse(Surface.of(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
         }
     }
 }

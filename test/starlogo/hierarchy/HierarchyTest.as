@@ -68,9 +68,9 @@ package starlogo.hierarchy
                 triangles[i + 1] = first;
             }
             var hierarchy:Hierarchy = hierarchyOf(cube.vertices, triangles);
-            assertTrue(hierarchy.isInside(0.1, 0.2, 0.3));
-            assertTrue(hierarchy.isInside(0, 0, 0.5));
-            assertTrue(!hierarchy.isInside(0.51, 0, 0.5));
+            assertTrue(hierarchy.solid.isInside(0.1, 0.2, 0.3));
+            assertTrue(hierarchy.solid.isInside(0, 0, 0.5));
+            assertTrue(!hierarchy.solid.isInside(0.51, 0, 0.5));
         }
 
         [Test]
@@ -90,8 +90,8 @@ package starlogo.hierarchy
                 triangles.push(cube.triangles[i] + 24, cube.triangles[i + 2] + 24, cube.triangles[i + 1] + 24);
             }
             var hierarchy:Hierarchy = hierarchyOf(vertices, triangles);
-            assertTrue("in the wall", hierarchy.isInside(0.4, 0, 0.5));
-            assertTrue("in the hollow", !hierarchy.isInside(0, 0, 0.5));
+            assertTrue("in the wall", hierarchy.solid.isInside(0.4, 0, 0.5));
+            assertTrue("in the hollow", !hierarchy.solid.isInside(0, 0, 0.5));
         }
 
         private static function checkModel(address:String, index:int, all:Array):void
@@ -110,7 +110,7 @@ package starlogo.hierarchy
         {
             var model:Model = read(address);
             var hierarchy:Hierarchy = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("closed", hierarchy.surface.isClosed);
+            assertTrue("closed", hierarchy.solid.isClosed);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
             for (var i:int = 0; i < 150; i++)
@@ -122,7 +122,7 @@ package starlogo.hierarchy
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
                 var expected:Boolean = Math.abs(windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.isInside(x, y, z));
+                assertEquals("point " + i, expected, hierarchy.solid.isInside(x, y, z));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }
@@ -163,9 +163,7 @@ package starlogo.hierarchy
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);
             assertWellFormed(library, "model", vertices, triangles);
-            var hierarchy:Hierarchy = library.hierarchy("model");
-            hierarchy.prepareTriangles();
-            return hierarchy;
+            return library.hierarchy("model");
         }
 
         private static function read(address:String):Model

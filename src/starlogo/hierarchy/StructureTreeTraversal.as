@@ -16,9 +16,9 @@ package starlogo.hierarchy
      * the pair tests of their kinds.
      *
      * <p>A child's sphere may reach out of its parent's, so that what meets the child need not meet the parent. Still a greater
-     * depth never finds more: both trees are descended level by level (thesis §4.6), and two nodes count only if all their
-     * ancestors overlap, level by level. Below the last level of one tree, the cover of its node there stands for all its
-     * descendants, on every level that is left of the other.</p>
+     * depth never finds more: whatever the depths, nodes are reached in one order, a level of the first tree and then one of the
+     * second (thesis §4.6), only by way of ancestors that overlap. Below the last level of one tree, the cover of its node
+     * there stands for all its descendants.</p>
      */
     internal final class StructureTreeTraversal
     {
@@ -59,13 +59,14 @@ package starlogo.hierarchy
             while (true)
             {
                 nodeVisits++;
-                var structureA:BoundingStructure = a.level < b.level && a.cover != null ? a.cover : structureOf(a);
-                var structureB:BoundingStructure = b.level < a.level && b.cover != null ? b.cover : b.bounds;
+                var structureA:BoundingStructure = a.cover != null && b.level > a.level ? a.cover : structureOf(a);
+                var structureB:BoundingStructure = b.cover != null && a.level > b.level + 1 ? b.cover : b.bounds;
                 var moved:BoundingStructure = structureB.place(relative, _moved[structureB.kind]);
                 if (intersects(structureA, moved))
                 {
                     var aEnds:Boolean = a.cutoffLevel >= depthA;
                     var bEnds:Boolean = b.cutoffLevel >= depthB;
+                    var next:HierarchyNode;
                     if (aEnds && bEnds)
                     {
                         if (exact == null || exact.leavesTouch(a, b))
@@ -73,30 +74,20 @@ package starlogo.hierarchy
                             return true;
                         }
                     }
+                    else if (bEnds || (!aEnds && a.level <= b.level))
+                    {
+                        next = nearerChild(a, moved);
+                        stack[top++] = next === a.left ? a.right : a.left;
+                        stack[top++] = b;
+                        a = next;
+                        continue;
+                    }
                     else
                     {
-                        // nearer children first: those pushed last
-                        var nearA:HierarchyNode = aEnds ? a : nearerChild(a, moved);
-                        var farA:HierarchyNode = nearA === a.left ? a.right : a.left;
-                        var nearB:HierarchyNode = bEnds ? b : childNearerTo(a, b);
-                        var farB:HierarchyNode = nearB === b.left ? b.right : b.left;
-                        if (!aEnds && !bEnds)
-                        {
-                            stack[top++] = farA;
-                            stack[top++] = farB;
-                        }
-                        if (!aEnds)
-                        {
-                            stack[top++] = farA;
-                            stack[top++] = nearB;
-                        }
-                        if (!bEnds)
-                        {
-                            stack[top++] = nearA;
-                            stack[top++] = farB;
-                        }
-                        a = nearA;
-                        b = nearB;
+                        next = childNearerTo(a, b);
+                        stack[top++] = a;
+                        stack[top++] = next === b.left ? b.right : b.left;
+                        b = next;
                         continue;
                     }
                 }

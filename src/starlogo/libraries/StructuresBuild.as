@@ -109,7 +109,7 @@ package starlogo.libraries
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found "
                         + structure);
             }
-            _found.push(structure);
+            _found.push(widened(structure));
         }
 
         private function named(problem:String):ArgumentError

@@ -15,8 +15,9 @@ package support
 
         // By the model's name, since models are looked at again and again.
         private static var sPieces:Object = {};
+        private static var sIsClosed:Object = {};
 
-        /** Whether a piece of one agent, by a vertex of it, is inside of the other's model; models called "open ..." have no inside. */
+        /** Whether a piece of one agent, by a vertex of it, is inside of the other's model, if that is closed. */
         public static function isOneInside(a:Agent, modelA:Model, b:Agent, modelB:Model):Boolean
         {
             return hasVertexInside(a, modelA, b, modelB) || hasVertexInside(b, modelB, a, modelA);
@@ -43,7 +44,8 @@ package support
 
         private static function hasVertexInside(inner:Agent, innerModel:Model, outer:Agent, outerModel:Model):Boolean
         {
-            if (outerModel.name.indexOf("open") >= 0)
+            sIsClosed[outerModel.name] ||= isClosed(outerModel) ? "yes" : "no";
+            if (sIsClosed[outerModel.name] == "no")
             {
                 return false;
             }
@@ -91,6 +93,27 @@ package support
                 }
             }
             return vertices;
+        }
+
+        // Along every edge as many triangles run one way as the other.
+        private static function isClosed(model:Model):Boolean
+        {
+            var balances:Object = {};
+            for (var i:int = 0; i < model.triangles.length; i++)
+            {
+                var from:String = placeOf(model, i);
+                var to:String = placeOf(model, i % 3 == 2 ? i - 2 : i + 1);
+                var edge:String = from < to ? from + "," + to : to + "," + from;
+                balances[edge] = int(balances[edge]) + (from < to ? 1 : -1);
+            }
+            for each (var balance:int in balances)
+            {
+                if (balance != 0)
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         private static function placeOf(model:Model, corner:int):String

@@ -51,7 +51,7 @@ class WellFormedCheck
         {
             _largest = Math.max(_largest, Math.abs(vertices[i]));
         }
-        _slack = 3e-12 * _largest;
+        _slack = 3e-13 * _largest;
     }
 
     public function run():void
@@ -141,7 +141,7 @@ class WellFormedCheck
         }
         var outer:Box = Box(parent.bounds);
         // by more than rounding, but for hundreds of levels
-        var slack:Number = level < 64 ? -1e-15 * _largest : _slack;
+        var slack:Number = level < 64 ? -2e-15 * _largest : _slack;
         assertTrue("inside of its parent", Math.abs(box.center.x - outer.center.x) + box.halfX <= outer.halfX + slack
                 && Math.abs(box.center.y - outer.center.y) + box.halfY <= outer.halfY + slack
                 && Math.abs(box.center.z - outer.center.z) + box.halfZ <= outer.halfZ + slack);

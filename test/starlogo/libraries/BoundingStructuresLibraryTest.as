@@ -182,7 +182,7 @@ package starlogo.libraries
         // what is stored is wider than the fit by what surfaces that touch may be apart
         private static function assertNear(expected:Number, actual:Number):void
         {
-            assertTrue(String(actual), actual >= expected && actual <= expected * (1 + 3e-11));
+            assertTrue(String(actual), actual >= expected && actual <= expected * (1 + 3e-13));
         }
 
         private function setFactor(value:Number):void

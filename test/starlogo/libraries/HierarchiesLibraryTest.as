@@ -49,7 +49,7 @@ package starlogo.libraries
             var box:Box = Box(root.left.bounds);
             assertNear(0.5, box.center.x, 1e-12);
             assertNear(1, box.center.y, 1e-12);
-            assertNear(0.5, box.halfZ, 1e-10);
+            assertNear(0.5, box.halfZ, 3e-12);
             assertTrue("the depth limit", root.left.isLeaf);
             assertNull(root.left.left);
         }
@@ -113,7 +113,7 @@ package starlogo.libraries
             assertEquals(12, root.triangleCount);
             assertEquals(14, root.vertexCount);
             // x is the longest axis of the box, but there is no splitting by it
-            assertNear(5, Box(root.left.bounds).halfX, 1e-10);
+            assertNear(5, Box(root.left.bounds).halfX, 3e-12);
             assertEquals(6, root.left.triangleCount);
             assertEquals("triangles name the vertices", 0, root.vertexIndices().length);
         }
@@ -123,7 +123,7 @@ package starlogo.libraries
         {
             add("tetrahedron and a stray", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 50, 50, 50], new <uint>[0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
             assertEquals(4, _library.root("tetrahedron and a stray").vertexCount);
-            assertNear(0.5, Box(_library.root("tetrahedron and a stray").bounds).halfX, 1e-11);
+            assertNear(0.5, Box(_library.root("tetrahedron and a stray").bounds).halfX, 1e-12);
         }
 
         [Test]
@@ -230,7 +230,7 @@ package starlogo.libraries
             var vertices:Vector.<Number> = model.vertices.slice();
             add("cube", vertices, model.triangles);
             vertices[0] = 1e9;
-            assertNear(0.5, Box(_library.root("cube").bounds).halfX, 1e-11);
+            assertNear(0.5, Box(_library.root("cube").bounds).halfX, 1e-12);
         }
 
         [Test]

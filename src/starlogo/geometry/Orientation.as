@@ -84,6 +84,7 @@ package starlogo.geometry
                     return false;
                 }
                 _isKnown[_first] = true;
+                isTurned[_first] = false;
                 _part.push(_first);
             }
             return isTurned != null;

@@ -75,6 +75,12 @@ package starlogo.hierarchy
             return _solid;
         }
 
+        /** Whether what exact tests need of the triangles is there. */
+        engine function get isPrepared():Boolean
+        {
+            return _solid != null;
+        }
+
         internal function set solid(value:Solid):void
         {
             _solid = value;

@@ -14,8 +14,8 @@ package starlogo.hierarchy
         /** How many points of each part there are in partPoints. */
         public static const POINTS_A_PART:int = 6;
 
-        // Directions without a relation to the axes that models are built along.
-        private static const RAYS:Vector.<Number> = new <Number>[
+        /** Directions without a relation to the axes that models are built along: rays are cast along them, one after the other. */
+        public static const RAYS:Vector.<Number> = new <Number>[
                 0.5391, 0.2718, 0.7972, -0.3473, 0.8651, 0.3618, 0.7113, -0.5897, -0.3826, -0.1937, -0.6329, 0.7496,
                 0.8839, 0.4421, -0.1527, -0.6681, 0.1172, -0.7348, 0.0931, -0.9217, -0.3765, -0.8263, -0.4402, 0.3511];
 
@@ -117,14 +117,15 @@ package starlogo.hierarchy
         }
 
         // Separating axes: the ray's extents, and the three directions at right angles to the ray and an edge of the box.
-        private static function isOnRay(node:HierarchyNode, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Boolean
+        // Boxes are as much wider as a seam: a ray through its gap comes close to an edge.
+        private function isOnRay(node:HierarchyNode, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Boolean
         {
             x -= node.x;
             y -= node.y;
             z -= node.z;
-            var halfX:Number = node.halfX;
-            var halfY:Number = node.halfY;
-            var halfZ:Number = node.halfZ;
+            var halfX:Number = node.halfX + widestSeam;
+            var halfY:Number = node.halfY + widestSeam;
+            var halfZ:Number = node.halfZ + widestSeam;
             if ((dx > 0 ? x : -x) > halfX || (dy > 0 ? y : -y) > halfY || (dz > 0 ? z : -z) > halfZ)
             {
                 return false;

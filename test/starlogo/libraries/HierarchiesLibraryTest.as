@@ -8,11 +8,15 @@ package starlogo.libraries
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.assertThrows;
     import support.assertWellFormed;
+
+    use namespace engine;
 
     public class HierarchiesLibraryTest
     {
@@ -259,6 +263,57 @@ package starlogo.libraries
             assertThrows(ArgumentError, /boundsKind/, _library.add, "b", good);
             assertStrictlyEquals(root, _library.root("a"));
             assertFalse(_library.has("b"));
+        }
+
+        [Test]
+        public function forgetsAndCountsWhatIsVoid():void
+        {
+            var vertices:Vector.<Number> = new <Number>[0, 0, 0];
+            assertEquals(0, _library.revision);
+            assertFalse(_library.remove("a"));
+            add("a", vertices);
+            add("b", vertices);
+            assertEquals("nothing was kept of these", 0, _library.revision);
+            add("a", vertices);
+            assertEquals(1, _library.revision);
+            assertTrue(_library.remove("a"));
+            assertEquals(2, _library.revision);
+            assertFalse(_library.has("a"));
+            assertTrue(_library.has("b"));
+            assertFalse(_library.remove("a"));
+            assertFalse(_library.remove(null));
+            _library.store("b", null);
+            assertFalse(_library.has("b"));
+            assertEquals(3, _library.revision);
+            assertThrows(ArgumentError, /finite/, _library.add, "c", new <Number>[NaN, 0, 0]);
+            assertEquals(3, _library.revision);
+        }
+
+        [Test]
+        public function preparesForExactTestsInSmallSteps():void
+        {
+            var model:Model = BuiltInModel.sphere();
+            _library.add("at first need", model.vertices, model.triangles);
+            _library.prepareExact = true;
+            var plain:int = stepsOf(_library.begin("points", model.vertices, null));
+            _library.prepareExact = false;
+            assertEquals("points have no surface", plain, stepsOf(_library.begin("points", model.vertices, null)));
+            plain = stepsOf(_library.begin("sphere", model.vertices, model.triangles));
+            assertFalse(_library.hierarchy("at first need").isPrepared);
+            _library.prepareExact = true;
+            var builder:HierarchyBuilder = _library.begin("sphere", model.vertices, model.triangles);
+            assertTrue("many steps more", stepsOf(builder) > plain + 8);
+            assertTrue(builder.hierarchy.isPrepared);
+        }
+
+        private static function stepsOf(builder:HierarchyBuilder):int
+        {
+            var count:int = 1;
+            while (builder.step())
+            {
+                count++;
+            }
+            return count;
         }
 
         private function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void

@@ -1,0 +1,129 @@
+package starlogo.hierarchy
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import flash.geom.Vector3D;
+
+    use namespace engine;
+
+    /** Models of any size: nothing overflows. */
+    public class HierarchyTraversalTest
+    {
+        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
+
+        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+
+        [Test]
+        public function specksBesideGiants():void
+        {
+            var random:SeededRandom = new SeededRandom(171);
+            for each (var size:Number in [1e-6, 1e-12, 1e-50, 1e-100])
+            {
+                for each (var giant:Number in [1, 1e6, 1e60, 1e100])
+                {
+                    for each (var kind:int in KINDS)
+                    {
+                        checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube(), kind), hierarchyOf(BuiltInModel.sphere(), kind));
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public function depthsBelongToTheirModelsInAnyOrder():void
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.minVerticesToSplit = 1;
+            // two walls far apart, and nothing between them
+            library.add("walls", new <Number>[-0.5, -0.5, 0, -0.5, 0.5, 0, -0.5, 0, 1, 0.5, -0.5, 0, 0.5, 0.5, 0, 0.5, 0, 1], new <uint>[0, 1, 2, 3, 4, 5]);
+            var walls:Hierarchy = library.hierarchy("walls");
+            var speck:Hierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
+            var large:Placement = placed(1e50, 0, 0, 0);
+            var small:Placement = placed(1, 0, 0, 0.5e50);
+            assertTrue("one box", _traversal.hierarchiesOverlap(walls, large, 1, speck, small, 9, false));
+            assertTrue("one box, the other way round", _traversal.hierarchiesOverlap(speck, small, 9, walls, large, 1, false));
+            assertFalse("two boxes", _traversal.hierarchiesOverlap(walls, large, 9, speck, small, 1, false));
+            assertFalse("two boxes, the other way round", _traversal.hierarchiesOverlap(speck, small, 1, walls, large, 9, false));
+        }
+
+        private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:Hierarchy, ball:Hierarchy):void
+        {
+            // a corner of the cube, a middle of a face, one beside it, one well inside
+            var places:Array = [[0.5, 0.5, 1, true, true], [0.5, 0.1, 0.3, true, true], [0.50001, 0.1, 0.3, false, false], [0.1, 0.2, 0.3, true, false]];
+            for each (var place:Array in places)
+            {
+                if (!place[3] && cube.boundsKind != BoundingStructure.BOX)
+                {
+                    // spheres and capsules reach farther than the model
+                    continue;
+                }
+                var heading:Number = random.pick([0, 90, 180]);
+                var large:Placement = placed(giant, 0, 0, 0);
+                large.setRotation(0, 0, 0);
+                var small:Placement = placed(size * giant, place[0] * giant, place[1] * giant, place[2] * giant);
+                small.setRotation(heading, random.pick([0, 90]), 0);
+                var message:String = [size, giant, place, heading].join(", ");
+                for each (var depth:int in [1, 3, 10])
+                {
+                    assertEquals(message, place[3], _traversal.hierarchiesOverlap(cube, large, depth, ball, small, depth, false));
+                    assertEquals(message, place[3], _traversal.hierarchiesOverlap(ball, small, depth, cube, large, depth, false));
+                    for each (var box:BoundingStructure in structures(0.5))
+                    {
+                        assertEquals(message + box, place[3], _traversal.structureOverlaps(cube, large, depth, box, small));
+                    }
+                    // a cube's sphere and capsule reach farther
+                    if (place[3])
+                    {
+                        for each (box in structures(1))
+                        {
+                            assertTrue(message + box, _traversal.structureOverlaps(ball, small, depth, box, large));
+                        }
+                    }
+                    else
+                    {
+                        assertFalse(message, _traversal.structureOverlaps(ball, small, depth, structures(0.5)[2], large));
+                    }
+                }
+                assertEquals(message, place[3], _traversal.hierarchiesOverlap(cube, large, 1, ball, small, 1, true));
+                assertEquals(message, place[3], _traversal.hierarchiesOverlap(ball, small, 1, cube, large, 1, true));
+            }
+        }
+
+        // About the middle of a model of size 1.
+        private static function structures(half:Number):Array
+        {
+            var middle:Vector3D = new Vector3D(0, 0, 0.5);
+            return [new Sphere(middle, half), new Capsule(new Vector3D(0, 0, 0.3), new Vector3D(0, 0, 0.7), half),
+                    new Box(middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half)];
+        }
+
+        private static function placed(size:Number, x:Number, y:Number, z:Number):Placement
+        {
+            var placement:Placement = new Placement();
+            placement.size = size;
+            placement.x = x;
+            placement.y = y;
+            placement.z = z;
+            return placement;
+        }
+
+        private static function hierarchyOf(model:Model, kind:int):Hierarchy
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.boundsKind = kind;
+            library.add(model.name, model.vertices, model.triangles);
+            return library.hierarchy(model.name);
+        }
+    }
+}

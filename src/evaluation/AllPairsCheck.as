@@ -7,7 +7,7 @@ package evaluation
 
     /**
      * Whether what a collider has found is what trying pairs one by one finds, no more and no less: all pairs, or those of
-     * every so manyth agent with all others where that would take too long.
+     * some agents, evenly in the list, with all others where that would take too long.
      */
     public final class AllPairsCheck
     {

@@ -1,16 +1,27 @@
 package evaluation
 {
     import starlogo.agents.Agent;
+    import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
 
     /** A collision system of somebody else's, for which everything collides with everything. */
     public class EveryPairSystem implements CollisionSystem
     {
+        private var _statistics:CollisionStatistics = new CollisionStatistics();
+
+        /** The agents and the pairs. */
+        public function get statistics():CollisionStatistics
+        {
+            return _statistics;
+        }
+
+        /** True. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             return true;
         }
 
+        /** Every pair, each once. */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
             out ||= new Vector.<Agent>();
@@ -22,6 +33,8 @@ package evaluation
                     out.push(agents[i], agents[j]);
                 }
             }
+            _statistics.agents = agents.length;
+            _statistics.collisions = out.length >> 1;
             return out;
         }
     }

@@ -1,6 +1,5 @@
 package starlogo
 {
-    import starlogo.agents.Agent;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.hierarchy.Hierarchy;
@@ -21,8 +20,8 @@ package starlogo
      * <p>The flags count for the models that are added from then on.</p>
      *
      * <p>Models are added at once, by <code>addModel()</code>, or while the game runs, by a ModelLoader that is given this
-     * GreatLand. A game may start with the models that are there; an agent of one that is still loading is an error of the
-     * collision systems, which says so. If two models of a name are added, the one that is there last replaces the other:
+     * GreatLand. A game may start with the models that are there; an agent of one that is still loading
+     * collides with nothing until then. If two models of a name are added, the one that is there last replaces the other:
      * one that <code>addModel()</code> adds while another is loading serves until then.</p>
      */
     public class GreatLand implements ModelReceiver
@@ -39,9 +38,7 @@ package starlogo
          */
         public var loadHierarchies:Boolean = true;
 
-        /** Counts the models that replaced another one of their name: what was kept of those is void. */
-        engine var edition:int = 0;
-
+        private var _revision:int = 0;
         private var _models:Object = {};
 
         // how many models of a name are on their way
@@ -93,6 +90,50 @@ package starlogo
         public function set orientedBoxDegIncrement(value:Number):void
         {
             _boundingStructures.orientedBoxDegIncrement = value;
+        }
+
+        /**
+         * How many times the smallest volume a tightest fit may have to be one with cheaper intersection tests, a sphere over a
+         * capsule over a box (thesis §7.4). 1, the default, takes the smallest.
+         *
+         * @throws ArgumentError if it is set to less than 1, or to what is not a finite number
+         */
+        public function get cheaperTestsFactor():Number
+        {
+            return _boundingStructures.cheaperTestsFactor;
+        }
+
+        public function set cheaperTestsFactor(value:Number):void
+        {
+            _boundingStructures.cheaperTestsFactor = value;
+        }
+
+        /**
+         * Which structures the nodes of hierarchies have (thesis §7.7): BoundingStructure.BOX, the default, SPHERE or CAPSULE. Boxes
+         * are the fastest by far. Anything else is refused when the next model is added.
+         */
+        public function get hierarchyBounds():int
+        {
+            return _hierarchies.boundsKind;
+        }
+
+        public function set hierarchyBounds(value:int):void
+        {
+            _hierarchies.boundsKind = value;
+        }
+
+        /**
+         * Whether what the exact mode of the HierarchicalCollider and the CombinationCollider needs beyond hierarchies is prepared
+         * when a model is added, and not when it is first needed.
+         */
+        public function get prepareExact():Boolean
+        {
+            return _hierarchies.prepareExact;
+        }
+
+        public function set prepareExact(value:Boolean):void
+        {
+            _hierarchies.prepareExact = value;
         }
 
         /**
@@ -153,17 +194,30 @@ package starlogo
             return _models.hasOwnProperty(PREFIX + name);
         }
 
-        /** Throws an ArgumentError if the agent's model was not added, or is not yet. */
-        engine function requireModel(agent:Agent):void
+        /**
+         * Takes a model away, and what was computed for it. An agent that still has its shape is an error of the collision
+         * systems from then on. One that is loading under the name comes all the same.
+         *
+         * @param name the model's name
+         * @return whether it was there
+         */
+        public function removeModel(name:String):Boolean
         {
-            if (!hasModel(agent.shape))
+            if (!hasModel(name))
             {
-                if (isLoading(agent.shape))
-                {
-                    throw new ArgumentError(agent + ": the model \"" + agent.shape + "\" is still loading; wait for its ModelEvent");
-                }
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
+                return false;
             }
+            delete _models[PREFIX + name];
+            _hierarchies.remove(name);
+            _boundingStructures.remove(name);
+            _revision++;
+            return true;
+        }
+
+        /** Another number whenever what is known under a name has been replaced or removed: what was kept of it is void. */
+        engine function get revision():int
+        {
+            return _revision + _boundingStructures.revision + _hierarchies.revision;
         }
 
         /**
@@ -180,7 +234,7 @@ package starlogo
             _boundingStructures.store(model.name, structures);
             if (hasModel(model.name))
             {
-                edition++;
+                _revision++;
             }
             _models[PREFIX + model.name] = model;
         }

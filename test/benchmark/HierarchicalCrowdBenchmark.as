@@ -93,7 +93,7 @@ package benchmark
             _table.add("bears that look elsewhere: hierarchies of " + name, ms(all[0]), ratio(all[0], all[1]), "hierarchies of boxes", visits(other), "");
         }
 
-        private function crowd(collider:BinCollider):Measurement
+        private function crowd(collider:CollisionSystem):Measurement
         {
             return new Measurement("", function():void
                 {
@@ -196,7 +196,7 @@ package benchmark
             }
         }
 
-        private static function visits(collider:BinCollider):String
+        private static function visits(collider:CollisionSystem):String
         {
             return (collider.statistics.nodeVisits / collider.statistics.hierarchyTests).toFixed(1);
         }

@@ -73,7 +73,7 @@ package starlogo
         }
 
         [Test(async, timeout="5000")]
-        public function anAgentWhoseModelIsLoadingIsTold():void
+        public function anAgentWhoseModelIsLoadingTakesNoPart():void
         {
             var agent:Agent = new Agent("bear");
             var cube:Agent = new Agent("cube");
@@ -81,7 +81,13 @@ package starlogo
             assertSays(agent, cube, /there is no model "bear"/);
             _loader.loadText("bear", OBJ);
             assertTrue(_greatLand.isLoading("bear"));
-            assertSays(agent, cube, /"bear" is still loading/);
+            for each (var collider:CollisionSystem in systems())
+            {
+                assertFalse(collider.areColliding(agent, cube) || collider.areColliding(cube, agent));
+                assertEquals(0, collider.findCollisions(new <Agent>[agent, cube]).length);
+                assertEquals("of two", "2 1 0", [collider.statistics.agents, collider.statistics.agentsLoading, collider.statistics.agentsSkipped].join(" "));
+                assertEquals("the others do", 2, collider.findCollisions(new <Agent>[cube, agent, new Agent("cube")]).length);
+            }
             _loader.cancel();
             assertSays(agent, cube, /there is no model "bear"/);
             _loader.loadText("bear", "v 1");

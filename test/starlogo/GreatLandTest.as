@@ -9,6 +9,8 @@ package starlogo
     import starlogo.models.Model;
     import support.assertThrows;
 
+    use namespace engine;
+
     public class GreatLandTest
     {
         private var _greatLand:GreatLand;
@@ -105,6 +107,86 @@ package starlogo
                 _greatLand.addModel(new Model(name, BuiltInModel.cube().vertices));
                 assertTrue(name, _greatLand.hasModel(name));
             }
+        }
+
+        [Test]
+        public function cheaperTestsMayBePreferred():void
+        {
+            assertEquals(1, _greatLand.cheaperTestsFactor);
+            assertThrows(ArgumentError, /0\.5/, function():void
+                {
+                    _greatLand.cheaperTestsFactor = 0.5;
+                });
+            // a little wider than it is deep and high: a box is the tightest, a sphere about 2.7 times as large
+            _greatLand.addModel(BuiltInModel.cube());
+            assertEquals(BoundingStructure.BOX, _greatLand.boundingStructures.tightestFit("cube").kind);
+            _greatLand.cheaperTestsFactor = 3;
+            assertEquals(3, _greatLand.boundingStructures.cheaperTestsFactor);
+            _greatLand.addModel(BuiltInModel.cube());
+            assertEquals(BoundingStructure.SPHERE, _greatLand.boundingStructures.tightestFit("cube").kind);
+        }
+
+        [Test]
+        public function hierarchiesMayBeOfOtherStructures():void
+        {
+            assertEquals(BoundingStructure.BOX, _greatLand.hierarchyBounds);
+            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX])
+            {
+                _greatLand.hierarchyBounds = kind;
+                _greatLand.addModel(BuiltInModel.cube());
+                assertEquals(kind, _greatLand.hierarchies.root("cube").bounds.kind);
+            }
+            _greatLand.hierarchyBounds = BoundingStructure.CYLINDER;
+            assertThrows(ArgumentError, /boundsKind/, _greatLand.addModel, BuiltInModel.sphere());
+            assertFalse(_greatLand.hasModel("sphere"));
+        }
+
+        [Test]
+        public function exactModeMayBePreparedAtOnce():void
+        {
+            assertFalse(_greatLand.prepareExact);
+            _greatLand.addModel(BuiltInModel.sphere());
+            assertFalse("not before it is needed", isPrepared("sphere"));
+            _greatLand.prepareExact = true;
+            _greatLand.addModel(BuiltInModel.cube());
+            assertTrue(isPrepared("cube"));
+        }
+
+        [Test]
+        public function aModelMayBeRemoved():void
+        {
+            assertFalse(_greatLand.removeModel("cube"));
+            assertFalse(_greatLand.removeModel(null));
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.sphere());
+            assertTrue(_greatLand.removeModel("cube"));
+            assertFalse(_greatLand.hasModel("cube") || _greatLand.boundingStructures.has("cube") || _greatLand.hierarchies.has("cube"));
+            assertTrue(_greatLand.hasModel("sphere"));
+            assertFalse(_greatLand.removeModel("cube"));
+        }
+
+        [Test]
+        public function whatIsReplacedOrRemovedIsCounted():void
+        {
+            var before:int = _greatLand.revision;
+            _greatLand.addModel(BuiltInModel.cube());
+            assertEquals("nothing was kept of it", before, _greatLand.revision);
+            _greatLand.addModel(BuiltInModel.cube());
+            assertTrue(_greatLand.revision != before);
+            before = _greatLand.revision;
+            _greatLand.boundingStructures.add("cube", BuiltInModel.sphere().vertices);
+            assertTrue(_greatLand.revision != before);
+            before = _greatLand.revision;
+            _greatLand.hierarchies.add("cube", BuiltInModel.sphere().vertices);
+            assertTrue(_greatLand.revision != before);
+            before = _greatLand.revision;
+            _greatLand.removeModel("cube");
+            assertTrue(_greatLand.revision != before);
+        }
+
+        private function isPrepared(name:String):Boolean
+        {
+            return _greatLand.hierarchies.hierarchy(name).surface != null;
         }
     }
 }

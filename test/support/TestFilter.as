@@ -31,6 +31,12 @@ package support
             return classes.filter(matches);
         }
 
+        /** Whether the pattern names a test among those of a request. */
+        public function doesPick(request:Request):Boolean
+        {
+            return shouldRun(request.iRunner.description);
+        }
+
         /** The request without the methods that the pattern leaves out. */
         public function narrow(request:Request):Request
         {

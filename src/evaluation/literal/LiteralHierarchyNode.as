@@ -12,8 +12,13 @@ package evaluation.literal
         private static const MIN_VERTICES_TO_SPLIT:int = 5;
         private static const MAX_DEPTH:int = 10;
 
+        /** The vertices' axis-aligned box. */
         public var box:Box;
+
+        /** The half below the middle; null for a leaf. */
         public var left:LiteralHierarchyNode;
+
+        /** The other half; null for a leaf. */
         public var right:LiteralHierarchyNode;
 
         /** The root around vertices that are x, y, z each. */
@@ -27,6 +32,7 @@ package evaluation.literal
             return new LiteralHierarchyNode(points, 1);
         }
 
+        /** A node and all below it, level being 1 at the root. */
         public function LiteralHierarchyNode(points:Vector.<Vector3D>, level:int)
         {
             var min:Vector3D = points[0].clone();

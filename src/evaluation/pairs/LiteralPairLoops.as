@@ -13,11 +13,13 @@ package evaluation.pairs
     {
         private var _set:PairSet;
 
+        /** Loops over the pairs of a set; those of its kinds may be called. */
         public function LiteralPairLoops(pairs:PairSet)
         {
             _set = pairs;
         }
 
+        /** Tests box against box. */
         public function boxBoxPairs():int
         {
             var hits:int = 0;
@@ -33,6 +35,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests capsule against box. */
         public function capsuleBoxPairs():int
         {
             var hits:int = 0;
@@ -48,6 +51,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests capsule against capsule. */
         public function capsuleCapsulePairs():int
         {
             var hits:int = 0;
@@ -63,6 +67,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests sphere against box. */
         public function sphereBoxPairs():int
         {
             var hits:int = 0;

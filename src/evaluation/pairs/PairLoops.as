@@ -17,11 +17,13 @@ package evaluation.pairs
     {
         private var _set:PairSet;
 
+        /** Loops over the pairs of a set; those of its kinds may be called. */
         public function PairLoops(pairs:PairSet)
         {
             _set = pairs;
         }
 
+        /** Tests box against box. */
         public function boxBoxPairs():int
         {
             var hits:int = 0;
@@ -37,6 +39,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests capsule against box. */
         public function capsuleBoxPairs():int
         {
             var hits:int = 0;
@@ -52,6 +55,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests capsule against capsule. */
         public function capsuleCapsulePairs():int
         {
             var hits:int = 0;
@@ -67,6 +71,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests sphere against box. */
         public function sphereBoxPairs():int
         {
             var hits:int = 0;
@@ -82,6 +87,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests sphere against capsule. */
         public function sphereCapsulePairs():int
         {
             var hits:int = 0;
@@ -97,6 +103,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests sphere against sphere. */
         public function sphereSpherePairs():int
         {
             var hits:int = 0;
@@ -112,6 +119,7 @@ package evaluation.pairs
             return hits;
         }
 
+        /** Tests structures whose kinds are only known at run time. */
         public function intersectsPairs():int
         {
             var hits:int = 0;

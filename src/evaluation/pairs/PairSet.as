@@ -43,6 +43,14 @@ package evaluation.pairs
 
         private var _structures:RandomStructures;
 
+        /**
+         * Draws a set.
+         *
+         * @param kindA the kind of the first structures: BoundingStructure.SPHERE, CAPSULE or BOX
+         * @param kindB that of the second
+         * @param hits the part of the pairs that meet, 0 to 1
+         * @param seed the same draws the same set
+         */
         public function PairSet(kindA:int, kindB:int, hits:Number, seed:uint)
         {
             _structures = new RandomStructures(new SeededRandom(seed));

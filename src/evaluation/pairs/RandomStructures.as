@@ -11,6 +11,7 @@ package evaluation.pairs
     {
         private var _random:SeededRandom;
 
+        /** Structures from the numbers that random gives. */
         public function RandomStructures(random:SeededRandom)
         {
             _random = random;
@@ -32,11 +33,13 @@ package evaluation.pairs
             }
         }
 
+        /** A sphere: its radius 0.2 to 1 of size, its centre in a cube of half-edge spread. */
         public function sphere(size:Number, spread:Number):Sphere
         {
             return new Sphere(position(spread), extent(size));
         }
 
+        /** A capsule: half its segment 0.2 to 1 of size, its radius half of such a number, its middle in a cube of half-edge spread. */
         public function capsule(size:Number, spread:Number):Capsule
         {
             var middle:Vector3D = position(spread);
@@ -45,6 +48,7 @@ package evaluation.pairs
             return new Capsule(middle.subtract(half), middle.add(half), extent(size) / 2);
         }
 
+        /** A box: its half-extents 0.2 to 1 of size, its centre in a cube of half-edge spread. */
         public function box(size:Number, spread:Number):Box
         {
             var axes:Vector.<Vector3D> = frame();

@@ -18,10 +18,24 @@ package starlogo.agents
      */
     public class Agent
     {
+        /**
+         * The largest coordinate, in patches: squares of distances stay far from what a Number can hold, and all tests are
+         * right up to it.
+         */
+        public static const LARGEST_COORDINATE:Number = 1e120;
+
+        /** The largest size. */
+        public static const LARGEST_SIZE:Number = 1e120;
+
+        /** The smallest size. */
+        public static const SMALLEST_SIZE:Number = 1e-120;
+
         private static var sCreated:int = 0;
 
         /**
-         * The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>.
+         * The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
+         * <code>extentsRevision</code> counts every change that decides more than where the agent is, those of the shape
+         * and of how it collides included.
          *
          * @private
          */
@@ -35,39 +49,11 @@ package starlogo.agents
         engine var revision:int = 0;
 
         /**
-         * Counts those of the changes that are more than a move.
+         * What the users of the agent keep with it, one record each.
          *
          * @private
          */
-        engine var form:int = 0;
-
-        /**
-         * What the collision system in use keeps with the agent from frame to frame.
-         *
-         * @private
-         */
-        engine var userData:Object;
-
-        /**
-         * Where the agent stood in the list of the last frame: a hint, not a promise.
-         *
-         * @private
-         */
-        engine var slot:int = 0;
-
-        /**
-         * Who looked up the breed last.
-         *
-         * @private
-         */
-        engine var breedResolver:Object;
-
-        /**
-         * What was found by who looked up the breed last.
-         *
-         * @private
-         */
-        engine var breedIndex:int;
+        engine var records:AgentRecord = null;
 
         /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
         public var color:Number = 0;
@@ -94,9 +80,11 @@ package starlogo.agents
          */
         public function Agent(shape:String, breed:String = "turtles")
         {
+            requireName("shape", shape);
+            requireName("breed", breed);
             _id = ++sCreated;
-            this.shape = shape;
-            this.breed = breed;
+            _shape = shape;
+            _breed = breed;
         }
 
         /** A number that no other agent of this run has; the first is 1. */
@@ -114,9 +102,11 @@ package starlogo.agents
         public function set shape(value:String):void
         {
             requireName("shape", value);
-            _shape = value;
-            userData = null;
-            formChanged();
+            if (value != _shape)
+            {
+                _shape = value;
+                extentsChanged();
+            }
         }
 
         /** The name of the agent's breed. */
@@ -128,11 +118,17 @@ package starlogo.agents
         public function set breed(value:String):void
         {
             requireName("breed", value);
-            _breed = value;
-            breedResolver = null;
+            if (value != _breed)
+            {
+                _breed = value;
+                for (var record:AgentRecord = records; record != null; record = record.next)
+                {
+                    record.breedToken = null;
+                }
+            }
         }
 
-        /** The position of the model's origin along the world's x axis, finite. */
+        /** The position of the model's origin along the world's x axis, at most LARGEST_COORDINATE either way. */
         public function get x():Number
         {
             return placement.x;
@@ -140,12 +136,15 @@ package starlogo.agents
 
         public function set x(value:Number):void
         {
-            requireFinite("x", value);
-            placement.x = value;
-            revision++;
+            requireCoordinate("x", value);
+            if (value != placement.x)
+            {
+                placement.x = value;
+                revision++;
+            }
         }
 
-        /** The position of the model's origin along the world's y axis, finite. */
+        /** The position of the model's origin along the world's y axis, at most LARGEST_COORDINATE either way. */
         public function get y():Number
         {
             return placement.y;
@@ -153,12 +152,18 @@ package starlogo.agents
 
         public function set y(value:Number):void
         {
-            requireFinite("y", value);
-            placement.y = value;
-            revision++;
+            requireCoordinate("y", value);
+            if (value != placement.y)
+            {
+                placement.y = value;
+                revision++;
+            }
         }
 
-        /** The height of the model's lowest point over the ground when the agent stands upright, finite. */
+        /**
+         * The height of the model's lowest point over the ground when the agent stands upright, at most LARGEST_COORDINATE
+         * either way.
+         */
         public function get z():Number
         {
             return placement.z;
@@ -166,9 +171,12 @@ package starlogo.agents
 
         public function set z(value:Number):void
         {
-            requireFinite("z", value);
-            placement.z = value;
-            revision++;
+            requireCoordinate("z", value);
+            if (value != placement.z)
+            {
+                placement.z = value;
+                revision++;
+            }
         }
 
         /** The turn about the z axis, counter-clockwise seen from above, in degrees, finite. */
@@ -180,8 +188,11 @@ package starlogo.agents
         public function set heading(value:Number):void
         {
             requireFinite("heading", value);
-            _heading = value;
-            rotationChanged();
+            if (value != _heading)
+            {
+                _heading = value;
+                rotationChanged();
+            }
         }
 
         /** The turn about the world's y axis, before the heading, in degrees, finite. */
@@ -193,8 +204,11 @@ package starlogo.agents
         public function set pitch(value:Number):void
         {
             requireFinite("pitch", value);
-            _pitch = value;
-            rotationChanged();
+            if (value != _pitch)
+            {
+                _pitch = value;
+                rotationChanged();
+            }
         }
 
         /** The turn about the world's x axis, before the pitch, in degrees, finite. */
@@ -206,11 +220,14 @@ package starlogo.agents
         public function set roll(value:Number):void
         {
             requireFinite("roll", value);
-            _roll = value;
-            rotationChanged();
+            if (value != _roll)
+            {
+                _roll = value;
+                rotationChanged();
+            }
         }
 
-        /** The uniform scale of the model, positive and finite; 1 leaves it a unit wide. */
+        /** The uniform scale of the model, from SMALLEST_SIZE to LARGEST_SIZE; 1 leaves it a unit wide. */
         public function get size():Number
         {
             return placement.size;
@@ -222,8 +239,15 @@ package starlogo.agents
             {
                 throw new RangeError(this + ": size must be a positive, finite number, not " + value);
             }
-            placement.size = value;
-            formChanged();
+            if (!(value >= SMALLEST_SIZE && value <= LARGEST_SIZE))
+            {
+                throw new RangeError(this + ": size must be between " + SMALLEST_SIZE + " and " + LARGEST_SIZE + ", not " + value);
+            }
+            if (value != placement.size)
+            {
+                placement.size = value;
+                extentsChanged();
+            }
         }
 
         /**
@@ -240,7 +264,7 @@ package starlogo.agents
             if (value != _hierarchical)
             {
                 _hierarchical = value;
-                formChanged();
+                extentsChanged();
             }
         }
 
@@ -261,31 +285,38 @@ package starlogo.agents
             {
                 throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
             }
-            _traversalDepth = value;
-            formChanged();
+            if (value != _traversalDepth)
+            {
+                _traversalDepth = value;
+                extentsChanged();
+            }
         }
 
         /**
          * Moves the agent: one call instead of three.
          *
-         * @param x patches, finite
-         * @param y patches, finite
-         * @param z patches, finite
-         * @throws RangeError if one is not finite; the agent then stays where it was
+         * @param x patches, at most LARGEST_COORDINATE either way
+         * @param y patches, likewise
+         * @param z patches, likewise
+         * @throws RangeError if one is not finite, or beyond LARGEST_COORDINATE; the agent then stays where it was
          */
         public function moveTo(x:Number, y:Number, z:Number):void
         {
-            // infinite and NaN differences alike are not 0
-            if (!(x - x + (y - y) + (z - z) == 0))
+            // false for NaN too
+            if (!(x * x + y * y + z * z <= 1e240))
             {
-                requireFinite("x", x);
-                requireFinite("y", y);
-                requireFinite("z", z);
+                requireCoordinate("x", x);
+                requireCoordinate("y", y);
+                requireCoordinate("z", z);
             }
-            placement.x = x;
-            placement.y = y;
-            placement.z = z;
-            revision++;
+            var at:Placement = placement;
+            if (x != at.x || y != at.y || z != at.z)
+            {
+                at.x = x;
+                at.y = y;
+                at.z = z;
+                revision++;
+            }
         }
 
         /**
@@ -311,6 +342,10 @@ package starlogo.agents
         /** The class, id, breed and shape: how errors name the agent. */
         public function toString():String
         {
+            if (_shape == null)
+            {
+                return "a new agent";
+            }
             return "agent " + _id + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
         }
 
@@ -329,15 +364,37 @@ package starlogo.agents
             return placement;
         }
 
+        /**
+         * Adds a user's record to the chain, and drops those of users that are gone.
+         *
+         * @private
+         */
+        engine function addRecord(record:AgentRecord):void
+        {
+            var previous:AgentRecord = record;
+            var next:AgentRecord = records;
+            while (next != null)
+            {
+                if (!next.cacheToken.isStale)
+                {
+                    previous.next = next;
+                    previous = next;
+                }
+                next = next.next;
+            }
+            previous.next = null;
+            records = record;
+        }
+
         private function rotationChanged():void
         {
             _rotationIsStale = true;
-            formChanged();
+            extentsChanged();
         }
 
-        private function formChanged():void
+        private function extentsChanged():void
         {
-            form++;
+            placement.extentsRevision++;
             revision++;
         }
 
@@ -357,6 +414,15 @@ package starlogo.agents
             _transformData[12] = placement.x;
             _transformData[13] = placement.y;
             _transformData[14] = placement.z;
+        }
+
+        private function requireCoordinate(trait:String, value:Number):void
+        {
+            requireFinite(trait, value);
+            if (!(value <= LARGEST_COORDINATE && value >= -LARGEST_COORDINATE))
+            {
+                throw new RangeError(this + ": " + trait + " must be between " + -LARGEST_COORDINATE + " and " + LARGEST_COORDINATE + ", not " + value);
+            }
         }
 
         private function requireFinite(trait:String, value:Number):void

@@ -1,6 +1,6 @@
 package starlogo.collision
 {
-    import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
     import starlogo.engine;
 
     use namespace engine;
@@ -10,94 +10,124 @@ package starlogo.collision
      */
     public final class BreedInterests
     {
-        private var _breeds:Vector.<String> = new Vector.<String>();
-        private var _pairs:Vector.<Boolean> = new Vector.<Boolean>();
+        /** In place of a breed's name: any breed. An agent's breed that is called so is a breed like any other. */
+        public static const ANY_BREED:String = "*";
 
-        // Agents remember what was found under this token; another one makes them ask again.
-        private var _edition:Object = {};
+        /**
+         * Whether somebody cares about a pair of breeds, at <code>index * breedCount + otherIndex</code>.
+         *
+         * @private
+         */
+        engine var pairs:Vector.<Boolean> = new Vector.<Boolean>();
+
+        /**
+         * Records of agents remember what was found under this; another one makes them ask again.
+         *
+         * @private
+         */
+        engine var token:Object = {};
+
+        private var _breeds:Vector.<String> = new Vector.<String>();
+        private var _hasAny:Boolean = false;
+
+        // breed, otherBreed, breed, otherBreed, ...
+        private var _added:Vector.<String> = new Vector.<String>();
 
         /** Nobody cares about anything yet. */
         public function BreedInterests()
         {
         }
 
-        /** How many breeds take part in any pair. */
+        /** How many breeds are told apart: those that were named, and all others as one if any breed counts. */
         public function get breedCount():int
         {
-            return _breeds.length;
+            return _hasAny ? _breeds.length + 1 : _breeds.length;
         }
 
         /**
          * Adds a pair of breeds; a pair that is already there stays.
          *
-         * @param breed a breed's name
-         * @param otherBreed a breed's name, which may be the same
+         * @param breed a breed's name, or ANY_BREED
+         * @param otherBreed a breed's name, which may be the same, or ANY_BREED
          */
         public function add(breed:String, otherBreed:String):void
         {
-            var a:int = enter(breed);
-            var b:int = enter(otherBreed);
-            _pairs[a * _breeds.length + b] = true;
-            _pairs[b * _breeds.length + a] = true;
+            _added.push(breed, otherBreed);
+            enter(breed);
+            enter(otherBreed);
+            token = {};
+            pairs = new Vector.<Boolean>(breedCount * breedCount);
+            for (var i:int = 0; i < _added.length; i += 2)
+            {
+                markPairs(indicesOf(_added[i]), indicesOf(_added[i + 1]));
+            }
         }
 
-        /**
-         * A breed's number among those that take part in a pair, from 0 on; -1 for one that takes part in none.
-         */
+        /** A breed's number, from 0 on; -1 for one that takes part in no pair. */
         public function indexOf(breed:String):int
         {
-            return _breeds.indexOf(breed);
+            var index:int = _breeds.indexOf(breed);
+            return index < 0 && _hasAny ? _breeds.length : index;
         }
 
-        /**
-         * Whether somebody cares about a pair of breeds, given by their numbers.
-         */
+        /** Whether somebody cares about a pair of breeds, given by their numbers. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            return _pairs[index * _breeds.length + otherIndex];
+            return pairs[index * breedCount + otherIndex];
         }
 
         /**
-         * The number of an agent's breed, remembered in the agent.
+         * The numbers of the breeds that a name stands for: all of them for ANY_BREED.
          *
          * @private
          */
-        engine function breedIndexOf(agent:Agent):int
+        engine function indicesOf(breed:String):Vector.<int>
         {
-            if (agent.breedResolver !== _edition)
+            if (breed != ANY_BREED)
             {
-                agent.breedIndex = indexOf(agent.breed);
-                agent.breedResolver = _edition;
+                return new <int>[_breeds.indexOf(breed)];
             }
-            return agent.breedIndex;
+            var indices:Vector.<int> = new Vector.<int>();
+            for (var i:int = 0; i < breedCount; i++)
+            {
+                indices.push(i);
+            }
+            return indices;
         }
 
-        private function enter(breed:String):int
+        /**
+         * Notes the number of an agent's breed in a record of the agent.
+         *
+         * @private
+         */
+        engine function lookUp(record:AgentRecord):void
         {
-            var index:int = indexOf(breed);
-            if (index < 0)
+            record.breedIndex = indexOf(record.agent.breed);
+            record.breedToken = token;
+        }
+
+        private function enter(breed:String):void
+        {
+            if (breed == ANY_BREED)
             {
-                index = _breeds.length;
-                widen();
+                _hasAny = true;
+            }
+            else if (_breeds.indexOf(breed) < 0)
+            {
                 _breeds.push(breed);
-                _edition = {};
             }
-            return index;
         }
 
-        // One row and one column more.
-        private function widen():void
+        private function markPairs(indices:Vector.<int>, otherIndices:Vector.<int>):void
         {
-            var count:int = _breeds.length;
-            var wider:Vector.<Boolean> = new Vector.<Boolean>((count + 1) * (count + 1));
-            for (var a:int = 0; a < count; a++)
+            for each (var index:int in indices)
             {
-                for (var b:int = 0; b < count; b++)
+                for each (var otherIndex:int in otherIndices)
                 {
-                    wider[a * (count + 1) + b] = _pairs[a * count + b];
+                    pairs[index * breedCount + otherIndex] = true;
+                    pairs[otherIndex * breedCount + index] = true;
                 }
             }
-            _pairs = wider;
         }
     }
 }

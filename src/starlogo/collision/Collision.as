@@ -13,28 +13,31 @@ package starlogo.collision
      *
      * <p>A frame's pairs are all known before the first handler runs. A handler may do anything to the game. What it
      * moves or adds counts from the next frame on; an agent that it takes out of the list takes part in no further call
-     * of this one. When a handler throws, the others are called all the same; update then throws the first error.</p>
+     * of this one. When a handler throws, the others are called all the same; update then throws the first error, and
+     * <code>handlerErrors</code> has them all.</p>
      *
      * <p>Of a pair, the handlers of the agent that is first in the list run before those of the other, each in the order
-     * in which they were added.</p>
+     * in which they were added. The breeds count that the two have when the pair's turn comes.</p>
+     *
+     * <p>Any number of Collisions and collision systems may share agents, and a handler of one may update another. The time
+     * for the calls goes with the agents and the calls, however many agents handlers take out of the list. Should thousands be taken
+     * out in one frame and others change their places at that, in a way that is neither splicing nor swapping with the last, the calls
+     * of those come after all others.</p>
      */
     public class Collision
     {
+        /** In place of a breed's name: any breed (§6.1, "any other agent"). */
+        public static const ANY_BREED:String = BreedInterests.ANY_BREED;
+
         private var _collisionSystem:CollisionSystem;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
+        private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
         private var _table:HandlerTable = new HandlerTable(new Vector.<CollisionHandler>());
         private var _tableIsStale:Boolean = false;
+        private var _calls:HandlerCalls = new HandlerCalls();
         private var _isUpdating:Boolean = false;
         private var _pairs:Vector.<Agent> = new Vector.<Agent>();
-
-        // The frame under way: the next call, by its pair, its direction and its handler; what was called, and thrown.
-        private var _pair:int;
-        private var _direction:int;
-        private var _handler:int;
-        private var _calls:int;
-        private var _listLength:int;
-        private var _firstError:Error;
 
         /**
          * Collisions without handlers.
@@ -69,24 +72,57 @@ package starlogo.collision
         }
 
         /**
+         * What handlers have thrown in the last frame, in order; the next frame empties it. What is no Error is there as one, with
+         * its text as the message.
+         */
+        public function get handlerErrors():Vector.<Error>
+        {
+            return _handlerErrors;
+        }
+
+        /**
          * Adds a handler: what the agents of a breed do when they collide with those of another.
          *
          * <p>Within one breed, either agent of a pair collides with the other: the handler is called twice, as
          * (a, b) and as (b, a). A handler that is added while the handlers run is called from the next frame on.</p>
          *
-         * @param breed the breed of the collider, the agent whose handler it is
-         * @param otherBreed the breed of the collidee, the agent that it meets
+         * @param breed the breed of the collider, the agent whose handler it is; ANY_BREED for all agents
+         * @param otherBreed the breed of the collidee, the agent that it meets; ANY_BREED for any other agent
          * @param handler <code>function(collider:Agent, collidee:Agent):void</code>
          * @throws ArgumentError if one is null, or a breed has no name
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
-            if (!breed || !otherBreed || handler == null)
-            {
-                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + handler);
-            }
+            requireHandler(breed, otherBreed, handler);
             _handlers.push(new CollisionHandler(breed, otherBreed, handler));
             _tableIsStale = true;
+        }
+
+        /**
+         * Takes a handler away, in the words in which it was added. One that was added several times is taken away once. It is
+         * not called again, in this frame either if a handler does it.
+         *
+         * @param breed as in onCollision
+         * @param otherBreed as in onCollision
+         * @param handler the same function
+         * @return whether it was there
+         * @throws ArgumentError if one is null, or a breed has no name
+         */
+        public function removeHandler(breed:String, otherBreed:String, handler:Function):Boolean
+        {
+            requireHandler(breed, otherBreed, handler);
+            for (var i:int = 0; i < _handlers.length; i++)
+            {
+                var added:CollisionHandler = _handlers[i];
+                if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler)
+                {
+                    added.isRemoved = true;
+                    _handlers.splice(i, 1);
+                    _tableIsStale = true;
+                    return true;
+                }
+            }
+            return false;
         }
 
         /**
@@ -94,7 +130,7 @@ package starlogo.collision
          *
          * @param agents the agents of the game; a handler may change the list
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; no handler has then run
-         * @throws IllegalOperationError if called from a handler
+         * @throws IllegalOperationError if called from one of its own handlers
          * @throws Error the first error that a handler threw, after all handlers have run
          */
         public function update(agents:Vector.<Agent>):void
@@ -104,135 +140,58 @@ package starlogo.collision
                 throw new IllegalOperationError("update must not be called from a handler");
             }
             var start:int = getTimer();
+            _handlerErrors.length = 0;
             if (_tableIsStale)
             {
                 _table = new HandlerTable(_handlers);
                 _tableIsStale = false;
             }
-            findPairs(agents);
-            _firstError = null;
-            _calls = 0;
+            var pairs:Vector.<Agent> = findPairs(agents);
             _isUpdating = true;
             try
             {
-                callHandlers(agents);
+                _calls.make(_table, pairs, agents, _handlerErrors);
             }
             finally
             {
                 _isUpdating = false;
             }
-            _statistics.handlerCalls = _calls;
+            _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
-            if (_firstError != null)
+            if (_handlerErrors.length > 0)
             {
-                throw _firstError;
+                throw _handlerErrors[0];
             }
         }
 
-        private function findPairs(agents:Vector.<Agent>):void
+        private function findPairs(agents:Vector.<Agent>):Vector.<Agent>
         {
-            var selective:SelectiveCollisionSystem = _collisionSystem as SelectiveCollisionSystem;
+            var start:int = getTimer();
+            var system:CollisionSystem = _collisionSystem;
+            var selective:SelectiveCollisionSystem = system as SelectiveCollisionSystem;
+            var pairs:Vector.<Agent>;
+            // a client's system may return a vector of its own
             if (selective != null)
             {
-                selective.findCollisionsAmong(agents, _table.interests, _pairs);
-                _statistics.copyFrom(selective.statistics);
-                return;
+                pairs = selective.findCollisionsAmong(agents, _table.interests, _pairs);
             }
-            var start:int = getTimer();
-            _collisionSystem.findCollisions(agents, _pairs);
-            _statistics.reset();
+            else
+            {
+                pairs = system.findCollisions(agents, _pairs);
+            }
+            _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
-            _statistics.collisions = _pairs.length >> 1;
+            _statistics.collisions = pairs.length >> 1;
             _statistics.findMs = getTimer() - start;
+            return pairs;
         }
 
-        private function callHandlers(agents:Vector.<Agent>):void
+        private static function requireHandler(breed:String, otherBreed:String, handler:Function):void
         {
-            rememberPlaces(agents);
-            _pair = _direction = _handler = 0;
-            while (_pair < _pairs.length)
+            if (!breed || !otherBreed || handler == null)
             {
-                var calls:int = _calls;
-                try
-                {
-                    callTheRest(agents);
-                }
-                catch (error:Error)
-                {
-                    if (_calls == calls)
-                    {
-                        // not a handler's: it would come again
-                        throw error;
-                    }
-                    _firstError ||= error;
-                }
+                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + handler);
             }
-        }
-
-        // Calls handlers from where the fields say. They are one ahead when a handler runs: after one that throws it goes
-        // on with the next.
-        private function callTheRest(agents:Vector.<Agent>):void
-        {
-            var interests:BreedInterests = _table.interests;
-            for (; _pair < _pairs.length; _pair += 2)
-            {
-                var a:Agent = _pairs[_pair];
-                var b:Agent = _pairs[_pair + 1];
-                var breedA:int = interests.breedIndexOf(a);
-                var breedB:int = interests.breedIndexOf(b);
-                if (breedA >= 0 && breedB >= 0)
-                {
-                    if (_direction == 0)
-                    {
-                        callThoseOf(_table.handlersOf(breedA, breedB), a, b, agents);
-                        _direction = 1;
-                        _handler = 0;
-                    }
-                    callThoseOf(_table.handlersOf(breedB, breedA), b, a, agents);
-                }
-                _direction = _handler = 0;
-            }
-        }
-
-        private function callThoseOf(handlers:Vector.<Function>, collider:Agent, collidee:Agent, agents:Vector.<Agent>):void
-        {
-            if (handlers == null)
-            {
-                return;
-            }
-            var count:int = handlers.length;
-            while (_handler < count)
-            {
-                // mostly both still are where they were; a slot is less than the length that the list had
-                if (agents.length != _listLength || agents[collider.slot] !== collider || agents[collidee.slot] !== collidee)
-                {
-                    if (!isListed(collider, agents) || !isListed(collidee, agents))
-                    {
-                        return;
-                    }
-                }
-                var handler:Function = handlers[_handler];
-                _handler++;
-                _calls++;
-                handler(collider, collidee);
-            }
-        }
-
-        private function rememberPlaces(agents:Vector.<Agent>):void
-        {
-            _listLength = agents.length;
-            for (var i:int = 0; i < _listLength; i++)
-            {
-                agents[i].slot = i;
-            }
-        }
-
-        // Whether no handler has taken the agent out of the list; remembers where it is now.
-        private static function isListed(agent:Agent, agents:Vector.<Agent>):Boolean
-        {
-            var slot:int = agents.indexOf(agent);
-            agent.slot = slot < 0 ? 0 : slot;
-            return slot >= 0;
         }
     }
 }

@@ -12,6 +12,9 @@ package starlogo.collision
         /** function(collider:Agent, collidee:Agent):void */
         public var handler:Function;
 
+        /** Whether it was taken away, while others ran perhaps: then it is not called any more. */
+        public var isRemoved:Boolean = false;
+
         /** A handler of a pair of breeds. */
         public function CollisionHandler(breed:String, otherBreed:String, handler:Function)
         {

@@ -9,8 +9,11 @@ package starlogo.collision
         /** Agents in the list. */
         public var agents:int;
 
-        /** Agents that take part in no pair that anybody cares about, and were passed over. */
-        public var agentsPassedOver:int;
+        /** Agents that take part in no pair that anybody cares about, and were skipped. */
+        public var agentsSkipped:int;
+
+        /** Agents whose models are still loading: they collide with nothing yet. */
+        public var agentsLoading:int;
 
         /** Entries of agents in bins: an agent that reaches into four bins counts four times. */
         public var binEntries:int;
@@ -71,7 +74,7 @@ package starlogo.collision
         /** Sets every number to 0. */
         public function reset():void
         {
-            agents = agentsPassedOver = binEntries = candidatePairs = 0;
+            agents = agentsSkipped = agentsLoading = binEntries = candidatePairs = 0;
             sphereSphereTests = sphereCapsuleTests = sphereBoxTests = 0;
             capsuleCapsuleTests = capsuleBoxTests = boxBoxTests = 0;
             hierarchyTests = nodeVisits = triangleTests = 0;
@@ -82,7 +85,8 @@ package starlogo.collision
         public function copyFrom(other:CollisionStatistics):void
         {
             agents = other.agents;
-            agentsPassedOver = other.agentsPassedOver;
+            agentsSkipped = other.agentsSkipped;
+            agentsLoading = other.agentsLoading;
             binEntries = other.binEntries;
             candidatePairs = other.candidatePairs;
             sphereSphereTests = other.sphereSphereTests;

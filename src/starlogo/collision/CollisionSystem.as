@@ -25,5 +25,8 @@ package starlogo.collision
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; out is then unchanged
          */
         function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>;
+
+        /** What the last search did and cost; overwritten by the next. */
+        function get statistics():CollisionStatistics;
     }
 }

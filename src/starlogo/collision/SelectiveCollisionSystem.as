@@ -3,7 +3,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
 
     /**
-     * A collision system that tests only the pairs that somebody cares about, and counts what it does.
+     * A collision system that tests only the pairs that somebody cares about.
      */
     public interface SelectiveCollisionSystem extends CollisionSystem
     {
@@ -17,8 +17,5 @@ package starlogo.collision
          * @throws ArgumentError as findCollisions does
          */
         function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>;
-
-        /** What the last search cost; overwritten by the next. */
-        function get statistics():CollisionStatistics;
     }
 }

@@ -1,6 +1,5 @@
 package starlogo.diagnostics
 {
-    import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.collision.BreedInterests;
     import starlogo.collision.CollisionStatistics;
@@ -24,7 +23,6 @@ package starlogo.diagnostics
     public final class CollisionRecorder implements SelectiveCollisionSystem
     {
         private var _collisionSystem:CollisionSystem;
-        private var _ownStatistics:CollisionStatistics = new CollisionStatistics();
         private var _frames:int = 0;
         private var _collisions:Number = 0;
         private var _total:Histogram = new Histogram();
@@ -67,8 +65,7 @@ package starlogo.diagnostics
         /** @inheritDoc */
         public function get statistics():CollisionStatistics
         {
-            var selective:SelectiveCollisionSystem = _collisionSystem as SelectiveCollisionSystem;
-            return selective != null ? selective.statistics : _ownStatistics;
+            return _collisionSystem.statistics;
         }
 
         /** @inheritDoc */
@@ -80,9 +77,8 @@ package starlogo.diagnostics
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            var start:int = getTimer();
             out = _collisionSystem.findCollisions(agents, out);
-            count(agents, out, start);
+            record(out);
             return out;
         }
 
@@ -98,7 +94,7 @@ package starlogo.diagnostics
             {
                 return findCollisions(agents, out);
             }
-            selective.findCollisionsAmong(agents, interests, out);
+            out = selective.findCollisionsAmong(agents, interests, out);
             record(out);
             return out;
         }
@@ -139,18 +135,6 @@ package starlogo.diagnostics
         public function toText():String
         {
             return JSON.stringify(toObject(), null, 2);
-        }
-
-        private function count(agents:Vector.<Agent>, found:Vector.<Agent>, start:int):void
-        {
-            if (!(_collisionSystem is SelectiveCollisionSystem))
-            {
-                _ownStatistics.reset();
-                _ownStatistics.agents = agents.length;
-                _ownStatistics.collisions = found.length >> 1;
-                _ownStatistics.findMs = getTimer() - start;
-            }
-            record(found);
         }
 
         private function record(found:Vector.<Agent>):void

@@ -22,6 +22,9 @@ package starlogo.geometry
         /** The uniform scale, positive. */
         public var size:Number = 1;
 
+        /** For who keeps what depends on more than the position: counts the changes of that. */
+        public var extentsRevision:int = 0;
+
         /** Whether the rotation is the identity. */
         public var isUpright:Boolean = true;
 

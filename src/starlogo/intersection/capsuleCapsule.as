@@ -52,6 +52,14 @@ package starlogo.intersection
         // uu * s - uv * t + alongU = 0 and uv * s - vv * t + alongV = 0.
         var uu:Number = ux * ux + uy * uy + uz * uz;
         var vv:Number = vx * vx + vy * vy + vz * vz;
+        var longest:Number = uu > vv ? uu : vv;
+        if (longest > 1e140 || longest < 1e-140)
+        {
+            if (longest > 0)
+            {
+                return areCloseRescaled(a, b, Math.sqrt(longest));
+            }
+        }
         var uv:Number = ux * vx + uy * vy + uz * vz;
         var alongU:Number = ux * x + uy * y + uz * z;
         var alongV:Number = vx * x + vy * y + vz * z;
@@ -88,4 +96,27 @@ package starlogo.intersection
         var reach:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
         return x * x + y * y + z * z <= reach * reach;
     }
+}
+
+import flash.geom.Vector3D;
+import starlogo.bounding.Capsule;
+import starlogo.intersection.capsuleCapsule;
+
+/**
+ * The same for capsules so long or so short that products of four lengths would overflow or vanish: the longer one as a unit. It
+ * allocates, where nobody will ever notice.
+ */
+function areCloseRescaled(a:Capsule, b:Capsule, unit:Number):Boolean
+{
+    return capsuleCapsule(inUnits(a, a.start, unit), inUnits(b, a.start, unit));
+}
+
+function inUnits(capsule:Capsule, origin:Vector3D, unit:Number):Capsule
+{
+    return new Capsule(between(origin, capsule.start, unit), between(origin, capsule.end, unit), capsule.radius / unit);
+}
+
+function between(origin:Vector3D, point:Vector3D, unit:Number):Vector3D
+{
+    return new Vector3D((point.x - origin.x) / unit, (point.y - origin.y) / unit, (point.z - origin.z) / unit);
 }

@@ -37,6 +37,9 @@ package starlogo.libraries
          */
         public var keepAll:Boolean = false;
 
+        /** Another number whenever the structures under a name have been replaced or removed. */
+        engine var revision:int = 0;
+
         private var _cheaperTestsFactor:Number = 1;
         private var _orientedBoxFitter:OrientedBoxFitter;
         private var _shapes:Object = {};
@@ -170,7 +173,23 @@ package starlogo.libraries
         /** Stores what a build found; null for nothing. */
         engine function store(name:String, found:ShapeStructures):void
         {
-            _shapes[PREFIX + name] = found;
+            remove(name);
+            if (found != null)
+            {
+                _shapes[PREFIX + name] = found;
+            }
+        }
+
+        /** Forgets a shape; returns whether it was there. */
+        engine function remove(name:String):Boolean
+        {
+            if (!has(name))
+            {
+                return false;
+            }
+            delete _shapes[PREFIX + name];
+            revision++;
+            return true;
         }
 
         private function find(name:String):ShapeStructures

@@ -51,7 +51,7 @@ package starlogo.libraries
          * Whether what exact colliders need of a model's triangles is prepared when the model is added, rather than when an
          * exact collider, or one of models that are close, first meets the model. Then a load takes longer, and no frame does.
          */
-        engine var prepareExact:Boolean = false;
+        public var prepareExact:Boolean = false;
 
         /** Changes whenever what is stored under a name is replaced or removed: what was kept of it is void. */
         engine var revision:int = 0;

@@ -6,7 +6,10 @@ package starlogo.agents
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import evaluation.pairs.SeededRandom;
+    import starlogo.engine;
     import support.assertThrows;
+
+    use namespace engine;
 
     public class AgentTest
     {
@@ -124,6 +127,10 @@ package starlogo.agents
                 {
                     new Agent(null);
                 });
+            assertThrows(ArgumentError, /shape must be a name, not ""$/, function():void
+                {
+                    new Agent("");
+                });
             assertThrows(ArgumentError, /breed/, function():void
                 {
                     new Agent("bear", "");
@@ -131,6 +138,120 @@ package starlogo.agents
             var agent:Agent = new Agent("bear");
             assertThrows(ArgumentError, /shape/, set , agent, "shape", "");
             assertEquals("bear", agent.shape);
+        }
+
+        [Test]
+        public function coordinatesAndSizesHaveLimits():void
+        {
+            var agent:Agent = new Agent("bear", "bears");
+            agent.moveTo(1, 2, 3);
+            for each (var trait:String in ["x", "y", "z"])
+            {
+                for each (var value:Number in [1e121, -1e121, 1e160, 1e308, -1e308])
+                {
+                    assertThrows(RangeError, new RegExp("agent " + agent.id + ".*: " + trait + " must be between -1e\\+120 and 1e\\+120"), set , agent, trait, value);
+                }
+            }
+            assertThrows(RangeError, /: x must be.*1e\+308/, agent.moveTo, 1e308, 1e308, 0);
+            assertThrows(RangeError, /: z must be.*-1e\+200/, agent.moveTo, 0, 0, -1e200);
+            for each (value in [1e121, 1e160, 1e308, 8e307, 1e-121, 1e-300, Number.MIN_VALUE])
+            {
+                assertThrows(RangeError, new RegExp("agent " + agent.id + ".*: size must be between 1e-120 and 1e\\+120"), set , agent, "size", value);
+            }
+            assertEquals("1 2 3 1", [agent.x, agent.y, agent.z, agent.size].join(" "));
+            agent.moveTo(1e120, -1e120, 1e120);
+            agent.size = 1e120;
+            assertEquals("1e+120 -1e+120 1e+120 1e+120", [agent.x, agent.y, agent.z, agent.size].join(" "));
+            agent.size = 1e-120;
+            assertEquals(1e-120, agent.size);
+        }
+
+        [Test]
+        public function aValueThatItHasAlreadyChangesNothing():void
+        {
+            var agent:Agent = new Agent("bear", "bears");
+            var values:Object = {shape: "bear", breed: "bears", x: 1, y: 2, z: 3, heading: 4, pitch: 5, roll: 6, size: 7, hierarchical: true, traversalDepth: 8};
+            for (var trait:String in values)
+            {
+                agent[trait] = values[trait];
+            }
+            var record:AgentRecord = new AgentRecord(agent, new CacheToken());
+            record.breedToken = record;
+            agent.addRecord(record);
+            var revisions:String = agent.revision + " " + agent.placement.extentsRevision;
+            for (trait in values)
+            {
+                agent[trait] = values[trait];
+                assertEquals(trait, revisions, agent.revision + " " + agent.placement.extentsRevision);
+            }
+            agent.moveTo(1, 2, 3);
+            assertEquals("moveTo", revisions, agent.revision + " " + agent.placement.extentsRevision);
+            assertTrue("breed", record.breedToken === record);
+        }
+
+        [Test]
+        public function everyChangeIsCounted():void
+        {
+            var agent:Agent = new Agent("bear", "bears");
+            var record:AgentRecord = new AgentRecord(agent, new CacheToken());
+            record.breedToken = record;
+            agent.addRecord(record);
+            var moves:Object = {x: 1, y: 2, z: 3};
+            var others:Object = {shape: "ball", heading: 4, pitch: 5, roll: 6, size: 7, hierarchical: true, traversalDepth: 8};
+            for (var trait:String in moves)
+            {
+                var revision:int = agent.revision;
+                var extentsRevision:int = agent.placement.extentsRevision;
+                agent[trait] = moves[trait];
+                assertEquals(trait, revision + 1, agent.revision);
+                assertEquals(trait, extentsRevision, agent.placement.extentsRevision);
+            }
+            agent.moveTo(1, 2, 4);
+            assertEquals("moveTo", revision + 2, agent.revision);
+            for (trait in others)
+            {
+                revision = agent.revision;
+                extentsRevision = agent.placement.extentsRevision;
+                agent[trait] = others[trait];
+                assertEquals(trait, revision + 1, agent.revision);
+                assertEquals(trait, extentsRevision + 1, agent.placement.extentsRevision);
+            }
+            assertTrue(record.breedToken === record);
+            agent.breed = "balls";
+            assertEquals("looked up anew", null, record.breedToken);
+        }
+
+        [Test]
+        public function recordsOfUsersThatAreGoneAreDropped():void
+        {
+            var agent:Agent = new Agent("bear");
+            var kept:CacheToken = new CacheToken();
+            var gone:CacheToken = new CacheToken();
+            var revoked:CacheToken = new CacheToken();
+            agent.addRecord(new AgentRecord(agent, kept));
+            agent.addRecord(new AgentRecord(agent, gone));
+            agent.addRecord(new AgentRecord(agent, revoked));
+            assertEquals(3, countRecords(agent));
+            revoked.revoke();
+            for (var i:int = 0; i < 3000; i++)
+            {
+                kept.noteUse();
+            }
+            assertFalse(kept.isStale);
+            assertTrue(gone.isStale && revoked.isStale);
+            agent.addRecord(new AgentRecord(agent, new CacheToken()));
+            assertEquals("the kept and the new", 2, countRecords(agent));
+            assertTrue(agent.records.next.cacheToken === kept);
+        }
+
+        private static function countRecords(agent:Agent):int
+        {
+            var count:int = 0;
+            for (var record:AgentRecord = agent.records; record != null; record = record.next)
+            {
+                count++;
+            }
+            return count;
         }
 
         private static function set (agent:Agent, trait:String, value:*):void

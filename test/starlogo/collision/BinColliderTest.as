@@ -283,7 +283,7 @@ package starlogo.collision
             _collider.findCollisions(agents);
             var statistics:CollisionStatistics = _collider.statistics;
             assertEquals(4, statistics.agents);
-            assertEquals(0, statistics.agentsPassedOver);
+            assertEquals(0, statistics.agentsSkipped);
             assertEquals(4, statistics.binEntries);
             assertEquals(3, statistics.candidatePairs);
             assertEquals(3, statistics.sphereSphereTests);

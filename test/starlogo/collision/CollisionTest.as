@@ -74,7 +74,7 @@ package starlogo.collision
             _collision.update(_agents);
             assertEquals("ball and bear, ball and two walls", 3, _collision.statistics.tests);
             assertEquals(3, _collision.statistics.candidatePairs);
-            assertEquals("the cloud", 1, _collision.statistics.agentsPassedOver);
+            assertEquals("the cloud", 1, _collision.statistics.agentsSkipped);
             assertEquals(3, _collision.statistics.handlerCalls);
             assertEquals(5, _collision.statistics.agents);
         }
@@ -86,7 +86,7 @@ package starlogo.collision
             add("bears", 0);
             _collision.update(_agents);
             assertEquals(0, _collision.statistics.tests);
-            assertEquals(2, _collision.statistics.agentsPassedOver);
+            assertEquals(2, _collision.statistics.agentsSkipped);
         }
 
         [Test]

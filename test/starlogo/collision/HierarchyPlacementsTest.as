@@ -5,6 +5,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.bounding.BoundingStructure;
     import starlogo.models.Model;
+    import support.Effort;
     import support.PlacementTally;
     import support.PlacementVectors;
     import support.RealModels;
@@ -96,7 +97,8 @@ package starlogo.collision
             collider.exact = true;
             var wrong:Array = [];
             var inside:int = 0;
-            for (var i:int = 0; i < sVectors.count; i++)
+            var every:int = Effort.choose(5, 1);
+            for (var i:int = 0; i < sVectors.count; i += every)
             {
                 sVectors.read(i);
                 var isHit:Boolean = collider.areColliding(sVectors.a, sVectors.b);
@@ -107,9 +109,9 @@ package starlogo.collision
                 }
                 inside += isHit && sVectors.isInside ? 1 : 0;
             }
-            trace("  exact: " + sVectors.count + " pairs, " + wrong.length + " wrong, " + inside + " inside of a closed model");
+            trace("  exact: " + int(sVectors.count / every) + " pairs, " + wrong.length + " wrong, " + inside + " inside of a closed model");
             assertEquals(wrong.slice(0, 10).join("; "), 0, wrong.length);
-            assertTrue("many are inside", inside > 500);
+            assertTrue("many are inside", inside > 500 / every);
         }
 
         [Test(order="8")]
@@ -122,7 +124,8 @@ package starlogo.collision
         private static function checkKind(kind:int, name:String):void
         {
             var collider:HierarchicalCollider = new HierarchicalCollider(load(true, 10, kind));
-            for each (var depth:int in [5, 10])
+            // what the first levels miss, deeper ones miss too
+            for each (var depth:int in Effort.isFull ? [5, 10] : [10])
             {
                 collider.maxDepth = depth;
                 assertEquals("missed at depth " + depth, 0, tallyOf(name + ", depth " + depth, collider).missed);
@@ -142,7 +145,7 @@ package starlogo.collision
             return greatLand;
         }
 
-        private static function tallyOf(name:String, collider:BinCollider):PlacementTally
+        private static function tallyOf(name:String, collider:CollisionSystem):PlacementTally
         {
             var tally:PlacementTally = new PlacementTally(name);
             for (var i:int = 0; i < sVectors.count; i++)

@@ -45,7 +45,7 @@ package starlogo.collision
             assertTrue("the unit sphere is no bounding structure", score.missed > 0);
         }
 
-        private static function scoreOf(collider:BinCollider):Score
+        private static function scoreOf(collider:CollisionSystem):Score
         {
             var vectors:PlacementVectors = new PlacementVectors();
             var score:Score = new Score();

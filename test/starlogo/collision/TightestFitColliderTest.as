@@ -12,6 +12,7 @@ package starlogo.collision
     import support.BruteForce;
     import support.RandomWorlds;
     import evaluation.pairs.SeededRandom;
+    import support.TransformedStructure;
     import support.assertThrows;
 
     public class TightestFitColliderTest
@@ -133,12 +134,81 @@ package starlogo.collision
         {
             compareWithBruteForce(sThorough, "scattered", 209);
             var collider:TightestFitCollider = new TightestFitCollider(sThorough);
-            // a pole across the corner of a wall's extents: the extents overlap, the spheres don't
-            var walls:Vector.<Agent> = new <Agent>[agentAt("wall", 0, 0, 0), agentAt("wall", 1.7, 1.7, 0)];
-            walls[0].heading = walls[1].heading = -45;
+        }
+
+        // Far from the origin, where spheres and capsules that were never moved would meet each other.
+        [Test]
+        public function preliminaryTestsSpareBoxTests():void
+        {
+            // two plates on the ground, turned by 45 degrees, corner to corner
+            var walls:Vector.<Agent> = new <Agent>[agentAt("wall", 500, 300, 7), agentAt("wall", 501.8, 301.8, 7)];
+            walls[0].roll = walls[1].roll = 90;
+            walls[0].heading = walls[1].heading = 45;
+            var collider:TightestFitCollider = new TightestFitCollider(sThorough);
+            assertEquals("their extents overlap, the spheres don't", "1 0 0", testsOf(collider, walls));
+            collider.structureTests.spheresFirst = false;
+            assertEquals("0 0 1", testsOf(collider, walls));
+            collider.structureTests.capsulesFirst = true;
+            assertEquals("the capsules don't either", "0 1 0", testsOf(collider, walls));
+            // upright, one close behind the other
+            walls[0].roll = walls[1].roll = 0;
             walls[0].size = walls[1].size = 3;
-            collider.findCollisions(walls);
-            assertEquals(1, collider.statistics.sphereSphereTests);
+            walls[1].moveTo(499.78, 300.22, 7);
+            collider.structureTests.spheresFirst = true;
+            assertEquals("1 1 1", testsOf(collider, walls));
+            assertEquals(0, collider.statistics.collisions);
+            walls[1].moveTo(499.95, 300.05, 7);
+            assertEquals("1 1 1", testsOf(collider, walls));
+            assertEquals(1, collider.statistics.collisions);
+            var poleAndWall:Vector.<Agent> = new <Agent>[agentAt("pole", 500.3, 300, 7), walls[0]];
+            collider.findCollisions(poleAndWall);
+            assertEquals("one of them is a box", "1 1 1", [collider.statistics.sphereSphereTests, collider.statistics.capsuleCapsuleTests, collider.statistics.capsuleBoxTests].join(" "));
+        }
+
+        [Test]
+        public function preliminaryCapsulesChangeNoAnswer():void
+        {
+            compareWithBruteForce(sThorough, "scattered", 211, function(tests:StructureTests):void
+                {
+                    tests.capsulesFirst = true;
+                });
+        }
+
+        // Two unit cubes, one standing on an edge, its edge along x; the other turned about z: they pass each other edge to edge.
+        [Test]
+        public function facesOnlyIsConservative():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.cube());
+            var exact:TightestFitCollider = new TightestFitCollider(greatLand);
+            var faces:TightestFitCollider = new TightestFitCollider(greatLand);
+            faces.structureTests.boxFacesOnly = true;
+            var random:SeededRandom = new SeededRandom(212);
+            var hits:int = 0;
+            var falseHits:int = 0;
+            for (var i:int = 0; i < 4000; i++)
+            {
+                var a:Agent = agentAt("cube", 0, 0, 0);
+                var b:Agent = agentAt("cube", random.between(-1.5, 1.5), random.between(-1.5, 1.5), random.between(-1.5, 1.5));
+                for each (var agent:Agent in [a, b])
+                {
+                    agent.heading = random.between(0, 360);
+                    agent.pitch = random.between(0, 360);
+                    agent.roll = random.between(0, 360);
+                }
+                if (exact.areColliding(a, b))
+                {
+                    hits++;
+                    assertTrue("nothing is missed", faces.areColliding(a, b));
+                }
+                else if (faces.areColliding(a, b))
+                {
+                    falseHits++;
+                }
+            }
+            trace("  faces only: " + hits + " collide of 4000, " + falseHits + " more are said to");
+            assertTrue(hits > 1000 && hits < 3000);
+            assertTrue("but some are found too many", falseHits > 10 && falseHits < 400);
         }
 
         [Test]
@@ -168,10 +238,14 @@ package starlogo.collision
         }
 
         // The reference puts clones through scale, rotate and translate, one pair at a time, and has no bins.
-        private function compareWithBruteForce(greatLand:GreatLand, kind:String, seed:uint):void
+        private function compareWithBruteForce(greatLand:GreatLand, kind:String, seed:uint, configure:Function = null):void
         {
             var random:SeededRandom = new SeededRandom(seed);
             var collider:TightestFitCollider = new TightestFitCollider(greatLand);
+            if (configure != null)
+            {
+                configure(collider.structureTests);
+            }
             var collisions:int = 0;
             var possible:int = 0;
             var boxTests:int = 0;
@@ -211,9 +285,14 @@ package starlogo.collision
 
         private static function worldStructure(greatLand:GreatLand, agent:Agent):BoundingStructure
         {
-            var structure:BoundingStructure = greatLand.boundingStructures.tightestFit(agent.shape).clone();
-            structure.place(placementOf(agent), structure);
-            return structure;
+            return TransformedStructure.of(greatLand.boundingStructures.tightestFit(agent.shape), agent);
+        }
+
+        private static function testsOf(collider:TightestFitCollider, agents:Vector.<Agent>):String
+        {
+            collider.findCollisions(agents);
+            var statistics:CollisionStatistics = collider.statistics;
+            return [statistics.sphereSphereTests, statistics.capsuleCapsuleTests, statistics.boxBoxTests].join(" ");
         }
 
         private static function agentAt(shape:String, x:Number, y:Number, z:Number):Agent
@@ -250,19 +329,4 @@ package starlogo.collision
             return new Model("pole", vertices);
         }
     }
-}
-
-import starlogo.agents.Agent;
-import starlogo.geometry.Placement;
-
-/** The agent's placement from its traits alone. */
-function placementOf(agent:Agent):Placement
-{
-    var placement:Placement = new Placement();
-    placement.x = agent.x;
-    placement.y = agent.y;
-    placement.z = agent.z;
-    placement.size = agent.size;
-    placement.setRotation(agent.heading, agent.pitch, agent.roll);
-    return placement;
 }

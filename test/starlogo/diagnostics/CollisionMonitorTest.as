@@ -2,7 +2,9 @@ package starlogo.diagnostics
 {
     import flash.display.Sprite;
     import flash.events.Event;
+    import flash.events.KeyboardEvent;
     import flash.text.TextField;
+    import flash.ui.Keyboard;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -12,6 +14,7 @@ package starlogo.diagnostics
     import starlogo.collision.Collision;
     import starlogo.engine;
     import evaluation.EveryPairSystem;
+    import support.TestStage;
     import support.assertThrows;
 
     use namespace engine;
@@ -29,6 +32,15 @@ package starlogo.diagnostics
             _collision = new Collision(new EveryPairSystem());
             _collision.onCollision("turtles", "turtles", ignore);
             _monitor = new CollisionMonitor(_collision);
+        }
+
+        [After]
+        public function takeAway():void
+        {
+            if (_monitor.stage != null)
+            {
+                _monitor.stage.removeChild(_monitor);
+            }
         }
 
         [Test]
@@ -76,6 +88,70 @@ package starlogo.diagnostics
         }
 
         [Test]
+        public function theKeyHidesAndShowsIt():void
+        {
+            TestStage.stage.addChild(_monitor);
+            press(Keyboard.BACKQUOTE);
+            assertFalse("hidden", _monitor.isShown || _monitor.visible);
+            press(Keyboard.SPACE);
+            assertFalse("another key", _monitor.isShown);
+            press(Keyboard.BACKQUOTE);
+            assertTrue("shown", _monitor.isShown && _monitor.visible);
+            _monitor.toggleKey = Keyboard.F2;
+            press(Keyboard.BACKQUOTE);
+            assertTrue("the key is another now", _monitor.isShown);
+            press(Keyboard.F2);
+            assertFalse(_monitor.isShown);
+        }
+
+        [Test]
+        public function takenOffTheStageItHearsNoKey():void
+        {
+            TestStage.stage.addChild(_monitor);
+            TestStage.stage.removeChild(_monitor);
+            press(Keyboard.BACKQUOTE);
+            assertTrue(_monitor.isShown);
+            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
+        }
+
+        [Test]
+        public function shownItTakesInEveryFrame():void
+        {
+            TestStage.stage.addChild(_monitor);
+            _collision.update(Scenes.crowd(3, "spheres").agents);
+            playOnStage(REFRESH_FRAMES);
+            assertEquals("3", valueOf("agents"));
+        }
+
+        [Test]
+        public function hiddenItTakesInNoFrame():void
+        {
+            TestStage.stage.addChild(_monitor);
+            _collision.update(Scenes.crowd(3, "spheres").agents);
+            playOnStage(REFRESH_FRAMES - 1);
+            press(Keyboard.BACKQUOTE);
+            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
+            playOnStage(REFRESH_FRAMES);
+            assertEquals("no number", "", valueOf("agents"));
+            press(Keyboard.BACKQUOTE);
+            playOnStage(REFRESH_FRAMES - 1);
+            assertEquals("it starts anew", "", valueOf("agents"));
+            playOnStage(1);
+            assertEquals("3", valueOf("agents"));
+        }
+
+        [Test]
+        public function hiddenBeforeItIsOnTheStageItStaysSo():void
+        {
+            _monitor.isShown = false;
+            TestStage.stage.addChild(_monitor);
+            assertFalse(_monitor.visible);
+            assertFalse(_monitor.hasEventListener(Event.ENTER_FRAME));
+            press(Keyboard.BACKQUOTE);
+            assertTrue(_monitor.hasEventListener(Event.ENTER_FRAME));
+        }
+
+        [Test]
         public function offTheStageItDoesNothing():void
         {
             var parent:Sprite = new Sprite();
@@ -97,7 +173,21 @@ package starlogo.diagnostics
                 });
         }
 
-        // Frames as the player sends them to what is on the stage, where a test is not.
+        private static function press(keyCode:uint):void
+        {
+            TestStage.stage.dispatchEvent(new KeyboardEvent(KeyboardEvent.KEY_DOWN, true, false, 0, keyCode));
+        }
+
+        // Frames as the player sends them to what is on the stage; no frame of its own passes during a test.
+        private function playOnStage(frames:int):void
+        {
+            for (var i:int = 0; i < frames; i++)
+            {
+                _monitor.dispatchEvent(new Event(Event.ENTER_FRAME));
+            }
+        }
+
+        // Frames without a stage.
         private function play(frames:int):void
         {
             for (var i:int = 0; i < frames; i++)

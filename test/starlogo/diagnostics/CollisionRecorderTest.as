@@ -1,6 +1,7 @@
 package starlogo.diagnostics
 {
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
@@ -45,6 +46,8 @@ package starlogo.diagnostics
             assertEquals(2, record.breeds.length);
             assertEquals("cats and dogs come first, having collided most", "cats,dogs", record.breeds[0].breeds);
             assertEquals(3, record.breeds[0].collisions);
+            assertEquals("of all frames, not only those with a collision", 0.75, record.breeds[0].mean);
+            assertEquals(2, record.breeds[0].most);
             assertEquals('[[0,2],[1,1],[2,1]]', pairs(record.breeds[0].histogram));
             assertEquals('[[0,3],[1,1]]', pairs(record.breeds[1].histogram));
         }
@@ -71,6 +74,19 @@ package starlogo.diagnostics
                 recorder.findCollisions(Scenes.crowd(count, "spheres").agents);
             }
             assertEquals('[[15,1],[17,2],[34,2],[68,1]]', pairs(recorder.toObject().histogram));
+        }
+
+        [Test]
+        public function classesBeginAboveSixteenAndWhereTheyDouble():void
+        {
+            var system:CountedPairs = new CountedPairs();
+            var recorder:CollisionRecorder = new CollisionRecorder(system);
+            for each (system.count in [0, 16, 17, 33, 34, 67, 68, 1000])
+            {
+                recorder.findCollisions(new Vector.<Agent>());
+            }
+            assertEquals('[[0,1],[16,1],[17,2],[34,2],[68,1],[544,1]]', pairs(recorder.toObject().histogram));
+            assertEquals(1000, recorder.toObject().most);
         }
 
         [Test]
@@ -106,6 +122,10 @@ package starlogo.diagnostics
             var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider(_greatLand));
             assertEquals(plain.findCollisions(scene.agents).join(), recorder.findCollisions(scene.agents).join());
             assertTrue(recorder.areColliding(new Agent("sphere"), new Agent("sphere")));
+            var far:Agent = new Agent("sphere");
+            far.moveTo(20, 0, 0);
+            assertFalse(recorder.areColliding(new Agent("sphere"), far));
+            assertEquals("what is asked is no frame", 1, recorder.frames);
         }
 
         [Test]
@@ -116,7 +136,7 @@ package starlogo.diagnostics
             collision.onCollision("cats", "dogs", ignore);
             collision.update(new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs"), new Agent("sphere", "mice")]);
             assertEquals("mice are nobody's concern", 1, recorder.collisions);
-            assertEquals(1, collision.statistics.agentsPassedOver);
+            assertEquals(1, collision.statistics.agentsSkipped);
             assertEquals(1, collision.statistics.collisions);
             assertTrue(collision.statistics.sphereSphereTests > 0);
         }
@@ -131,6 +151,9 @@ package starlogo.diagnostics
             assertEquals(6, recorder.collisions);
             assertEquals(6, collision.statistics.collisions);
             assertEquals(4, collision.statistics.agents);
+            collision.update(Scenes.crowd(3, "spheres").agents);
+            assertEquals("of the last frame", 3, collision.statistics.collisions);
+            assertEquals(3, collision.statistics.agents);
         }
 
         [Test]
@@ -140,6 +163,20 @@ package starlogo.diagnostics
             recorder.findCollisions(Scenes.crowd(4, "spheres").agents);
             recorder.clear();
             assertEquals('{"breeds":[],"collisions":0,"frames":0,"histogram":[],"mean":0,"most":0}', sortedText(recorder.toObject()));
+            recorder.findCollisions(Scenes.crowd(3, "spheres").agents);
+            assertEquals("and begins anew", '[[3,1]]', pairs(recorder.toObject().histogram));
+            assertEquals(1, recorder.toObject().breeds.length);
+            assertEquals(3, recorder.toObject().breeds[0].collisions);
+        }
+
+        [Test]
+        public function timesASystemOfSomebodyElses():void
+        {
+            var system:CountedPairs = new CountedPairs();
+            system.ms = 5;
+            var recorder:CollisionRecorder = new CollisionRecorder(system);
+            recorder.findCollisions(new Vector.<Agent>());
+            assertTrue(recorder.statistics.findMs + " ms", recorder.statistics.findMs >= 4);
         }
 
         [Test]
@@ -182,5 +219,38 @@ package starlogo.diagnostics
         private static function ignore(collider:Agent, collidee:Agent):void
         {
         }
+    }
+}
+
+import flash.utils.getTimer;
+import starlogo.agents.Agent;
+import starlogo.collision.CollisionSystem;
+
+/** Finds as many pairs as it is told, in as many milliseconds. */
+class CountedPairs implements CollisionSystem
+{
+    public var count:int = 0;
+    public var ms:int = 0;
+
+    public function areColliding(a:Agent, b:Agent):Boolean
+    {
+        return true;
+    }
+
+    public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+    {
+        var end:int = getTimer() + ms;
+        var now:int = 0;
+        while (now < end)
+        {
+            now = getTimer();
+        }
+        out = new Vector.<Agent>();
+        var agent:Agent = new Agent("sphere");
+        for (var i:int = 0; i < count; i++)
+        {
+            out.push(agent, agent);
+        }
+        return out;
     }
 }

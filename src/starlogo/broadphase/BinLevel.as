@@ -1,9 +1,11 @@
-package starlogo.collision
+package starlogo.broadphase
 {
     /**
      * The bins of one width: a hash table of lists, one list a bin or, now and then, a few bins.
+     *
+     * @private
      */
-    internal final class BinLevel
+    public final class BinLevel
     {
         /** How far out a level reaches, in bins. */
         public static const REACH:Number = 1 << 28;
@@ -17,10 +19,10 @@ package starlogo.collision
         /** Bins in a patch. */
         public var perWidth:Number;
 
-        /** Its bodies are at most this large: half the larger side of the rectangle, a quarter of a bin. */
+        /** Its proxies are at most this large: half the larger side of the rectangle, a quarter of a bin. */
         public var largestHalf:Number;
 
-        /** Its bodies are larger than this. */
+        /** Its proxies are larger than this. */
         public var tooSmallHalf:Number;
 
         /**
@@ -30,13 +32,13 @@ package starlogo.collision
         public var reachSquared:Number;
 
         /**
-         * How much wider a body's rectangle is made on each side, in patches: more than rounding comes to anywhere in
-         * the level's reach, so that bodies that just touch share a bin. More makes more entries and candidates.
+         * How much wider a proxy's rectangle is made on each side, in patches: more than rounding comes to anywhere in
+         * the level's reach, so that proxies that just touch share a bin. More makes more entries and candidates.
          */
         public var padding:Number;
 
         /** The first entry of each list, or null. */
-        public var heads:Vector.<BinEntry> = new Vector.<BinEntry>();
+        internal var heads:Vector.<BinEntry> = new Vector.<BinEntry>();
 
         /** The bin at a column and row has its list at <code>(row * stride + column) & mask</code>. */
         public var mask:int;
@@ -44,10 +46,10 @@ package starlogo.collision
         /** @copy #mask */
         public var stride:int;
 
-        /** The bodies of this level. */
-        public var bodies:Vector.<Body> = new Vector.<Body>();
+        /** The proxies of this level. */
+        public var proxies:Vector.<AgentProxy> = new Vector.<AgentProxy>();
 
-        /** How many bodies there are in this frame. */
+        /** How many of them there are in this search. */
         public var count:int = 0;
 
         /**
@@ -63,11 +65,11 @@ package starlogo.collision
             reachSquared = width * width * REACH * REACH;
         }
 
-        /** Empties the bins, with room for the bodies. */
+        /** Empties the bins, with room for the proxies. */
         public function clearBins():void
         {
-            // bodies that have left the game are not held on to
-            bodies.length = count;
+            // agents that have left the game are not held on to
+            proxies.length = count;
             heads.length = 0;
             if (count == 0)
             {

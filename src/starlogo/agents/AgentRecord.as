@@ -1,0 +1,36 @@
+package starlogo.agents
+{
+    /**
+     * What a user of agents keeps with one of them from frame to frame: a link of the agent's chain of records, one for each
+     * user. Plain fields, because the loops over all agents read them.
+     *
+     * @private
+     */
+    public class AgentRecord
+    {
+        /** Whose record it is. */
+        public var agent:Agent;
+
+        /** The user's. A record with another token is somebody else's, or void. */
+        public var cacheToken:CacheToken;
+
+        /** The next record of the agent, or null. */
+        public var next:AgentRecord = null;
+
+        /** Who looked up the breed for this record last; null when the agent has changed it. */
+        public var breedToken:Object = null;
+
+        /** What was found for the breed. */
+        public var breedIndex:int;
+
+        /**
+         * @param agent whose record it is
+         * @param cacheToken the user's
+         */
+        public function AgentRecord(agent:Agent, cacheToken:CacheToken)
+        {
+            this.agent = agent;
+            this.cacheToken = cacheToken;
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package starlogo.broadphase
+{
+    import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
+    import starlogo.agents.CacheToken;
+
+    /**
+     * An agent as the broad phase sees it: its extents in the world, and its place in the bins. Plain fields, because the
+     * inner loops of a frame read them.
+     *
+     * @private
+     */
+    public class AgentProxy extends AgentRecord
+    {
+        /** The agent's revision that the extents belong to. */
+        public var revision:int = -1;
+
+        /** The placement's extentsRevision that they belong to. */
+        public var extentsRevision:int = -1;
+
+        /** The middle of the extents. */
+        public var x:Number;
+
+        /** @copy #x */
+        public var y:Number;
+
+        /** @copy #x */
+        public var z:Number;
+
+        /** Half the extent along x; a sphere's radius. */
+        public var halfX:Number;
+
+        /** Half the extent along y. */
+        public var halfY:Number;
+
+        /** Half the extent along z. */
+        public var halfZ:Number;
+
+        /** Whether what collides is the sphere in these numbers: spares the most common test a call. */
+        public var isSphere:Boolean = false;
+
+        /** The ground rectangle while the proxy is in the bins, padded: the least x. */
+        public var minX:Number;
+
+        /** The largest x. */
+        public var maxX:Number;
+
+        /** The least y. */
+        public var minY:Number;
+
+        /** The largest y. */
+        public var maxY:Number;
+
+        /** The level of the bins that it is entered in; null until Bins have assigned one. */
+        public var level:BinLevel = null;
+
+        /** The agent's index in the list of this search. */
+        public var listIndex:int;
+
+        /** The search that last met the agent in its list: finds one that is listed twice. */
+        public var search:int = 0;
+
+        /**
+         * @param agent whose proxy it is
+         * @param cacheToken that of the user who keeps it
+         */
+        public function AgentProxy(agent:Agent, cacheToken:CacheToken)
+        {
+            super(agent, cacheToken);
+        }
+    }
+}

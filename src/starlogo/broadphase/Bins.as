@@ -1,0 +1,291 @@
+package starlogo.broadphase
+{
+    /**
+     * The bins of the ground plane: finds the pairs of proxies whose ground rectangles overlap (thesis §3.7).
+     *
+     * <p>A proxy is entered in every bin that its rectangle touches. Bins come in levels (a hierarchical grid: Ericson,
+     * Real-Time Collision Detection, §7.2): those of a level are squares, their borders at the multiples of their
+     * width, a power of two that is at least twice as wide as the level's widest proxies and less than four times. So a
+     * proxy is in at most four bins of its own level, whatever its size. A unit sphere's bins are 2 wide: one at (1, 1)
+     * is in one bin, one at the origin in four (§6.1). A proxy also looks into the bins of the coarser levels, where the
+     * larger proxies are.</p>
+     *
+     * <p>A pair that shares several bins is reported in just one: that of the later of the two columns, and the later of
+     * the two rows, where their rectangles begin (Tsitsigkos, Lampropoulos, Bouros, Mamoulis and Terrovitis, "A two-layer
+     * partitioning for non-point spatial data", ICDE 2021). The bins are lists in a hash table, whose size goes with the
+     * number of proxies and not with that of the world. Bins far from each other may fall into one list, which only costs
+     * time; bins that one pair can reach never do.</p>
+     *
+     * <p>Bins know nothing of what their user does with the pairs. A search is: <code>clear()</code>, <code>add()</code> for
+     * each proxy, whose extents are up to date and whose level is assigned, <code>findPairs()</code>. It takes time in
+     * proportion to the proxies and the pairs that overlap, memory in proportion to the proxies, and allocates nothing once
+     * it has run.</p>
+     *
+     * @private
+     */
+    public final class Bins
+    {
+        // A point at the origin asks for no width at all.
+        private static const MIN_WIDTH:Number = 1e-300;
+
+        /** Pairs that were handed over, in the last search. */
+        public var pairCount:int;
+
+        // The entries of all bins, and how many of them this search has used: they are used anew by each.
+        private var _entries:Vector.<BinEntry> = new Vector.<BinEntry>();
+        private var _entryCount:int = 0;
+
+        // From the coarsest to the finest. They stay, since proxies remember theirs.
+        private var _levels:Vector.<BinLevel> = new Vector.<BinLevel>();
+
+        /** No bins yet. */
+        public function Bins()
+        {
+        }
+
+        /** Entries in bins, in the last search. */
+        public function get entryCount():int
+        {
+            return _entryCount;
+        }
+
+        /** Begins a search: no proxy is added yet. */
+        public function clear():void
+        {
+            for (var i:int = 0; i < _levels.length; i++)
+            {
+                _levels[i].count = 0;
+            }
+        }
+
+        /** Adds a proxy to this search. */
+        public function add(proxy:AgentProxy):void
+        {
+            var level:BinLevel = proxy.level;
+            level.proxies[level.count] = proxy;
+            level.count++;
+        }
+
+        /** Gives a proxy the level that its extents and its distance from the world's origin ask for. */
+        public function assignLevel(proxy:AgentProxy):void
+        {
+            var half:Number = proxy.halfX;
+            if (proxy.halfY > half)
+            {
+                half = proxy.halfY;
+            }
+            var level:BinLevel = proxy.level;
+            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || isBeyondReach(proxy))
+            {
+                var distance:Number = Math.abs(proxy.x) + Math.abs(proxy.y);
+                proxy.level = levelFor(Math.max(4 * half, 2 * distance / BinLevel.REACH, MIN_WIDTH));
+            }
+        }
+
+        /** Whether a proxy that has a level has moved farther out than the level reaches. */
+        public function isBeyondReach(proxy:AgentProxy):Boolean
+        {
+            return proxy.x * proxy.x + proxy.y * proxy.y >= proxy.level.reachSquared;
+        }
+
+        /** Finds the pairs whose rectangles overlap and hands each to the sink once. */
+        public function findPairs(sink:PairSink):void
+        {
+            pairCount = 0;
+            _entryCount = 0;
+            for (var i:int = 0; i < _levels.length; i++)
+            {
+                var level:BinLevel = _levels[i];
+                level.clearBins();
+                if (level.count == 0)
+                {
+                    continue;
+                }
+                for (var coarser:int = 0; coarser < i; coarser++)
+                {
+                    if (_levels[coarser].count > 0)
+                    {
+                        collidePairs(level, _levels[coarser], sink);
+                    }
+                }
+                makeRoom(4 * level.count);
+                collidePairs(level, level, sink);
+            }
+            forgetUnused();
+        }
+
+        /** Whether a proxy is reachable from here: one that was in an earlier search only must not be. */
+        internal function isHolding(proxy:AgentProxy):Boolean
+        {
+            for each (var level:BinLevel in _levels)
+            {
+                if (level.proxies.indexOf(proxy) >= 0)
+                {
+                    return true;
+                }
+            }
+            for each (var entry:BinEntry in _entries)
+            {
+                if (entry.proxy === proxy || (entry.next != null && entry.next.proxy === proxy))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // The level whose bins are wide enough, and no wider than they must.
+        private function levelFor(width:Number):BinLevel
+        {
+            var powerOfTwo:Number = Math.pow(2, Math.ceil(Math.log(width) * Math.LOG2E));
+            // the logarithm may be off by a rounding
+            while (powerOfTwo < width)
+            {
+                powerOfTwo *= 2;
+            }
+            while (powerOfTwo >= 2 * width)
+            {
+                powerOfTwo *= 0.5;
+            }
+            var place:int = 0;
+            while (place < _levels.length && _levels[place].width > powerOfTwo)
+            {
+                place++;
+            }
+            if (place == _levels.length || _levels[place].width != powerOfTwo)
+            {
+                _levels.splice(place, 0, new BinLevel(powerOfTwo));
+            }
+            return _levels[place];
+        }
+
+        private function makeRoom(count:int):void
+        {
+            for (var i:int = _entries.length; i < _entryCount + count; i++)
+            {
+                _entries[i] = new BinEntry();
+            }
+        }
+
+        // What is in the entries of earlier searches may have left the game long ago.
+        private function forgetUnused():void
+        {
+            for (var i:int = _entryCount; i < _entries.length && _entries[i].proxy != null; i++)
+            {
+                _entries[i].proxy = null;
+                _entries[i].next = null;
+            }
+        }
+
+        // Finds the pairs of a level's proxies with those that are in the bins, which are its own or a coarser level's. In its
+        // own, a proxy is entered as it looks for those before it. All is in locals, comparisons are one an if, and nothing is
+        // called but the sink: this is the inner loop of every frame.
+        private function collidePairs(level:BinLevel, bins:BinLevel, sink:PairSink):void
+        {
+            var enters:Boolean = bins === level;
+            var proxies:Vector.<AgentProxy> = level.proxies;
+            var entries:Vector.<BinEntry> = _entries;
+            var heads:Vector.<BinEntry> = bins.heads;
+            var perWidth:Number = bins.perWidth;
+            var mask:int = bins.mask;
+            var stride:int = bins.stride;
+            var padding:Number = level.padding;
+            var count:int = level.count;
+            var used:int = _entryCount;
+            var pairs:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var proxy:AgentProxy = proxies[i];
+                var half:Number = proxy.halfX + padding;
+                var minX:Number = proxy.x - half;
+                var maxX:Number = proxy.x + half;
+                half = proxy.halfY + padding;
+                var minY:Number = proxy.y - half;
+                var maxY:Number = proxy.y + half;
+
+                // the floor, without a call; it reaches over one border at most
+                var position:Number = minX * perWidth;
+                var firstColumn:int = position;
+                if (firstColumn > position)
+                {
+                    firstColumn--;
+                }
+                var lastColumn:int = firstColumn;
+                if (firstColumn + 1 <= maxX * perWidth)
+                {
+                    lastColumn++;
+                }
+                position = minY * perWidth;
+                var firstRow:int = position;
+                if (firstRow > position)
+                {
+                    firstRow--;
+                }
+                var lastRow:int = firstRow;
+                if (firstRow + 1 <= maxY * perWidth)
+                {
+                    lastRow++;
+                }
+                if (enters)
+                {
+                    proxy.minX = minX;
+                    proxy.maxX = maxX;
+                    proxy.minY = minY;
+                    proxy.maxY = maxY;
+                }
+                var rowFlag:int = 0;
+                for (var row:int = firstRow; row <= lastRow; row++)
+                {
+                    var beginsEarlier:int = rowFlag;
+                    for (var column:int = firstColumn; column <= lastColumn; column++)
+                    {
+                        var head:int = (row * stride + column) & mask;
+                        var link:BinEntry = heads[head];
+                        if (enters)
+                        {
+                            var entry:BinEntry = entries[used];
+                            entry.proxy = proxy;
+                            entry.beginsEarlier = beginsEarlier;
+                            entry.next = link;
+                            heads[head] = entry;
+                            used++;
+                        }
+                        while (link != null)
+                        {
+                            // where both began in an earlier column, or row, they have met there
+                            if ((link.beginsEarlier & beginsEarlier) != 0)
+                            {
+                                link = link.next;
+                                continue;
+                            }
+                            var other:AgentProxy = link.proxy;
+                            link = link.next;
+                            if (other.minX > maxX)
+                            {
+                                continue;
+                            }
+                            if (other.maxX < minX)
+                            {
+                                continue;
+                            }
+                            if (other.minY > maxY)
+                            {
+                                continue;
+                            }
+                            if (other.maxY < minY)
+                            {
+                                continue;
+                            }
+                            pairs++;
+                            sink.onCandidatePair(proxy, other);
+                        }
+                        beginsEarlier = rowFlag | 1;
+                    }
+                    rowFlag = 2;
+                }
+            }
+            _entryCount = used;
+            pairCount += pairs;
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package starlogo.collision
+{
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyTraversal;
+
+    use namespace engine;
+
+    /** Every agent is the hierarchy of its model (thesis §4); two may be a hierarchy and a structure. */
+    internal final class HierarchyStrategy extends ShapeStrategy
+    {
+        // Beyond this ratio of sizes the larger one's space is computed in: the squares of lengths in the smaller one's
+        // would overflow.
+        private static const EXTREME_RATIO:Number = 1e10;
+
+        /** How many levels are visited of the hierarchies of agents without a depth of their own. */
+        public var maxDepth:int = 5;
+
+        /** Whether triangles decide. */
+        public var exact:Boolean = false;
+
+        private var _greatLand:GreatLand;
+        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _pairs:int = 0;
+
+        /**
+         * @param greatLand has the hierarchies
+         */
+        public function HierarchyStrategy(greatLand:GreatLand)
+        {
+            _greatLand = greatLand;
+        }
+
+        /** @inheritDoc */
+        override public function bindModel(shape:WorldShape):void
+        {
+            var agent:Agent = shape.agent;
+            if (!_greatLand.hierarchies.has(agent.shape))
+            {
+                throw new ArgumentError(agent
+                        + ": its model was added while loadHierarchies was off; set it, and add the model again");
+            }
+            shape.hierarchy = _greatLand.hierarchies.hierarchy(agent.shape);
+            shape.worldRoot = shape.hierarchy.root.bounds.clone();
+        }
+
+        /** @inheritDoc */
+        override public function updateWorldShape(shape:WorldShape):void
+        {
+            var agent:Agent = shape.agent;
+            shape.isHierarchical = true;
+            shape.isSphere = false;
+            shape.hierarchy.root.bounds.place(agent.worldPlacement(), shape.worldRoot);
+            shape.takeExtentsOf(shape.worldRoot);
+            shape.depth = agent.traversalDepth;
+        }
+
+        /** @inheritDoc */
+        override public function overlaps(a:WorldShape, b:WorldShape):Boolean
+        {
+            _pairs++;
+            // the same way round whoever comes first, so that rounding is too
+            if (a.agent.id > b.agent.id)
+            {
+                var first:WorldShape = b;
+                b = a;
+                a = first;
+            }
+            if (!a.isHierarchical)
+            {
+                return structureOverlaps(b, a);
+            }
+            if (!b.isHierarchical)
+            {
+                return structureOverlaps(a, b);
+            }
+            var placementA:Placement = a.agent.placement;
+            var placementB:Placement = b.agent.placement;
+            var depthA:int = a.depth == 0 ? maxDepth : a.depth;
+            var depthB:int = b.depth == 0 ? maxDepth : b.depth;
+            if (placementB.size > EXTREME_RATIO * placementA.size)
+            {
+                return _traversal.hierarchiesOverlap(b.hierarchy, placementB, depthB, a.hierarchy, placementA, depthA, exact);
+            }
+            return _traversal.hierarchiesOverlap(a.hierarchy, placementA, depthA, b.hierarchy, placementB, depthB, exact);
+        }
+
+        /** @inheritDoc */
+        override public function resetCounts():void
+        {
+            _pairs = 0;
+            _traversal.resetCounts();
+        }
+
+        /** @inheritDoc */
+        override public function countInto(statistics:CollisionStatistics):void
+        {
+            statistics.hierarchyTests += _pairs;
+            statistics.nodeVisits += _traversal.nodeVisits;
+            statistics.triangleTests += _traversal.triangleTests;
+        }
+
+        private function structureOverlaps(hierarchical:WorldShape, other:WorldShape):Boolean
+        {
+            var depth:int = hierarchical.depth == 0 ? maxDepth : hierarchical.depth;
+            return _traversal.structureOverlaps(hierarchical.hierarchy, hierarchical.agent.placement, depth, other.structure,
+                    other.agent.placement);
+        }
+    }
+}

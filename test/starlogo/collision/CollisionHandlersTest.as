@@ -1,0 +1,465 @@
+package starlogo.collision
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.OwnVectorSystem;
+    import support.assertThrows;
+
+    /** What handlers may do to a game, and to other handlers. */
+    public class CollisionHandlersTest
+    {
+        private var _greatLand:GreatLand;
+        private var _collision:Collision;
+        private var _agents:Vector.<Agent>;
+        private var _calls:Array;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _collision = new Collision(new BinCollider(_greatLand));
+            _agents = new Vector.<Agent>();
+            _calls = [];
+        }
+
+        [Test]
+        public function everyErrorOfAFrameIsKept():void
+        {
+            addAll("bears", "bears", "bears");
+            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("a");
+                    throw _calls.length == 1 ? new RangeError("first") : new ArgumentError("later " + _calls.length);
+                });
+            assertThrows(RangeError, /^first$/, _collision.update, _agents);
+            assertEquals("first,later 2,later 3,later 4,later 5,later 6", messages());
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[]);
+            _collision.update(_agents);
+            assertEquals("the next frame has none", 0, _collision.handlerErrors.length);
+        }
+
+        [Test]
+        public function whatIsNoErrorStopsNobodyEither():void
+        {
+            addAll("bears", "bears");
+            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    throw "a string";
+                });
+            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    throw null;
+                });
+            _collision.onCollision("bears", "bears", note("after"));
+            assertThrows(Error, /^a string$/, _collision.update, _agents);
+            assertEquals("after,after", names());
+            assertEquals("a string,null,a string,null", messages());
+        }
+
+        [Test]
+        public function aHandlerThatChangesItsBreedAndThrowsSkipsNobody():void
+        {
+            addAll("bears", "balls", "balls");
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push(["change"]);
+                    collider.breed = "ghosts";
+                    throw new Error("changed");
+                });
+            _collision.onCollision("bears", "balls", note("second of the bear"));
+            _collision.onCollision("balls", "bears", note("of the ball"));
+            _collision.onCollision("ghosts", "balls", note("of the ghost"));
+            assertThrows(Error, /changed/, _collision.update, _agents);
+            assertEquals("change,second of the bear,of the ball,of the ghost", names());
+        }
+
+        [Test]
+        public function aSystemMayReturnAVectorOfItsOwn():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision("bears", "balls", note("hit"));
+            _collision.collisionSystem = new OwnVectorSystem(_agents.concat());
+            _collision.update(_agents);
+            assertEquals("hit", names());
+            assertEquals(1, _collision.statistics.collisions);
+            assertEquals(2, _collision.statistics.agents);
+        }
+
+        [Test]
+        public function aSystemThatFindsWhoIsNotListedCallsNobody():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision("bears", "balls", note("hit"));
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_agents[0], new Agent("sphere", "balls"), _agents[0], _agents[1]]);
+            _collision.update(_agents);
+            assertEquals("hit", names());
+            _agents.length = 0;
+            _collision.update(_agents);
+            assertEquals("hit", names());
+        }
+
+        [Test]
+        public function afterASystemThatFailsTheGameGoesOn():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision("bears", "balls", note("hit"));
+            var good:CollisionSystem = _collision.collisionSystem;
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_agents[0], null]);
+            assertThrows(Error, /1009|null/, _collision.update, _agents);
+            _collision.collisionSystem = good;
+            _collision.update(_agents);
+            assertEquals("hit", names());
+        }
+
+        [Test]
+        public function anyBreedIsEveryOther():void
+        {
+            addAll("bears", "balls", "walls", "clouds");
+            _collision.onCollision("bears", Collision.ANY_BREED, note("bear"));
+            _collision.update(_agents);
+            assertEquals("the bear with three others", "bear,bear,bear", names());
+            assertEquals(3, _collision.statistics.candidatePairs);
+            assertEquals(0, _collision.statistics.agentsSkipped);
+            _calls = [];
+            _collision.onCollision(Collision.ANY_BREED, "walls", note("any"));
+            _collision.onCollision("bears", "walls", note("wall"));
+            _collision.update(_agents);
+            // bear and ball, bear and wall, bear and cloud, ball and wall, wall and cloud
+            assertEquals("in the order in which they were added", "any,any,any,bear,bear,bear,wall", names().split(",").sort().join());
+            assertEquals(5, _collision.statistics.collisions);
+        }
+
+        [Test]
+        public function handlersOfAnyBreedAreCalledInTheOrderOfTheOthers():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, note("any any"));
+            _collision.onCollision("bears", "balls", note("bears balls"));
+            _collision.onCollision("bears", Collision.ANY_BREED, note("bears any"));
+            _collision.update(_agents);
+            assertEquals("any any,bears balls,bears any,any any", names());
+        }
+
+        [Test]
+        public function anyBreedTakesNewBreedsToo():void
+        {
+            addAll("bears", "balls");
+            _collision.onCollision(Collision.ANY_BREED, "balls", note("hit"));
+            _collision.update(_agents);
+            _agents[0].breed = "never heard of";
+            _collision.update(_agents);
+            _agents[0].breed = Collision.ANY_BREED;
+            _collision.update(_agents);
+            assertEquals("hit,hit,hit", names());
+            _agents[1].breed = "bears";
+            _collision.update(_agents);
+            assertEquals("hit,hit,hit", names());
+        }
+
+        [Test]
+        public function aHandlerMayBeTakenAway():void
+        {
+            addAll("bears", "balls");
+            var first:Function = note("first");
+            _collision.onCollision("bears", "balls", first);
+            _collision.onCollision("bears", "balls", note("second"));
+            _collision.onCollision("bears", "balls", first);
+            assertFalse(_collision.removeHandler("balls", "bears", first));
+            assertFalse(_collision.removeHandler("bears", "balls", note("first")));
+            assertTrue(_collision.removeHandler("bears", "balls", first));
+            _collision.update(_agents);
+            assertEquals("once", "second,first", names());
+            assertTrue(_collision.removeHandler("bears", "balls", first));
+            assertFalse(_collision.removeHandler("bears", "balls", first));
+            _calls = [];
+            _collision.update(_agents);
+            assertEquals("second", names());
+            assertThrows(ArgumentError, /handler/, _collision.removeHandler, "bears", "balls", null);
+        }
+
+        [Test]
+        public function whatNobodyHandlesAnyMoreIsNotTested():void
+        {
+            addAll("bears", "balls");
+            var handler:Function = note("hit");
+            _collision.onCollision("bears", Collision.ANY_BREED, handler);
+            _collision.update(_agents);
+            _collision.removeHandler("bears", Collision.ANY_BREED, handler);
+            _collision.update(_agents);
+            assertEquals(2, _collision.statistics.agentsSkipped);
+            assertEquals(0, _collision.statistics.candidatePairs);
+        }
+
+        [Test]
+        public function aHandlerThatAnotherTakesAwayIsNotCalledAnyMore():void
+        {
+            addAll("bears", "balls", "balls");
+            var second:Function = note("second");
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push(["first"]);
+                    _collision.removeHandler("bears", "balls", second);
+                });
+            _collision.onCollision("bears", "balls", second);
+            _collision.update(_agents);
+            assertEquals("first,first", names());
+        }
+
+        [Test]
+        public function everybodyIsCalledInTheEndHoweverALongListIsMixed():void
+        {
+            var count:int = 0;
+            for (var i:int = 0; i < 1500; i++)
+            {
+                _agents.push(new Agent("sphere", "bears"));
+            }
+            var random:SeededRandom = new SeededRandom(88);
+            _collision.collisionSystem = new OwnVectorSystem(_agents.concat());
+            _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    count++;
+                    _agents.reverse();
+                    for (var n:int = random.integer(0, 4); n > 0; n--)
+                    {
+                        _agents.push(_agents.shift());
+                    }
+                });
+            _collision.update(_agents);
+            assertEquals(1500, count);
+        }
+
+        // Handlers do at random what they like to a list, and every call is what the rules say, worked out by searching the list.
+        [Test]
+        public function callsAreThoseOfTheRulesWhateverHandlersDo():void
+        {
+            var removed:int = 0;
+            var calls:int = 0;
+            for (var seed:int = 0; seed < 300; seed++)
+            {
+                var expected:RuleBook = new RuleBook(seed);
+                expected.play(new BinCollider(_greatLand));
+                var actual:RuleBook = new RuleBook(seed);
+                var collision:Collision = new Collision(new BinCollider(_greatLand));
+                collision.onCollision("bears", "bears", actual.handle);
+                collision.onCollision("bears", "balls", actual.handle);
+                collision.onCollision("balls", "bears", actual.handle);
+                collision.onCollision("bears", "bears", actual.handle);
+                updateInSpiteOfErrors(collision, actual.agents);
+                assertEquals("game " + seed, expected.log.join(), actual.log.join());
+                calls += expected.log.length;
+                removed += expected.skipped;
+            }
+            trace("  " + calls + " calls, " + removed + " not made");
+            assertTrue(calls > 3000 && removed > 1000);
+        }
+
+        private static function updateInSpiteOfErrors(collision:Collision, agents:Vector.<Agent>):void
+        {
+            try
+            {
+                collision.update(agents);
+            }
+            catch (error:Error)
+            {
+                assertEquals("now and then", error.message);
+            }
+        }
+
+        private function addAll(...breeds):void
+        {
+            for each (var breed:String in breeds)
+            {
+                var agent:Agent = new Agent("sphere", breed);
+                agent.x = _agents.length * 0.1;
+                _agents.push(agent);
+            }
+        }
+
+        private function note(name:String):Function
+        {
+            return function(collider:Agent, collidee:Agent):void
+            {
+                _calls.push([name, collider, collidee]);
+            };
+        }
+
+        private function names():String
+        {
+            return _calls.map(function(call:Array, index:int, all:Array):String
+                {
+                    return call[0];
+                }).join();
+        }
+
+        private function messages():String
+        {
+            var texts:Array = [];
+            for each (var error:Error in _collision.handlerErrors)
+            {
+                texts.push(error.message);
+            }
+            return texts.join();
+        }
+    }
+}
+
+import evaluation.pairs.SeededRandom;
+import starlogo.agents.Agent;
+import starlogo.collision.CollisionSystem;
+
+/** A game whose handlers change the list at random, in the same way whoever calls them. */
+class RuleBook
+{
+    public var agents:Vector.<Agent> = new Vector.<Agent>();
+
+    /** The calls, by the numbers of the agents. */
+    public var log:Array = [];
+
+    /** Calls that were not made. */
+    public var skipped:int = 0;
+
+    private var _random:SeededRandom;
+
+    public function RuleBook(seed:int)
+    {
+        _random = new SeededRandom(7000 + seed);
+        for (var i:int = 0; i < 9; i++)
+        {
+            agents.push(make());
+        }
+    }
+
+    /** A handler. */
+    public function handle(collider:Agent, collidee:Agent):void
+    {
+        if (act(collider, collidee))
+        {
+            throw new Error("now and then");
+        }
+    }
+
+    /** Makes the calls by the rules. */
+    public function play(system:CollisionSystem):void
+    {
+        var pairs:Vector.<Agent> = ofInterest(system.findCollisions(agents));
+        var gone:Vector.<Agent> = new Vector.<Agent>();
+        for (var i:int = 0; i < pairs.length; i += 2)
+        {
+            var breed:String = pairs[i].breed;
+            var otherBreed:String = pairs[i + 1].breed;
+            callIfListed(pairs[i], pairs[i + 1], handlersOf(breed, otherBreed), gone);
+            callIfListed(pairs[i + 1], pairs[i], handlersOf(otherBreed, breed), gone);
+        }
+    }
+
+    // Somebody cares about the breeds that the two have before the first call.
+    private static function ofInterest(found:Vector.<Agent>):Vector.<Agent>
+    {
+        var pairs:Vector.<Agent> = new Vector.<Agent>();
+        for (var i:int = 0; i < found.length; i += 2)
+        {
+            if (handlersOf(found[i].breed, found[i + 1].breed) + handlersOf(found[i + 1].breed, found[i].breed) > 0)
+            {
+                pairs.push(found[i], found[i + 1]);
+            }
+        }
+        return pairs;
+    }
+
+    private function callIfListed(collider:Agent, collidee:Agent, times:int, gone:Vector.<Agent>):void
+    {
+        for (var i:int = 0; i < times; i++)
+        {
+            if (!isListed(collider, gone) || !isListed(collidee, gone))
+            {
+                skipped++;
+                return;
+            }
+            act(collider, collidee);
+        }
+    }
+
+    private function isListed(agent:Agent, gone:Vector.<Agent>):Boolean
+    {
+        if (gone.indexOf(agent) < 0 && agents.indexOf(agent) >= 0)
+        {
+            return true;
+        }
+        gone.push(agent);
+        return false;
+    }
+
+    private static function handlersOf(breed:String, otherBreed:String):int
+    {
+        if (breed == "bears")
+        {
+            return otherBreed == "bears" ? 2 : (otherBreed == "balls" ? 1 : 0);
+        }
+        return breed == "balls" && otherBreed == "bears" ? 1 : 0;
+    }
+
+    // Whether it ends with an error.
+    private function act(collider:Agent, collidee:Agent):Boolean
+    {
+        log.push(collider.color + "-" + collidee.color);
+        change(collider, collidee);
+        return _random.chance(0.1);
+    }
+
+    private function make():Agent
+    {
+        var agent:Agent = new Agent("sphere", _random.pick(["bears", "bears", "balls", "clouds"]));
+        agent.moveTo(_random.between(0, 1), _random.between(0, 1), 0);
+        agent.color = _random.integer(1, 1000000);
+        return agent;
+    }
+
+    private function change(collider:Agent, collidee:Agent):void
+    {
+        var index:int = agents.length == 0 ? 0 : _random.integer(0, agents.length - 1);
+        switch (_random.integer(0, 13))
+        {
+            case 0:
+                agents.splice(agents.indexOf(collidee), 1);
+                break;
+            case 1:
+                agents.splice(index, 1);
+                break;
+            case 2:
+                agents.pop();
+                break;
+            case 3:
+                agents[agents.indexOf(collider)] = agents[agents.length - 1];
+                agents.pop();
+                break;
+            case 4:
+                agents.push(make());
+                break;
+            case 5:
+                agents.unshift(make());
+                break;
+            case 6:
+                agents.reverse();
+                break;
+            case 7:
+                agents[index] = make();
+                break;
+            case 8:
+                agents.splice(agents.indexOf(collider), 1);
+                agents.push(collider);
+                break;
+            case 9:
+                collider.breed = _random.pick(["bears", "balls", "clouds"]);
+                break;
+            case 10:
+                collidee.x += 5;
+                break;
+        }
+    }
+}

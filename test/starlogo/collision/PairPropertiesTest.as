@@ -1,0 +1,208 @@
+package starlogo.collision
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ObjModel;
+    import support.BruteForce;
+    import support.Effort;
+    import support.Fixtures;
+
+    /**
+     * What holds for every pair in every collider: a search finds what areColliding says, in whichever order the two are given, and a
+     * greater depth never finds more.
+     */
+    public class PairPropertiesTest
+    {
+        /** What is read. */
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/fortress.obj", "/assets/kelp.obj"];
+
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "bear", "fortress", "kelp"];
+        private static const AGENTS_A_WORLD:int = 24;
+
+        private static var sGreatLand:GreatLand;
+
+        [BeforeClass]
+        public static function load():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand.addModel(BuiltInModel.cylinder());
+            for each (var name:String in ["bear", "fortress", "kelp"])
+            {
+                sGreatLand.addModel(new ObjModel(name, Fixtures.text("/assets/" + name + ".obj")));
+            }
+        }
+
+        [AfterClass]
+        public static function unload():void
+        {
+            sGreatLand = null;
+        }
+
+        [Test(timeout="3600000")]
+        public function findsWhatItIsAskedEitherWay():void
+        {
+            var random:SeededRandom = new SeededRandom(701);
+            var worlds:int = Effort.choose(12, 3243);
+            for each (var collider:CollisionSystem in colliders())
+            {
+                var pairs:int = 0;
+                var collisions:int = 0;
+                for (var world:int = 0; world < worlds; world++)
+                {
+                    var agents:Vector.<Agent> = randomWorld(random);
+                    var found:Vector.<Agent> = collider.findCollisions(agents);
+                    assertEquals("", BruteForce.difference(BruteForce.ask(collider, agents), found));
+                    var same:int = found.length;
+                    var backwards:Vector.<Agent> = collider.findCollisions(agents.concat().reverse());
+                    assertEquals("backwards", same, backwards.length);
+                    assertSymmetric(collider, agents);
+                    pairs += AGENTS_A_WORLD * (AGENTS_A_WORLD - 1) / 2;
+                    collisions += found.length / 2;
+                }
+                trace("  " + collider + ": " + pairs + " pairs, " + collisions + " collide");
+                assertTrue(collisions > pairs / 40 && collisions < pairs / 2);
+            }
+        }
+
+        [Test(timeout="3600000")]
+        public function deeperIsNeverMore():void
+        {
+            var random:SeededRandom = new SeededRandom(702);
+            var collider:HierarchicalCollider = new HierarchicalCollider(sGreatLand);
+            var worlds:int = Effort.choose(6, 400);
+            var fewer:int = 0;
+            for (var world:int = 0; world < worlds; world++)
+            {
+                var agents:Vector.<Agent> = randomWorld(random);
+                var tighter:Vector.<Agent> = null;
+                for each (var depth:int in [0, 100, 10, 7, 5, 3, 2, 1])
+                {
+                    collider.exact = depth == 0;
+                    collider.maxDepth = depth == 0 ? 1 : depth;
+                    var found:Vector.<Agent> = collider.findCollisions(agents);
+                    if (tighter != null)
+                    {
+                        assertEquals("world " + world + ", depth " + depth, "", missing(tighter, found));
+                        fewer += (found.length - tighter.length) / 2;
+                    }
+                    tighter = found;
+                }
+            }
+            assertTrue(fewer + " are false somewhere", fewer > 20 * worlds);
+        }
+
+        // Where two that approach begin to touch, rounding decides, and must decide the same for (a, b) and (b, a).
+        [Test(timeout="600000")]
+        public function orderDoesNotMatterWhereRoundingDecides():void
+        {
+            var random:SeededRandom = new SeededRandom(703);
+            var count:int = Effort.choose(60, 3000);
+            var flips:int = 0;
+            for each (var collider:CollisionSystem in colliders())
+            {
+                for (var i:int = 0; i < count; i++)
+                {
+                    var a:Agent = randomAgent(random);
+                    var b:Agent = randomAgent(random);
+                    flips += flipsAtTheBorder(collider, a, b);
+                }
+            }
+            trace("  " + flips + " borders between touching and not");
+            assertTrue(flips > 3 * count);
+        }
+
+        // Bisects to the last bit of b's x between a hit and a miss, then asks around it.
+        private static function flipsAtTheBorder(collider:CollisionSystem, a:Agent, b:Agent):int
+        {
+            b.moveTo(a.x, a.y, a.z);
+            if (!collider.areColliding(a, b))
+            {
+                return 0;
+            }
+            var hit:Number = b.x;
+            var miss:Number = a.x + 20;
+            for (var i:int = 0; i < 70; i++)
+            {
+                var middle:Number = (hit + miss) / 2;
+                b.x = middle;
+                var isHit:Boolean = collider.areColliding(a, b);
+                assertEquals(a + ", " + b + " at " + middle, isHit, collider.areColliding(b, a));
+                if (isHit)
+                {
+                    hit = middle;
+                }
+                else
+                {
+                    miss = middle;
+                }
+            }
+            return 1;
+        }
+
+        private static function colliders():Array
+        {
+            var exact:HierarchicalCollider = new HierarchicalCollider(sGreatLand);
+            exact.exact = true;
+            return [new BinCollider(sGreatLand), new TightestFitCollider(sGreatLand), new HierarchicalCollider(sGreatLand),
+                    new CombinationCollider(sGreatLand), exact];
+        }
+
+        private static function assertSymmetric(collider:CollisionSystem, agents:Vector.<Agent>):void
+        {
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                var other:Agent = agents[(i * 7 + 1) % agents.length];
+                if (other !== agents[i])
+                {
+                    assertEquals(collider.areColliding(agents[i], other), collider.areColliding(other, agents[i]));
+                }
+            }
+        }
+
+        // How many pairs of one list are not in another.
+        private static function missing(pairs:Vector.<Agent>, others:Vector.<Agent>):String
+        {
+            var known:Object = {};
+            for (var i:int = 0; i < others.length; i += 2)
+            {
+                known[others[i].id + " " + others[i + 1].id] = true;
+            }
+            for (i = 0; i < pairs.length; i += 2)
+            {
+                if (!known[pairs[i].id + " " + pairs[i + 1].id])
+                {
+                    return pairs[i] + " and " + pairs[i + 1];
+                }
+            }
+            return "";
+        }
+
+        private static function randomWorld(random:SeededRandom):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < AGENTS_A_WORLD; i++)
+            {
+                agents.push(randomAgent(random));
+            }
+            return agents;
+        }
+
+        private static function randomAgent(random:SeededRandom):Agent
+        {
+            var agent:Agent = new Agent(random.pick(SHAPES));
+            agent.moveTo(random.between(-2, 2), random.between(-2, 2), random.between(0, 1));
+            agent.size = random.logBetween(0.2, 2);
+            agent.heading = random.pick([0, 90, random.between(0, 360)]);
+            agent.pitch = random.pick([0, 0, random.between(0, 360)]);
+            agent.roll = random.pick([0, 0, random.between(0, 360)]);
+            agent.hierarchical = random.chance(0.3);
+            return agent;
+        }
+    }
+}

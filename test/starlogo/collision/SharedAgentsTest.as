@@ -1,0 +1,218 @@
+package starlogo.collision
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
+    import starlogo.diagnostics.CollisionRecorder;
+    import starlogo.engine;
+    import starlogo.models.BuiltInModel;
+    import support.assertThrows;
+
+    use namespace engine;
+
+    /** Any number of colliders, Collisions and recorders share agents. */
+    public class SharedAgentsTest
+    {
+        private var _greatLand:GreatLand;
+        private var _agents:Vector.<Agent>;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < 12; i++)
+            {
+                var agent:Agent = new Agent(i % 2 == 0 ? "sphere" : "cube", i % 3 == 0 ? "bears" : "balls");
+                agent.x = i * 0.4;
+                _agents.push(agent);
+            }
+        }
+
+        [Test]
+        public function aHandlerMayUpdateAnotherCollision():void
+        {
+            // the inner list is shorter, and begins elsewhere: notes of places that were shared would be wrong
+            var some:Vector.<Agent> = _agents.slice(7).reverse();
+            var alone:Array = callsOf(new BinCollider(_greatLand), null);
+            var inner:Collision = new Collision(new TightestFitCollider(_greatLand));
+            var innerCalls:int = 0;
+            inner.onCollision("balls", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    innerCalls++;
+                });
+            var nested:Array = callsOf(new BinCollider(_greatLand), function():void
+                {
+                    inner.update(some);
+                });
+            assertTrue(alone.length > 10);
+            assertEquals(alone.join(), nested.join());
+            assertTrue("the inner one ran", innerCalls >= alone.length);
+        }
+
+        [Test]
+        public function collisionsMayShareACollider():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
+            var alone:Array = callsOf(collider, null);
+            var inner:Collision = new Collision(collider);
+            inner.onCollision("balls", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                });
+            assertEquals(alone.join(), callsOf(collider, function():void
+                    {
+                        inner.update(_agents);
+                    }).join());
+        }
+
+        [Test]
+        public function collidersDoNotStealEachOthersShapes():void
+        {
+            var colliders:Vector.<CollisionSystem> = new <CollisionSystem>[new BinCollider(_greatLand),
+                    new TightestFitCollider(_greatLand), new TightestFitCollider(_greatLand),
+                    new HierarchicalCollider(_greatLand), new CombinationCollider(_greatLand),
+                    new CollisionRecorder(new BinCollider(_greatLand))];
+            searchWithAll(colliders);
+            var records:Array = recordsOf(_agents[5]);
+            assertEquals(colliders.length, records.length);
+            for (var frame:int = 0; frame < 50; frame++)
+            {
+                _agents[5].x += 0.01;
+                searchWithAll(colliders);
+            }
+            assertEquals("the same objects", 0, different(records, recordsOf(_agents[5])));
+        }
+
+        [Test]
+        public function hundredsOfCollidersShareAgents():void
+        {
+            var colliders:Vector.<CollisionSystem> = new Vector.<CollisionSystem>();
+            for (var i:int = 0; i < 200; i++)
+            {
+                colliders.push(new BinCollider(_greatLand));
+            }
+            searchWithAll(colliders);
+            searchWithAll(colliders);
+            var records:Array = recordsOf(_agents[0]);
+            searchWithAll(colliders);
+            assertEquals(200, records.length);
+            assertEquals("the same objects", 0, different(records, recordsOf(_agents[0])));
+        }
+
+        [Test]
+        public function whatCollidersLeaveBehindIsDropped():void
+        {
+            var kept:BinCollider = new BinCollider(_greatLand);
+            for (var i:int = 0; i < 5000; i++)
+            {
+                kept.findCollisions(_agents);
+                new BinCollider(_greatLand).findCollisions(_agents);
+            }
+            var count:int = recordsOf(_agents[0]).length;
+            assertTrue(count + " records", count < 1100);
+        }
+
+        [Test]
+        public function replacedModelsLeaveNothingBehind():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
+            for (var i:int = 0; i < 20; i++)
+            {
+                collider.findCollisions(_agents);
+                _greatLand.addModel(BuiltInModel.cube());
+            }
+            collider.findCollisions(_agents);
+            assertEquals(1, recordsOf(_agents[0]).length);
+        }
+
+        [Test]
+        public function structuresAddedDirectlyAreNoticed():void
+        {
+            var a:Agent = new Agent("cube");
+            var b:Agent = new Agent("sphere");
+            b.moveTo(0, 0.9, 0.2);
+            var pair:Vector.<Agent> = new <Agent>[a, b];
+            var tightest:TightestFitCollider = new TightestFitCollider(_greatLand);
+            var hierarchical:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            assertEquals(2, tightest.findCollisions(pair).length);
+            assertEquals(2, hierarchical.findCollisions(pair).length);
+            var plank:Vector.<Number> = new <Number>[-0.5, -0.05, 0, 0.5, -0.05, 0, 0.5, 0.05, 0, -0.5, 0.05, 0.1];
+            _greatLand.boundingStructures.add("cube", plank);
+            assertEquals("a plank now", 0, tightest.findCollisions(pair).length);
+            assertFalse(tightest.areColliding(b, a));
+            _greatLand.hierarchies.add("cube", plank);
+            assertEquals("a plank now", 0, hierarchical.findCollisions(pair).length);
+            assertFalse(hierarchical.areColliding(b, a));
+        }
+
+        [Test]
+        public function removedModelsAreErrorsUntilTheyAreBack():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
+            collider.findCollisions(_agents);
+            assertTrue(_greatLand.removeModel("cube"));
+            assertFalse("twice", _greatLand.removeModel("cube"));
+            assertThrows(ArgumentError, /agent \d+ .*there is no model "cube"/, collider.findCollisions, _agents);
+            assertThrows(ArgumentError, /there is no model "cube"/, new BinCollider(_greatLand).findCollisions, _agents);
+            assertFalse(_greatLand.hasModel("cube") || _greatLand.boundingStructures.has("cube") || _greatLand.hierarchies.has("cube"));
+            _greatLand.addModel(BuiltInModel.cube());
+            assertTrue(collider.findCollisions(_agents).length > 0);
+        }
+
+        // The calls of a frame; an action runs in each.
+        private function callsOf(system:CollisionSystem, action:Function):Array
+        {
+            var calls:Array = [];
+            var collision:Collision = new Collision(system);
+            collision.onCollision("bears", "balls", note);
+            collision.onCollision("balls", "balls", note);
+            collision.update(_agents);
+            return calls;
+
+            function note(collider:Agent, collidee:Agent):void
+            {
+                calls.push(collider.id + "-" + collidee.id);
+                if (action != null)
+                {
+                    action();
+                }
+            }
+        }
+
+        private function searchWithAll(colliders:Vector.<CollisionSystem>):void
+        {
+            for each (var collider:CollisionSystem in colliders)
+            {
+                collider.findCollisions(_agents);
+            }
+        }
+
+        private static function recordsOf(agent:Agent):Array
+        {
+            var records:Array = [];
+            for (var record:AgentRecord = agent.records; record != null; record = record.next)
+            {
+                records.push(record);
+            }
+            return records;
+        }
+
+        private static function different(records:Array, others:Array):int
+        {
+            var count:int = Math.abs(records.length - others.length);
+            for each (var record:AgentRecord in records)
+            {
+                if (others.indexOf(record) < 0)
+                {
+                    count++;
+                }
+            }
+            return count;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
+
+const MOST_LINES = 350;
+const REASON = 'This file is long because';
+
+const order = layout().get('src/starlogo');
+const sources = new Map(sourcesBelow('src').map((file) => [definitionIn(file), file]));
+const tests = sourcesBelow('test').map(definitionIn);
+const uses = new Map([...sources].map(([name, file]) => [name, usesIn(name, read(file), sources.keys())]));
+
+/** A package's place in the README's list. The files of package starlogo but for the namespace stand for GreatLand. */
+function placeOf(name) {
+	const [, room, ...rest] = name.split('.');
+	return order.indexOf(rest.length > 0 ? room : room === 'engine' ? 'engine.as' : 'GreatLand.as');
+}
+
+const isEngine = (name) => name.startsWith('starlogo.');
+
+test('the engine has files, and they use one another', () => {
+	assert.ok([...sources.keys()].filter(isEngine).length > 80);
+	assert.ok([...uses.values()].flat().length > 500);
+});
+
+test('a package of the engine depends only on those above it in the README\'s list', () => {
+	const wrong = [];
+	for (const [name, used] of uses) {
+		for (const other of isEngine(name) ? used : []) {
+			if (!isEngine(other) || placeOf(name) < 0 || placeOf(other) < 0 || placeOf(other) > placeOf(name)) {
+				wrong.push(`${name} uses ${other}`);
+			}
+		}
+	}
+	assert.equal(wrong.join('\n'), '');
+});
+
+test('no two packages depend on each other', () => {
+	const arrows = new Map();
+	for (const [name, used] of uses) {
+		for (const other of used.filter((each) => packageOf(each) !== packageOf(name) && each !== 'starlogo.engine')) {
+			arrows.set(`${packageOf(name)} > ${packageOf(other)}`, `${name} uses ${other}`);
+		}
+	}
+	const both = [...arrows].filter(([arrow]) => arrows.has(arrow.split(' > ').reverse().join(' > '))).map(([, use]) => use);
+	assert.equal(both.join('\n'), '');
+});
+
+test('src uses nothing of test', () => {
+	const onlyInTest = tests.filter((name) => !sources.has(name));
+	const wrong = [];
+	for (const [name, file] of sources) {
+		const text = read(file);
+		wrong.push(...importsIn(text).filter((each) => !sources.has(each) && !each.startsWith('flash.')).map((each) => `${name} imports ${each}`));
+		wrong.push(...usesIn(name, text, onlyInTest).map((each) => `${name} uses ${each}`));
+	}
+	assert.equal(wrong.join('\n'), '');
+});
+
+test(`a file of the engine has at most ${MOST_LINES} lines, or says in its head why not ("${REASON} ...")`, () => {
+	const wrong = [];
+	for (const [name, file] of [...sources].filter(([each]) => isEngine(each))) {
+		const text = read(file);
+		const lines = text.split('\n').length - 1;
+		const head = text.slice(0, text.search(/^ {4}public /m)).replace(/\s*\n\s*\*?\s*/g, ' ');
+		if (lines > MOST_LINES && !head.includes(REASON)) {
+			wrong.push(`${name}: ${lines} lines`);
+		}
+	}
+	assert.equal(wrong.join('\n'), '');
+});

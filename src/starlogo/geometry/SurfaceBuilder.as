@@ -174,7 +174,7 @@ package starlogo.geometry
         private function areTurnedEdgesBalanced():Boolean
         {
             var isTurned:Vector.<Boolean> = _surface.isTurned;
-            for (var i:int = 0; i < _order.length;)
+            for (var i:int = 0; i < _order.length; )
             {
                 var pair:Number = Math.floor(_edges[_order[i]] / 2);
                 var balance:int = 0;

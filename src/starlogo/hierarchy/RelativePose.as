@@ -10,11 +10,10 @@ package starlogo.hierarchy
      */
     internal final class RelativePose
     {
-        /** Takes the second model into the space of the first. Its own isUpright
-         * is always false. */
+        /** Takes the second model into the space of the first. Its own isUpright is always false. */
         public var placement:Placement = new Placement();
 
-        /** Whether both models are turned about z only, as almost always. */
+        /** Whether both models are turned about z at most, as almost always. */
         public var isYawOnly:Boolean;
 
         /** Until relate is called, both are in one place. */

@@ -9,7 +9,7 @@ package starlogo.geometry
      */
     internal final class Orientation implements Steps
     {
-        private static const TRIANGLES_A_STEP:int = 1000;
+        private static const TRIANGLES_A_STEP:int = 400;
 
         /** For each triangle, whether it must be turned round, when no step is left; null if there is no way to. */
         public var isTurned:Vector.<Boolean>;

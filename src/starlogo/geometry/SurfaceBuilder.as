@@ -10,7 +10,7 @@ package starlogo.geometry
      */
     public final class SurfaceBuilder implements Steps
     {
-        private static const TRIANGLES_A_STEP:int = 1000;
+        private static const TRIANGLES_A_STEP:int = 400;
 
         private static const WELDING:int = 0;
         private static const JOINING:int = 1;

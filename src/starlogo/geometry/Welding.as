@@ -9,7 +9,7 @@ package starlogo.geometry
      */
     internal final class Welding implements Steps
     {
-        private static const VERTICES_A_STEP:int = 2000;
+        private static const VERTICES_A_STEP:int = 500;
 
         // a unit vector
         private static const SKEW_X:Number = 0.5390711;

@@ -18,11 +18,11 @@ package starlogo.hierarchy
      */
     internal final class SolidBuilder implements Steps
     {
-        private static const TRIANGLES_A_STEP:int = 1000;
-        private static const PAIRS_A_STEP:int = 2000;
+        private static const TRIANGLES_A_STEP:int = 400;
+        private static const PAIRS_A_STEP:int = 800;
 
         // Of triangles that may touch. Beyond that, pieces are left apart: the answers are the same.
-        private static const MOST_PAIRS:int = 400000;
+        private static const MOST_PAIRS:int = 100000;
 
         private static const PLACING:int = 0;
         private static const EXAMINING:int = 1;
@@ -45,6 +45,9 @@ package starlogo.hierarchy
         private var _parents:Vector.<int> = new Vector.<int>();
         private var _partCount:int;
         private var _stack:Vector.<HierarchyNode>;
+
+        // For each triangle in order, the next one of another piece.
+        private var _runEnds:Vector.<int>;
 
         // By piece: where the points of its part are.
         private var _pointsAt:Vector.<int> = new Vector.<int>();
@@ -144,6 +147,16 @@ package starlogo.hierarchy
                 _parents.push(i);
                 _pointsAt.push(-1);
             }
+            _runEnds = new Vector.<int>(_order.length, true);
+            var end:int = _order.length;
+            for (i = end - 1; i >= 0; i--)
+            {
+                _runEnds[i] = end;
+                if (i > 0 && _surface.pieces[_order[i]] != _surface.pieces[_order[i - 1]])
+                {
+                    end = i;
+                }
+            }
             _phase = JOINING;
         }
 
@@ -172,6 +185,10 @@ package starlogo.hierarchy
                 var b:HierarchyNode = _stack.pop();
                 var a:HierarchyNode = _stack.pop();
                 _pairs++;
+                if (areOnePart(a, b))
+                {
+                    continue;
+                }
                 if (a === b && !a.isLeaf)
                 {
                     _stack.push(a.left, a.left, a.right, a.right, a.left, a.right);
@@ -185,6 +202,25 @@ package starlogo.hierarchy
             {
                 _phase = MEASURING;
             }
+        }
+
+        // What hangs together already need not be looked into.
+        private function areOnePart(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            var part:int = partOf(a.first);
+            return isOfPart(a, part) && (a === b || isOfPart(b, part));
+        }
+
+        private function isOfPart(node:HierarchyNode, part:int):Boolean
+        {
+            for (var i:int = node.first; i < node.end; i = _runEnds[i])
+            {
+                if (partOf(i) != part)
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         private function compare(a:HierarchyNode, b:HierarchyNode):void

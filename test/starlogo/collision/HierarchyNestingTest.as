@@ -9,6 +9,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import support.Effort;
     import support.EveryTriangle;
     import support.Fixtures;
     import support.SolidAngles;
@@ -25,7 +26,6 @@ package starlogo.collision
         private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
         private static const FULL:int = 40;
         private static const DEPTHS:Array = [1, 2, 3, 5, 8, FULL];
-        private static const PAIRS:int = 80;
 
         private static var sModels:Object;
         private static var sGreatLands:Array;
@@ -120,7 +120,8 @@ package starlogo.collision
                     new CombinationCollider(sGreatLands[land])];
             var inside:int = 0;
             var meeting:int = 0;
-            for (var i:int = 0; i < PAIRS; i++)
+            var count:int = Effort.choose(45, 150);
+            for (var i:int = 0; i < count; i++)
             {
                 var a:Agent = outerAgent(random);
                 var b:Agent = innerAgent(random, a);
@@ -133,7 +134,7 @@ package starlogo.collision
                 meeting += doMeet ? 1 : 0;
                 inside += isHit && !doMeet ? 1 : 0;
             }
-            assertTrue("inside: " + inside + ", meeting: " + meeting, inside > PAIRS / 6 && meeting > PAIRS / 6 && inside + meeting < PAIRS * 0.85);
+            assertTrue("inside: " + inside + ", meeting: " + meeting, inside > count / 8 && meeting > count / 6 && inside + meeting < 0.85 * count);
         }
 
         private static function checkDepths(pair:String, colliders:Array, a:Agent, b:Agent, isHit:Boolean):void

@@ -125,6 +125,11 @@ package starlogo.collision
             {
                 var a:Agent = outerAgent(random);
                 var b:Agent = innerAgent(random, a);
+                if (random.chance())
+                {
+                    // colliders take the older agent first
+                    a = copyOf(a);
+                }
                 var pair:String = "pair " + i + ", " + a.shape + " and " + b.shape;
                 var doMeet:Boolean = EveryTriangle.meet(a, sModels[a.shape], b, sModels[b.shape]);
                 var isHit:Boolean = doMeet || SolidAngles.isOneInside(a, sModels[a.shape], b, sModels[b.shape]);
@@ -206,6 +211,17 @@ package starlogo.collision
             agent.moveTo(at[0] * x + at[4] * y + at[8] * z + at[12], at[1] * x + at[5] * y + at[9] * z + at[13],
                     at[2] * x + at[6] * y + at[10] * z + at[14]);
             return agent;
+        }
+
+        private static function copyOf(agent:Agent):Agent
+        {
+            var copy:Agent = new Agent(agent.shape);
+            copy.size = agent.size;
+            copy.heading = agent.heading;
+            copy.pitch = agent.pitch;
+            copy.roll = agent.roll;
+            copy.moveTo(agent.x, agent.y, agent.z);
+            return copy;
         }
 
         private static function shapeOf(random:SeededRandom):String

@@ -116,6 +116,9 @@ package starlogo.hierarchy
                 var hierarchy:Hierarchy = hierarchyOf(expected[0].vertices, expected[0].triangles);
                 assertEquals(expected[0].name, expected[1] * points, hierarchy.solid.partPoints.length);
             }
+            var apart:Model = SolidModels.apart();
+            var least:Number = hierarchyOf(apart.vertices, apart.triangles).solid.leastPartExtent;
+            assertTrue("the least one: " + least, Math.abs(least - 0.2 / 1.15) < 1e-9);
             // a bear's limbs run into its body
             var bear:Model = read("/assets/bear.obj");
             hierarchy = hierarchyOf(bear.vertices, bear.triangles);

@@ -59,11 +59,12 @@ package starlogo.hierarchy
 
         private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:Hierarchy, ball:Hierarchy):void
         {
-            // a corner of the cube, a middle of a face, one beside it, one well inside
-            var places:Array = [[0.5, 0.5, 1, true, true], [0.5, 0.1, 0.3, true, true], [0.50001, 0.1, 0.3, false, false], [0.1, 0.2, 0.3, true, false]];
+            // a corner of the cube, a point of a face, well inside; beside it, far off: x, y, z, whether it collides, and is near
+            var places:Array = [[0.5, 0.5, 1, true, true], [0.5, 0.1, 0.3, true, true], [0.1, 0.2, 0.3, true, true],
+                    [0.50001, 0.1, 0.3, false, true], [5, 4, 3, false, false]];
             for each (var place:Array in places)
             {
-                if (!place[3] && cube.boundsKind != BoundingStructure.BOX)
+                if (!place[3] && place[4] && cube.boundsKind != BoundingStructure.BOX)
                 {
                     // spheres and capsules reach farther than the model
                     continue;

@@ -8,8 +8,9 @@
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 
-const folder = path.dirname(new URL(import.meta.url).pathname);
+const folder = path.dirname(fileURLToPath(import.meta.url));
 
 function testsBelow(parent) {
 	return readdirSync(parent, { withFileTypes: true }).flatMap((entry) => {

@@ -45,7 +45,7 @@ package evaluation
         override public function work():Boolean
         {
             _session ||= new FitSession(_model.vertices);
-            var structure:BoundingStructure = _session.fit(_fitters[_next]);
+            var structure:BoundingStructure = _fitters[_next].fitOnce(_session);
             var ofThesis:int = Thesis.STRUCTURES.length;
             var isOfThesis:Boolean = _next < ofThesis;
             var entry:Object = _results.addNumber("volumes", _model.name,

@@ -67,6 +67,7 @@ package evaluation
 }
 
 import starlogo.agents.Agent;
+import starlogo.collision.CollisionStatistics;
 import starlogo.collision.CollisionSystem;
 
 /** Some agents collide with one another; when it finds their pairs, one may be lost or invented. */
@@ -76,9 +77,16 @@ class FaultySystem implements CollisionSystem
     private var _lost:Vector.<Agent>;
     private var _invented:Vector.<Agent> = new Vector.<Agent>();
 
+    private var _statistics:CollisionStatistics = new CollisionStatistics();
+
     public function FaultySystem(colliding:Vector.<Agent>)
     {
         _colliding = colliding;
+    }
+
+    public function get statistics():CollisionStatistics
+    {
+        return _statistics;
     }
 
     public function lose(a:Agent, b:Agent):void

@@ -241,6 +241,7 @@ package starlogo
 import flash.geom.Vector3D;
 import starlogo.bounding.BoundingStructure;
 import starlogo.bounding.Box;
+import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
 
@@ -248,7 +249,12 @@ class CountingFitter extends Fitter
 {
     public var calls:int = 0;
 
-    override public function fitTo(session:FitSession):BoundingStructure
+    override public function begin(session:FitSession):Fit
+    {
+        return new Fit(session, find);
+    }
+
+    private function find(session:FitSession):BoundingStructure
     {
         calls++;
         return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 3, 2, 2);
@@ -257,7 +263,12 @@ class CountingFitter extends Fitter
 
 class RefusingFitter extends Fitter
 {
-    override public function fitTo(session:FitSession):BoundingStructure
+    override public function begin(session:FitSession):Fit
+    {
+        return new Fit(session, find);
+    }
+
+    private function find(session:FitSession):BoundingStructure
     {
         throw new ArgumentError("no");
     }

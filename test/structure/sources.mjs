@@ -1,8 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 /** The project's folder. */
-export const root = path.resolve(path.dirname(new URL(import.meta.url).pathname), '../..');
+export const root = fileURLToPath(new URL('../..', import.meta.url));
 
 /** A file's text, by its path in the project. */
 export function read(file) {

@@ -9,16 +9,17 @@ package support
         /**
          * An archive.
          *
-         * @param files pairs of a path and a text
+         * @param files pairs of a path and a text, or a ByteArray that is already packed
          * @param isDeflated whether they are packed
+         * @param claimedSize what an archive says of the size that packed bytes have unpacked
          */
-        public static function of(files:Array, isDeflated:Boolean = true):ByteArray
+        public static function of(files:Array, isDeflated:Boolean = true, claimedSize:uint = 0):ByteArray
         {
             var archive:ByteArray = littleEndian();
             var directory:ByteArray = littleEndian();
             for (var i:int = 0; i < files.length; i += 2)
             {
-                add(archive, directory, files[i], files[i + 1], isDeflated);
+                add(archive, directory, files[i], files[i + 1], isDeflated, claimedSize);
             }
             var start:int = archive.length;
             archive.writeBytes(directory);
@@ -32,14 +33,20 @@ package support
             return archive;
         }
 
-        private static function add(archive:ByteArray, directory:ByteArray, path:String, text:String, isDeflated:Boolean):void
+        private static function add(archive:ByteArray, directory:ByteArray, path:String, file:Object, isDeflated:Boolean,
+                claimedSize:uint):void
         {
-            var content:ByteArray = new ByteArray();
-            content.writeUTFBytes(text);
-            var size:int = content.length;
-            if (isDeflated)
+            var content:ByteArray = file as ByteArray;
+            var size:uint = claimedSize;
+            if (content == null)
             {
-                content.deflate();
+                content = new ByteArray();
+                content.writeUTFBytes(String(file));
+                size = content.length;
+                if (isDeflated)
+                {
+                    content.deflate();
+                }
             }
             var header:ByteArray = littleEndian(); // what both headers have in common
             header.writeShort(20);

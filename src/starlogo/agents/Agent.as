@@ -309,14 +309,10 @@ package starlogo.agents
                 requireCoordinate("y", y);
                 requireCoordinate("z", z);
             }
-            var at:Placement = placement;
-            if (x != at.x || y != at.y || z != at.z)
-            {
-                at.x = x;
-                at.y = y;
-                at.z = z;
-                revision++;
-            }
+            placement.x = x;
+            placement.y = y;
+            placement.z = z;
+            revision++;
         }
 
         /**

@@ -2,7 +2,7 @@ package starlogo.agents
 {
     /**
      * What a user of agents keeps with one of them from frame to frame: a link of the agent's chain of records, one for each
-     * user. Plain fields, because the loops over all agents read them.
+     * user. Plain fields, because the loops over all agents read them; users that keep more extend it.
      *
      * @private
      */
@@ -22,6 +22,12 @@ package starlogo.agents
 
         /** What was found for the breed. */
         public var breedIndex:int;
+
+        /** Where the agent was in the user's list when it looked last. */
+        public var listIndex:int;
+
+        /** The user's frame that last met the agent in its list. */
+        public var frame:int = 0;
 
         /**
          * @param agent whose record it is

@@ -12,6 +12,9 @@ package starlogo.broadphase
      */
     public class AgentProxy extends AgentRecord
     {
+        /** The agent's id: settles the order of two proxies. */
+        public var serial:int;
+
         /** The agent's revision that the extents belong to. */
         public var revision:int = -1;
 
@@ -54,11 +57,8 @@ package starlogo.broadphase
         /** The level of the bins that it is entered in; null until Bins have assigned one. */
         public var level:BinLevel = null;
 
-        /** The agent's index in the list of this search. */
-        public var listIndex:int;
-
-        /** The search that last met the agent in its list: finds one that is listed twice. */
-        public var search:int = 0;
+        /** Its entries in at most four bins, in a ring. */
+        internal var entry:BinEntry;
 
         /**
          * @param agent whose proxy it is
@@ -67,6 +67,8 @@ package starlogo.broadphase
         public function AgentProxy(agent:Agent, cacheToken:CacheToken)
         {
             super(agent, cacheToken);
+            serial = agent.id;
+            entry = BinEntry.ring(this, 4);
         }
     }
 }

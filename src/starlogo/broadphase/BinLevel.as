@@ -52,6 +52,9 @@ package starlogo.broadphase
         /** How many of them there are in this search. */
         public var count:int = 0;
 
+        /** The proxies of the search before, unless they were released. */
+        internal var previous:Vector.<AgentProxy> = new Vector.<AgentProxy>();
+
         /**
          * @param width a power of two
          */
@@ -65,10 +68,34 @@ package starlogo.broadphase
             reachSquared = width * width * REACH * REACH;
         }
 
-        /** Empties the bins, with room for the proxies. */
-        public function clearBins():void
+        /** Begins a search without proxies. */
+        internal function clear():void
         {
-            // agents that have left the game are not held on to
+            var other:Vector.<AgentProxy> = previous;
+            previous = proxies;
+            proxies = other;
+            count = 0;
+        }
+
+        /** Releases the proxies of the search before. */
+        internal function releasePrevious():void
+        {
+            release(previous);
+        }
+
+        /** Releases all proxies, those of a search that was not finished among them. */
+        internal function releaseAll():void
+        {
+            release(previous);
+            release(proxies);
+            heads.length = 0;
+            count = 0;
+        }
+
+        /** Empties the bins, with room for the proxies. */
+        internal function clearBins():void
+        {
+            // those of other searches
             proxies.length = count;
             heads.length = 0;
             if (count == 0)
@@ -86,6 +113,24 @@ package starlogo.broadphase
             stride = (1 << ((bits + 1) >> 1)) + 1;
             // the player clears a vector that shrinks and grows natively
             heads.length = 1 << bits;
+        }
+
+        // Takes proxies out of each other's lists: one that comes to no further search would keep those alive that it was in a
+        // bin with.
+        private static function release(proxies:Vector.<AgentProxy>):void
+        {
+            for (var i:int = proxies.length - 1; i >= 0; i--)
+            {
+                var first:BinEntry = proxies[i].entry;
+                var entry:BinEntry = first;
+                do
+                {
+                    entry.next = null;
+                    entry = entry.sibling;
+                }
+                while (entry !== first);
+            }
+            proxies.length = 0;
         }
     }
 }

@@ -29,11 +29,13 @@ package starlogo.broadphase
         private static const MIN_WIDTH:Number = 1e-300;
 
         /** Pairs that were handed over, in the last search. */
-        public var pairCount:int;
+        public var pairCount:int = 0;
 
-        // The entries of all bins, and how many of them this search has used: they are used anew by each.
-        private var _entries:Vector.<BinEntry> = new Vector.<BinEntry>();
-        private var _entryCount:int = 0;
+        /** Entries in bins, in the last search. */
+        public var entryCount:int = 0;
+
+        // Whether the last search came to its end.
+        private var _isFinished:Boolean = true;
 
         // From the coarsest to the finest. They stay, since proxies remember theirs.
         private var _levels:Vector.<BinLevel> = new Vector.<BinLevel>();
@@ -43,19 +45,18 @@ package starlogo.broadphase
         {
         }
 
-        /** Entries in bins, in the last search. */
-        public function get entryCount():int
-        {
-            return _entryCount;
-        }
-
         /** Begins a search: no proxy is added yet. */
         public function clear():void
         {
             for (var i:int = 0; i < _levels.length; i++)
             {
-                _levels[i].count = 0;
+                if (!_isFinished)
+                {
+                    _levels[i].releaseAll();
+                }
+                _levels[i].clear();
             }
+            _isFinished = false;
         }
 
         /** Adds a proxy to this search. */
@@ -88,11 +89,20 @@ package starlogo.broadphase
             return proxy.x * proxy.x + proxy.y * proxy.y >= proxy.level.reachSquared;
         }
 
-        /** Finds the pairs whose rectangles overlap and hands each to the sink once. */
-        public function findPairs(sink:PairSink):void
+        /**
+         * Finds the pairs whose rectangles overlap and hands each to the sink once.
+         *
+         * @param sink takes the pairs
+         * @param somebodyLeft whether a proxy of the search before may not be in this one; false spares the work of letting go of it
+         */
+        public function findPairs(sink:PairSink, somebodyLeft:Boolean = true):void
         {
             pairCount = 0;
-            _entryCount = 0;
+            entryCount = 0;
+            if (somebodyLeft)
+            {
+                releasePrevious();
+            }
             for (var i:int = 0; i < _levels.length; i++)
             {
                 var level:BinLevel = _levels[i];
@@ -108,30 +118,18 @@ package starlogo.broadphase
                         collidePairs(level, _levels[coarser], sink);
                     }
                 }
-                makeRoom(4 * level.count);
                 collidePairs(level, level, sink);
             }
-            forgetUnused();
+            _isFinished = true;
         }
 
-        /** Whether a proxy is reachable from here: one that was in an earlier search only must not be. */
-        internal function isHolding(proxy:AgentProxy):Boolean
+        // Before any is entered: one may have come from another level.
+        private function releasePrevious():void
         {
-            for each (var level:BinLevel in _levels)
+            for (var i:int = 0; i < _levels.length; i++)
             {
-                if (level.proxies.indexOf(proxy) >= 0)
-                {
-                    return true;
-                }
+                _levels[i].releasePrevious();
             }
-            for each (var entry:BinEntry in _entries)
-            {
-                if (entry.proxy === proxy || (entry.next != null && entry.next.proxy === proxy))
-                {
-                    return true;
-                }
-            }
-            return false;
         }
 
         // The level whose bins are wide enough, and no wider than they must.
@@ -159,24 +157,6 @@ package starlogo.broadphase
             return _levels[place];
         }
 
-        private function makeRoom(count:int):void
-        {
-            for (var i:int = _entries.length; i < _entryCount + count; i++)
-            {
-                _entries[i] = new BinEntry();
-            }
-        }
-
-        // What is in the entries of earlier searches may have left the game long ago.
-        private function forgetUnused():void
-        {
-            for (var i:int = _entryCount; i < _entries.length && _entries[i].proxy != null; i++)
-            {
-                _entries[i].proxy = null;
-                _entries[i].next = null;
-            }
-        }
-
         // Finds the pairs of a level's proxies with those that are in the bins, which are its own or a coarser level's. In its
         // own, a proxy is entered as it looks for those before it. All is in locals, comparisons are one an if, and nothing is
         // called but the sink: this is the inner loop of every frame.
@@ -184,14 +164,13 @@ package starlogo.broadphase
         {
             var enters:Boolean = bins === level;
             var proxies:Vector.<AgentProxy> = level.proxies;
-            var entries:Vector.<BinEntry> = _entries;
             var heads:Vector.<BinEntry> = bins.heads;
             var perWidth:Number = bins.perWidth;
             var mask:int = bins.mask;
             var stride:int = bins.stride;
             var padding:Number = level.padding;
             var count:int = level.count;
-            var used:int = _entryCount;
+            var entries:int = 0;
             var pairs:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -202,6 +181,7 @@ package starlogo.broadphase
                 half = proxy.halfY + padding;
                 var minY:Number = proxy.y - half;
                 var maxY:Number = proxy.y + half;
+                var entry:BinEntry = proxy.entry;
 
                 // the floor, without a call; it reaches over one border at most
                 var position:Number = minX * perWidth;
@@ -243,12 +223,11 @@ package starlogo.broadphase
                         var link:BinEntry = heads[head];
                         if (enters)
                         {
-                            var entry:BinEntry = entries[used];
-                            entry.proxy = proxy;
                             entry.beginsEarlier = beginsEarlier;
                             entry.next = link;
                             heads[head] = entry;
-                            used++;
+                            entry = entry.sibling;
+                            entries++;
                         }
                         while (link != null)
                         {
@@ -284,7 +263,7 @@ package starlogo.broadphase
                     rowFlag = 2;
                 }
             }
-            _entryCount = used;
+            entryCount += entries;
             pairCount += pairs;
         }
     }

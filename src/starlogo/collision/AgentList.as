@@ -24,7 +24,7 @@ package starlogo.collision
         /** The list. */
         public var agents:Vector.<Agent> = null;
 
-        /** Its length when the calls began; every hint is less. Not 0. */
+        /** Its length when the calls began; not 0. */
         public var lengthAtStart:int;
 
         /** Whether the agent that was not found last may be there all the same. */
@@ -33,8 +33,11 @@ package starlogo.collision
         /** How many agents were looked at in this frame, to find others. */
         public var comparisons:Number = 0;
 
-        private var _cacheToken:CacheToken = new CacheToken();
-        private var _frame:int = 0;
+        /** Marks the notes of this list among the agents' records. */
+        public var cacheToken:CacheToken = new CacheToken();
+
+        /** Notes of another frame are void. */
+        public var frame:int = 0;
 
         /** No list yet. */
         public function AgentList()
@@ -49,8 +52,8 @@ package starlogo.collision
         public function begin(agents:Vector.<Agent>):void
         {
             this.agents = agents;
-            _cacheToken.noteUse();
-            _frame++;
+            cacheToken.noteUse();
+            frame++;
             comparisons = 0;
             lengthAtStart = agents.length;
             for (var i:int = 0; i < lengthAtStart; i++)
@@ -60,16 +63,13 @@ package starlogo.collision
                 {
                     continue;
                 }
-                var link:AgentRecord = agent.records;
-                if (link == null || link.cacheToken !== _cacheToken)
+                var record:AgentRecord = agent.records;
+                if (record == null || record.cacheToken !== cacheToken)
                 {
-                    link = find(agent);
+                    record = find(agent);
                 }
-                var record:ListedAgent = link as ListedAgent;
-                record.frame = _frame;
-                record.order = i;
+                record.frame = frame;
                 record.listIndex = i;
-                record.isGone = false;
             }
         }
 
@@ -79,22 +79,22 @@ package starlogo.collision
             agents = null;
         }
 
-        /** The notes of an agent. */
-        public function recordOf(agent:Agent):ListedAgent
+        /**
+         * The record of an agent in this frame. Its listIndex is where the agent was when the calls began: in any case less than
+         * lengthAtStart.
+         */
+        public function recordOf(agent:Agent):AgentRecord
         {
-            var link:AgentRecord = agent.records;
-            if (link == null || link.cacheToken !== _cacheToken)
+            var record:AgentRecord = agent.records;
+            if (record == null || record.cacheToken !== cacheToken)
             {
-                link = find(agent);
+                record = find(agent);
             }
-            var record:ListedAgent = link as ListedAgent;
-            if (record.frame != _frame)
+            if (record.frame != frame)
             {
-                // it was not in the list, but may come into it
-                record.frame = _frame;
-                record.order = int.MAX_VALUE;
-                record.listIndex = 0;
-                record.isGone = false;
+                // it was not in the list; should it come into it, then most likely at the end
+                record.frame = frame;
+                record.listIndex = lengthAtStart - 1;
             }
             return record;
         }
@@ -106,49 +106,54 @@ package starlogo.collision
          * @param calls how many handlers were called in this frame
          * @return false for one that is in doubt, too
          */
-        public function contains(record:ListedAgent, calls:int):Boolean
+        public function contains(record:AgentRecord, calls:int):Boolean
         {
+            var notes:ListRecord = record as ListRecord;
             isInDoubt = false;
-            if (record.isGone)
+            if (notes.goneIn == frame)
             {
                 return false;
             }
-            var index:int = record.listIndex;
+            var index:int = notes.movedIn == frame ? notes.movedTo : notes.listIndex;
             if (index < agents.length)
             {
-                if (agents[index] === record.agent)
+                if (agents[index] === notes.agent)
                 {
                     return true;
                 }
                 noteWhoIsAt(index);
             }
-            index = indexByOrder(record);
+            index = indexByOrder(notes);
             if (index < 0)
             {
-                index = indexBySearch(record, calls);
+                index = indexBySearch(notes, calls);
             }
             if (index >= 0)
             {
-                record.listIndex = index < lengthAtStart ? index : 0;
+                notes.movedIn = frame;
+                notes.movedTo = index;
                 return true;
             }
-            record.isGone = !isInDoubt;
+            if (!isInDoubt)
+            {
+                notes.goneIn = frame;
+            }
             return false;
         }
 
         private function find(agent:Agent):AgentRecord
         {
-            var link:AgentRecord = agent.records;
-            while (link != null && link.cacheToken !== _cacheToken)
+            var record:AgentRecord = agent.records;
+            while (record != null && record.cacheToken !== cacheToken)
             {
-                link = link.next;
+                record = record.next;
             }
-            if (link == null)
+            if (record == null)
             {
-                link = new ListedAgent(agent, _cacheToken);
-                agent.addRecord(link);
+                record = new ListRecord(agent, cacheToken);
+                agent.addRecord(record);
             }
-            return link;
+            return record;
         }
 
         private function noteWhoIsAt(index:int):void
@@ -156,16 +161,18 @@ package starlogo.collision
             var agent:Agent = agents[index];
             if (agent != null)
             {
-                recordOf(agent).listIndex = index;
+                var notes:ListRecord = recordOf(agent) as ListRecord;
+                notes.movedIn = frame;
+                notes.movedTo = index;
             }
         }
 
         // By bisection: right for a list that kept its order, whoever was taken out or added at its end.
-        private function indexByOrder(record:ListedAgent):int
+        private function indexByOrder(record:ListRecord):int
         {
-            var order:int = record.order;
+            var order:int = record.listIndex;
             var low:int = 0;
-            var high:int = Math.min(order, agents.length - 1);
+            var high:int = agents.length - 1;
             while (low <= high)
             {
                 var middle:int = (low + high) >> 1;
@@ -175,7 +182,7 @@ package starlogo.collision
                 {
                     return middle;
                 }
-                if (agent != null && recordOf(agent).order < order)
+                if (agent != null && recordOf(agent).listIndex < order)
                 {
                     low = middle + 1;
                 }
@@ -187,7 +194,7 @@ package starlogo.collision
             return -1;
         }
 
-        private function indexBySearch(record:ListedAgent, calls:int):int
+        private function indexBySearch(record:ListRecord, calls:int):int
         {
             var allowed:Number = COMPARISONS * (Number(lengthAtStart) + calls);
             isInDoubt = comparisons + agents.length > allowed;

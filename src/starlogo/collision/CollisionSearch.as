@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.agents.AgentRecord;
     import starlogo.agents.CacheToken;
     import starlogo.broadphase.AgentProxy;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
@@ -23,7 +24,7 @@ package starlogo.collision
         private var _strategy:ShapeStrategy;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _bins:Bins = new Bins();
-        private var _searches:int = 0;
+        private var _frame:int = 0;
 
         // Another one makes the shapes void: when a model was replaced.
         private var _cacheToken:CacheToken = new CacheToken();
@@ -38,6 +39,10 @@ package starlogo.collision
         private var _shapePairs:int = 0;
         private var _memberCount:int = 0;
         private var _loadingCount:int = 0;
+
+        // How many were listed in this search, and whether somebody who was in the bins in the last may not be in this one.
+        private var _listed:int = 0;
+        private var _somebodyLeft:Boolean = false;
 
         // The pair that areColliding finds, or nothing.
         private var _asked:Vector.<Agent> = new Vector.<Agent>();
@@ -106,7 +111,7 @@ package starlogo.collision
             _foundLength = 0;
             _skippedPairs = 0;
             _shapePairs = 0;
-            _bins.findPairs(this);
+            _bins.findPairs(this, _somebodyLeft);
             _found = null;
             out.length = _foundLength;
             report(agents.length);
@@ -145,7 +150,10 @@ package starlogo.collision
                 {
                     return;
                 }
-                if (!_strategy.overlaps(a as WorldShape, b as WorldShape))
+                // untyped, the cheapest of casts
+                var untypedA:* = a;
+                var untypedB:* = b;
+                if (!_strategy.overlaps(untypedA, untypedB))
                 {
                     return;
                 }
@@ -184,10 +192,13 @@ package starlogo.collision
             var cacheToken:CacheToken = _cacheToken;
             var breedToken:Object = interests == null ? null : interests.token;
             var bins:Bins = _bins;
-            var search:int = ++_searches;
+            var lastFrame:int = _frame;
+            var frame:int = ++_frame;
             var count:int = agents.length;
             var members:int = 0;
             var loading:int = 0;
+            var newcomers:int = 0;
+            var lookedUp:Boolean = false;
             bins.clear();
             for (var i:int = 0; i < count; i++)
             {
@@ -201,18 +212,25 @@ package starlogo.collision
                 {
                     record = record.next;
                 }
-                var shape:WorldShape = record == null ? addShape(agent) : record as WorldShape;
+                // untyped, the cheapest of casts
+                var untyped:* = record == null ? addShape(agent) : record;
+                var shape:WorldShape = untyped;
                 if (shape.revision != agent.revision)
                 {
                     update(shape, agent);
                 }
-                if (shape.search == search)
+                if (shape.frame != lastFrame)
                 {
-                    throw new ArgumentError(agent + " is listed twice: agents[" + shape.listIndex + "] and agents[" + i + "]");
+                    newcomers++;
+                    if (shape.frame == frame)
+                    {
+                        throw new ArgumentError(agent + " is listed twice: agents[" + shape.listIndex + "] and agents[" + i + "]");
+                    }
                 }
-                shape.search = search;
+                shape.frame = frame;
                 shape.listIndex = i;
-                if (shape.level == null)
+                var level:BinLevel = shape.level;
+                if (level == null)
                 {
                     loading++;
                     continue;
@@ -222,15 +240,20 @@ package starlogo.collision
                     if (shape.breedToken !== breedToken)
                     {
                         interests.lookUp(shape);
+                        lookedUp = true;
                     }
                     if (shape.breedIndex < 0)
                     {
                         continue;
                     }
                 }
-                bins.add(shape);
+                // as Bins.add does
+                level.proxies[level.count] = shape;
+                level.count++;
                 members++;
             }
+            _somebodyLeft = lookedUp || members != _memberCount || count - newcomers != _listed;
+            _listed = count;
             _memberCount = members;
             _loadingCount = loading;
         }
@@ -254,7 +277,8 @@ package starlogo.collision
             {
                 record = record.next;
             }
-            var shape:WorldShape = record == null ? addShape(agent) : record as WorldShape;
+            var untyped:* = record == null ? addShape(agent) : record;
+            var shape:WorldShape = untyped;
             if (shape.revision != agent.revision)
             {
                 update(shape, agent);
@@ -276,7 +300,8 @@ package starlogo.collision
             {
                 _strategy.updateWorldShape(shape);
                 shape.revision = agent.revision;
-                if (_bins.isBeyondReach(shape))
+                // as Bins.isBeyondReach says
+                if (shape.x * shape.x + shape.y * shape.y >= shape.level.reachSquared)
                 {
                     _bins.assignLevel(shape);
                 }

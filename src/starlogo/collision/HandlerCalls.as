@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
     import starlogo.engine;
 
     use namespace engine;
@@ -24,10 +25,13 @@ package starlogo.collision
         private var _direction:int;
         private var _handler:int;
 
-        // The pair whose turn it is: whether it was looked up, its agents, and the handlers of its two directions.
+        // The pair whose turn it is: whether it was looked up, its agents, and the handlers of its two directions. The latter
+        // stay for the next pair of the same breeds.
         private var _isLookedUp:Boolean;
-        private var _first:ListedAgent;
-        private var _second:ListedAgent;
+        private var _first:AgentRecord;
+        private var _second:AgentRecord;
+        private var _breed:int;
+        private var _otherBreed:int;
         private var _handlers:Vector.<CollisionHandler>;
         private var _handlersBack:Vector.<CollisionHandler>;
 
@@ -62,6 +66,8 @@ package starlogo.collision
             _errors = errors;
             _pair = 0;
             _isLookedUp = false;
+            _breed = _otherBreed = -1;
+            _handlers = _handlersBack = null;
             _postponed.length = 0;
             _turns = null;
             _list.begin(agents);
@@ -127,11 +133,17 @@ package starlogo.collision
                 }
                 if (_direction == 0)
                 {
-                    callHandlers(_handlers, _first, _second);
+                    if (_handlers != null)
+                    {
+                        callHandlers(_handlers, _first, _second);
+                    }
                     _direction = 1;
                     _handler = 0;
                 }
-                callHandlers(_handlersBack, _second, _first);
+                if (_handlersBack != null)
+                {
+                    callHandlers(_handlersBack, _second, _first);
+                }
                 _isLookedUp = false;
             }
         }
@@ -147,11 +159,11 @@ package starlogo.collision
                     _direction = _turns[int(_turn + 1)];
                     _handler = _turns[int(_turn + 2)];
                 }
-                if (_direction == 0)
+                if (_direction == 0 && _handlers != null)
                 {
                     callHandlers(_handlers, _first, _second);
                 }
-                else
+                else if (_direction == 1 && _handlersBack != null)
                 {
                     callHandlers(_handlersBack, _second, _first);
                 }
@@ -162,22 +174,30 @@ package starlogo.collision
         // The breeds count that the two have now, for all of the pair's calls.
         private function lookUpPair():void
         {
-            var first:ListedAgent = _list.recordOf(_pairs[_pair]);
-            var second:ListedAgent = _list.recordOf(_pairs[int(_pair + 1)]);
+            var list:AgentList = _list;
+            var first:AgentRecord = _pairs[_pair].records;
+            if (first == null || first.cacheToken !== list.cacheToken || first.frame != list.frame)
+            {
+                first = list.recordOf(_pairs[_pair]);
+            }
+            var second:AgentRecord = _pairs[int(_pair + 1)].records;
+            if (second == null || second.cacheToken !== list.cacheToken || second.frame != list.frame)
+            {
+                second = list.recordOf(_pairs[int(_pair + 1)]);
+            }
             var interests:BreedInterests = _table.interests;
-            if (first.breedToken !== interests.token)
+            var breedToken:Object = interests.token;
+            if (first.breedToken !== breedToken)
             {
                 interests.lookUp(first);
             }
-            if (second.breedToken !== interests.token)
+            if (second.breedToken !== breedToken)
             {
                 interests.lookUp(second);
             }
-            _handlers = _handlersBack = null;
-            if (first.breedIndex >= 0 && second.breedIndex >= 0)
+            if (first.breedIndex != _breed || second.breedIndex != _otherBreed)
             {
-                _handlers = _table.handlersOf(first.breedIndex, second.breedIndex);
-                _handlersBack = _table.handlersOf(second.breedIndex, first.breedIndex);
+                lookUpHandlers(first.breedIndex, second.breedIndex);
             }
             _first = first;
             _second = second;
@@ -186,21 +206,31 @@ package starlogo.collision
             _isLookedUp = true;
         }
 
-        private function callHandlers(handlers:Vector.<CollisionHandler>, collider:ListedAgent, collidee:ListedAgent):void
+        private function lookUpHandlers(breed:int, otherBreed:int):void
         {
-            if (handlers == null)
+            _breed = breed;
+            _otherBreed = otherBreed;
+            _handlers = _handlersBack = null;
+            if (breed >= 0 && otherBreed >= 0)
             {
-                return;
+                _handlers = _table.handlersOf(breed, otherBreed);
+                _handlersBack = _table.handlersOf(otherBreed, breed);
             }
+        }
+
+        private function callHandlers(handlers:Vector.<CollisionHandler>, colliderRecord:AgentRecord, collideeRecord:AgentRecord):void
+        {
             var agents:Vector.<Agent> = _list.agents;
-            var length:int = _list.lengthAtStart;
+            var collider:Agent = colliderRecord.agent;
+            var collidee:Agent = collideeRecord.agent;
             var handlerCount:int = handlers.length;
             while (_handler < handlerCount)
             {
                 // mostly both still are where they were
-                if (agents.length != length || agents[collider.listIndex] !== collider.agent || agents[collidee.listIndex] !== collidee.agent)
+                if (agents.length != _list.lengthAtStart || agents[colliderRecord.listIndex] !== collider
+                        || agents[collideeRecord.listIndex] !== collidee)
                 {
-                    if (!_list.contains(collider, count) || !_list.contains(collidee, count))
+                    if (!_list.contains(colliderRecord, count) || !_list.contains(collideeRecord, count))
                     {
                         if (_list.isInDoubt)
                         {
@@ -215,7 +245,7 @@ package starlogo.collision
                 {
                     count++;
                     var handler:Function = next.handler;
-                    handler(collider.agent, collidee.agent);
+                    handler(collider, collidee);
                 }
             }
         }

@@ -62,7 +62,7 @@ package starlogo.collision
         {
             _pairs++;
             // the same way round whoever comes first, so that rounding is too
-            if (a.agent.id > b.agent.id)
+            if (a.serial > b.serial)
             {
                 var first:WorldShape = b;
                 b = a;

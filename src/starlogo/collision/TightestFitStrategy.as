@@ -8,6 +8,10 @@ package starlogo.collision
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.intersection.boxBox;
+    import starlogo.intersection.capsuleCapsule;
+    import starlogo.intersection.intersects;
+    import starlogo.intersection.sphereSphere;
     import starlogo.libraries.BoundingStructuresLibrary;
 
     use namespace engine;
@@ -19,6 +23,10 @@ package starlogo.collision
         public var tests:StructureTests = new StructureTests();
 
         private var _greatLand:GreatLand;
+
+        // How often each test was made in this search, by the kinds of the structures; two boxes apart.
+        private var _tests:Vector.<int> = new Vector.<int>(16, true);
+        private var _boxBoxTests:int = 0;
 
         /**
          * @param greatLand has the structures
@@ -76,19 +84,72 @@ package starlogo.collision
         /** @inheritDoc */
         override public function overlaps(a:WorldShape, b:WorldShape):Boolean
         {
-            return tests.overlaps(a, b);
+            if (a.worldOuterSphere != null)
+            {
+                if (b.worldOuterSphere != null && !passPreliminaryTests(a, b))
+                {
+                    return false;
+                }
+            }
+            var boxA:Box = a.worldBox;
+            var boxB:Box = b.worldBox;
+            if (boxA != null)
+            {
+                if (boxB != null)
+                {
+                    _boxBoxTests++;
+                    return boxBox(boxA, boxB, tests.boxFacesOnly);
+                }
+            }
+            var structureA:BoundingStructure = a.worldStructure;
+            var structureB:BoundingStructure = b.worldStructure;
+            _tests[structureA.kind << 2 | structureB.kind]++;
+            return intersects(structureA, structureB);
         }
 
         /** @inheritDoc */
         override public function resetCounts():void
         {
-            tests.resetCounts();
+            _boxBoxTests = 0;
+            for (var i:int = 0; i < _tests.length; i++)
+            {
+                _tests[i] = 0;
+            }
         }
 
         /** @inheritDoc */
         override public function countInto(statistics:CollisionStatistics):void
         {
-            tests.countInto(statistics);
+            statistics.sphereSphereTests += testsOf(BoundingStructure.SPHERE, BoundingStructure.SPHERE);
+            statistics.sphereCapsuleTests += testsOf(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
+            statistics.sphereBoxTests += testsOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
+            statistics.capsuleCapsuleTests += testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
+            statistics.capsuleBoxTests += testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
+            statistics.boxBoxTests += _boxBoxTests;
+        }
+
+        private function passPreliminaryTests(a:WorldShape, b:WorldShape):Boolean
+        {
+            if (tests.spheresFirst)
+            {
+                _tests[BoundingStructure.SPHERE << 2 | BoundingStructure.SPHERE]++;
+                if (!sphereSphere(a.worldOuterSphere, b.worldOuterSphere))
+                {
+                    return false;
+                }
+            }
+            if (tests.capsulesFirst && (a.worldBox != null || b.worldBox != null))
+            {
+                _tests[BoundingStructure.CAPSULE << 2 | BoundingStructure.CAPSULE]++;
+                return capsuleCapsule(a.worldOuterCapsule, b.worldOuterCapsule);
+            }
+            return true;
+        }
+
+        private function testsOf(kind:int, otherKind:int):int
+        {
+            var count:int = _tests[kind << 2 | otherKind];
+            return kind == otherKind ? count : count + _tests[otherKind << 2 | kind];
         }
     }
 }

@@ -11,9 +11,14 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
         {
-            return Enclosing.box(session.vertices, new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1]);
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            return EnclosingStructures.box(session.vertices, new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1]);
         }
     }
 }

@@ -1,7 +1,6 @@
 package starlogo.fitting
 {
     import starlogo.geometry.ConvexHull;
-    import starlogo.geometry.Tolerances;
 
     /**
      * The smallest box with one axis along a given direction, exactly: its other axes lie along the sides of the smallest
@@ -9,15 +8,10 @@ package starlogo.fitting
      * (Freeman, Shapira, "Determining the Minimum-Area Encasing Rectangle for an Arbitrary Closed Curve", Communications of the
      * ACM 18(7), 1975).
      *
-     * <p>The outline is found by walking along the hull's edges: the next corner is the neighbour that leaves all others to
-     * the left. So a measurement costs about the square root of the number of corners, not the number itself. One object is
-     * good for many directions; those close to the one before are the fastest.</p>
+     * <p>One object is good for many directions; those close to the one before are the fastest (see HullOutline).</p>
      */
-    public final class BoxAlongAxis
+    internal final class BoxAlongAxis
     {
-        private static const BACK:Number = Tolerances.OUTLINE_BACK;
-        private static const LEVEL:Number = Tolerances.OUTLINE_LEVEL;
-
         /** Unit vector along one side of the box last measured, perpendicular to the direction; the third follows. */
         public var sideX:Number = 0;
 
@@ -33,34 +27,22 @@ package starlogo.fitting
         /** The corner that is farthest against it. */
         public var lowest:int = 0;
 
+        private var _hull:ConvexHull;
         private var _points:Vector.<Number>;
-        private var _firstNeighbor:Vector.<int>;
-        private var _neighbors:Vector.<int>;
-        private var _same:Number;
-
-        // the picture's axes
-        private var _uX:Number;
-        private var _uY:Number;
-        private var _uZ:Number;
-        private var _vX:Number;
-        private var _vY:Number;
-        private var _vZ:Number;
-
-        // the outline, counter-clockwise
-        private var _u:Vector.<Number> = new Vector.<Number>();
-        private var _v:Vector.<Number> = new Vector.<Number>();
-        private var _bottom:int = 0;
-        private var _cluster:Vector.<int> = new Vector.<int>();
+        private var _outline:HullOutline;
+        private var _u:Vector.<Number>;
+        private var _v:Vector.<Number>;
 
         /**
          * @param hull of the vertices
          */
         public function BoxAlongAxis(hull:ConvexHull)
         {
+            _hull = hull;
             _points = hull.convexPoints;
-            _firstNeighbor = hull.firstNeighbor;
-            _neighbors = hull.neighbors;
-            _same = Math.pow(Tolerances.OUTLINE_SAME * hull.extent, 2);
+            _outline = new HullOutline(hull);
+            _u = _outline.u;
+            _v = _outline.v;
         }
 
         /**
@@ -74,189 +56,14 @@ package starlogo.fitting
          */
         public function measure(x:Number, y:Number, z:Number, enough:Number = Infinity):Number
         {
-            highest = climb(highest, x, y, z);
-            lowest = climb(lowest, -x, -y, -z);
+            highest = _hull.support(x, y, z, highest, _points);
+            lowest = _hull.support(-x, -y, -z, lowest, _points);
             var thickness:Number = (_points[3 * highest] - _points[3 * lowest]) * x
                 + (_points[3 * highest + 1] - _points[3 * lowest + 1]) * y
                 + (_points[3 * highest + 2] - _points[3 * lowest + 2]) * z;
-            setPicture(x, y, z);
-            walk();
-            var atLeast:Number = thickness * outlineArea();
+            _outline.look(x, y, z);
+            var atLeast:Number = thickness * _outline.area;
             return atLeast >= enough ? atLeast : Math.max(0, thickness * turnCalipers());
-        }
-
-        private function setPicture(x:Number, y:Number, z:Number):void
-        {
-            if (x * x <= y * y && x * x <= z * z)
-            {
-                setFirst(0, z, -y);
-            }
-            else if (y * y <= z * z)
-            {
-                setFirst(-z, 0, x);
-            }
-            else
-            {
-                setFirst(y, -x, 0);
-            }
-            _vX = y * _uZ - z * _uY;
-            _vY = z * _uX - x * _uZ;
-            _vZ = x * _uY - y * _uX;
-        }
-
-        private function setFirst(x:Number, y:Number, z:Number):void
-        {
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            _uX = x / length;
-            _uY = y / length;
-            _uZ = z / length;
-        }
-
-        private function climb(corner:int, x:Number, y:Number, z:Number):int
-        {
-            var points:Vector.<Number> = _points;
-            var at:int = 3 * corner;
-            var best:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
-            var from:int;
-            do
-            {
-                from = corner;
-                var end:int = _firstNeighbor[from + 1];
-                for (var i:int = _firstNeighbor[from]; i < end; i++)
-                {
-                    at = 3 * _neighbors[i];
-                    var value:Number = points[at] * x + points[at + 1] * y + points[at + 2] * z;
-                    if (value > best)
-                    {
-                        best = value;
-                        corner = _neighbors[i];
-                    }
-                }
-            }
-            while (corner != from);
-            return corner;
-        }
-
-        // Fills _u and _v with the outline's corners, starting at the bottom.
-        private function walk():void
-        {
-            _bottom = climb(_bottom, -_vX, -_vY, -_vZ);
-            var corner:int = _bottom;
-            var startU:Number = u(corner);
-            var startV:Number = v(corner);
-            var fromU:Number = startU;
-            var fromV:Number = startV;
-            var alongU:Number = 1;
-            var alongV:Number = 0;
-            var most:int = _firstNeighbor.length + 2;
-            var goesDown:Boolean = false;
-            _u.length = 0;
-            _v.length = 0;
-            while (_u.length < most)
-            {
-                _u.push(fromU);
-                _v.push(fromV);
-                corner = next(corner, fromU, fromV, alongU, alongV);
-                if (corner < 0)
-                {
-                    return;
-                }
-                var toU:Number = u(corner);
-                var toV:Number = v(corner);
-                if ((toU - startU) * (toU - startU) + (toV - startV) * (toV - startV) <= _same)
-                {
-                    return;
-                }
-                alongU = toU - fromU;
-                alongV = toV - fromV;
-                if (goesDown && alongU > 0 && alongV >= -LEVEL * alongU)
-                {
-                    // at the bottom again, without having met the start: it is inside a side, and was passed over
-                    return;
-                }
-                goesDown = goesDown || alongV < 0 || alongU < 0 && alongV <= -LEVEL * alongU;
-                fromU = toU;
-                fromV = toV;
-            }
-        }
-
-        // The neighbour that leaves all others to the left of the way to it; -1 if the picture is a point.
-        private function next(corner:int, fromU:Number, fromV:Number, alongU:Number, alongV:Number):int
-        {
-            var best:int = -1;
-            var bestU:Number = 0;
-            var bestV:Number = 0;
-            var bestSquare:Number = 0;
-            _cluster.length = 0;
-            _cluster.push(corner);
-            for (var i:int = 0; i < _cluster.length; i++)
-            {
-                var end:int = _firstNeighbor[_cluster[i] + 1];
-                for (var k:int = _firstNeighbor[_cluster[i]]; k < end; k++)
-                {
-                    var neighbor:int = _neighbors[k];
-                    var at:int = 3 * neighbor;
-                    var x:Number = _points[at];
-                    var y:Number = _points[at + 1];
-                    var z:Number = _points[at + 2];
-                    var toU:Number = x * _uX + y * _uY + z * _uZ - fromU;
-                    var toV:Number = x * _vX + y * _vY + z * _vZ - fromV;
-                    var square:Number = toU * toU + toV * toV;
-                    if (square <= _same)
-                    {
-                        // behind this corner, or before it: its neighbours count too
-                        if (_cluster.indexOf(neighbor) < 0)
-                        {
-                            _cluster.push(neighbor);
-                        }
-                        continue;
-                    }
-                    var turn:Number = alongU * toV - alongV * toU;
-                    // straight back, or by rounding beyond it
-                    if (turn <= -BACK * (alongU * toU + alongV * toV))
-                    {
-                        continue;
-                    }
-                    var side:Number = bestU * toV - bestV * toU;
-                    if (best < 0 || side < 0 || side == 0 && square > bestSquare)
-                    {
-                        best = neighbor;
-                        bestU = toU;
-                        bestV = toV;
-                        bestSquare = square;
-                    }
-                }
-            }
-            return best;
-        }
-
-        private function u(corner:int):Number
-        {
-            return _points[3 * corner] * _uX + _points[3 * corner + 1] * _uY + _points[3 * corner + 2] * _uZ;
-        }
-
-        private function v(corner:int):Number
-        {
-            return _points[3 * corner] * _vX + _points[3 * corner + 1] * _vY + _points[3 * corner + 2] * _vZ;
-        }
-
-        private function outlineArea():Number
-        {
-            var count:int = _u.length;
-            var fromU:Number = _u[0];
-            var fromV:Number = _v[0];
-            var lastU:Number = 0;
-            var lastV:Number = 0;
-            var sum:Number = 0;
-            for (var i:int = 1; i < count; i++)
-            {
-                var toU:Number = _u[i] - fromU;
-                var toV:Number = _v[i] - fromV;
-                sum += lastU * toV - lastV * toU;
-                lastU = toU;
-                lastV = toV;
-            }
-            return sum / 2;
         }
 
         // The area of the smallest rectangle around the outline; sets the side. Three corners are followed while the side turns:
@@ -292,9 +99,9 @@ package starlogo.fitting
                     bestV = alongV;
                 }
             }
-            sideX = bestU * _uX + bestV * _vX;
-            sideY = bestU * _uY + bestV * _vY;
-            sideZ = bestU * _uZ + bestV * _vZ;
+            sideX = bestU * _outline.uX + bestV * _outline.vX;
+            sideY = bestU * _outline.uY + bestV * _outline.vY;
+            sideZ = bestU * _outline.uZ + bestV * _outline.vZ;
             return count < 3 ? 0 : least;
         }
 

@@ -11,7 +11,7 @@ package starlogo.fitting
      * Methods in Extremal Problems", 1978). The small quadratic program is solved in its dual, one multiplier after the other
      * (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics Quarterly 4(1), 1957).</p>
      */
-    public final class CapsuleDescent
+    internal final class CapsuleDescent
     {
         private static const STEPS:int = 60;
         private static const SWEEPS:int = 60;
@@ -56,7 +56,7 @@ package starlogo.fitting
             volume = volumeOf(ends, radius);
             for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
             {
-                linearize();
+                linearise();
                 solve(reach);
                 var i:int;
                 for (i = 0; i < 6; i++)
@@ -130,7 +130,7 @@ package starlogo.fitting
         }
 
         // The tangents at the points that may become the farthest.
-        private function linearize():void
+        private function linearise():void
         {
             measure(ends);
             _tangents.length = 0;
@@ -182,7 +182,7 @@ package starlogo.fitting
             return least;
         }
 
-        // Minimizes gradient * change + |change|^2 / (2 reach) with tangents * change <= room. In units of the radius and of
+        // Minimises gradient * change + |change|^2 / (2 reach) with tangents * change <= room. In units of the radius and of
         // its derivative, so that the reach is a share of the radius whatever the model's size.
         private function solve(reach:Number):void
         {

@@ -18,7 +18,8 @@ package starlogo.fitting
         private var _boxFitter:Fitter;
 
         /**
-         * @param boxFitter finds the box; a library whose list has the same object computes the box once
+         * @param boxFitter finds the box, or the fit fails with an ArgumentError; a library whose list has the same object
+         *        computes the box once
          * @throws ArgumentError if it is null
          */
         public function CapsuleFitter(boxFitter:Fitter)
@@ -36,23 +37,18 @@ package starlogo.fitting
             return _boxFitter;
         }
 
-        /**
-         * @inheritDoc
-         *
-         * @throws ArgumentError if the fitter that was given for the box finds something else
-         */
-        override public function fitTo(session:FitSession):BoundingStructure
-        {
-            var spine:BoxSpine = new BoxSpine(session, _boxFitter);
-            var radius:Number = Enclosing.distanceFromLine(session.vertices, spine.center, spine.axis);
-            var half:Number = Math.max(0, spine.half - radius);
-            return Enclosing.capsule(session.vertices, spine.center, spine.axis, -half, half, radius);
-        }
-
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            return new SpineFit(session, this, _boxFitter);
+            return new Fit(session, find, _boxFitter.beginOnce(session));
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            var longest:LongestAxis = new LongestAxis(session, _boxFitter);
+            var radius:Number = EnclosingStructures.distanceFromLine(session.vertices, longest.center, longest.axis);
+            var half:Number = Math.max(0, longest.half - radius);
+            return EnclosingStructures.capsule(session.vertices, longest.center, longest.axis, -half, half, radius);
         }
     }
 }

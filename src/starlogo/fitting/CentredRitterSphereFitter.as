@@ -15,10 +15,15 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
+        {
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
         {
             var points:Vector.<Number> = session.hull.points;
-            var box:Extents = new Extents(points);
+            var box:ExtremePoints = new ExtremePoints(points);
             var z:Number = (box.lowZ + box.highZ) / 2;
             var radius:Number = (box.highZ - box.lowZ) / 2;
             for (var i:int = 0; i < points.length; i += 3)
@@ -34,7 +39,7 @@ package starlogo.fitting
                     radius = Math.sqrt(across + (height - shift) * (height - shift));
                 }
             }
-            return Enclosing.sphere(session.vertices, 0, 0, z, radius);
+            return EnclosingStructures.sphere(session.vertices, 0, 0, z, radius);
         }
     }
 }

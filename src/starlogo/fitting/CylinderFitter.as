@@ -12,7 +12,7 @@ package starlogo.fitting
         private var _boxFitter:Fitter;
 
         /**
-         * @param boxFitter finds the box
+         * @param boxFitter finds the box, or the fit fails with an ArgumentError
          * @throws ArgumentError if it is null
          */
         public function CylinderFitter(boxFitter:Fitter)
@@ -30,21 +30,16 @@ package starlogo.fitting
             return _boxFitter;
         }
 
-        /**
-         * @inheritDoc
-         *
-         * @throws ArgumentError if the fitter that was given for the box finds something else
-         */
-        override public function fitTo(session:FitSession):BoundingStructure
-        {
-            var spine:BoxSpine = new BoxSpine(session, _boxFitter);
-            return Enclosing.cylinder(session.vertices, spine.center, spine.axis, spine.half);
-        }
-
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            return new SpineFit(session, this, _boxFitter);
+            return new Fit(session, find, _boxFitter.beginOnce(session));
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            var longest:LongestAxis = new LongestAxis(session, _boxFitter);
+            return EnclosingStructures.cylinder(session.vertices, longest.center, longest.axis, longest.half);
         }
     }
 }

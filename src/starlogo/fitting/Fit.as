@@ -1,73 +1,52 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.engine;
     import starlogo.steps.Steps;
 
-    use namespace engine;
-
     /**
-     * A fit under way: what a fitter does for a session, in steps. After the last one the session's <code>fit()</code> has the
-     * result at hand.
-     *
-     * <p>This one does all in a single step. A fitter that takes more than a few milliseconds for thousands of vertices begins one
-     * of a subclass, which implements <code>advance()</code>. Settings of the fitter count as they are when the fit
-     * begins.</p>
+     * A fit under way: what a Fitter does for the vertices of a session, in steps. There may be work to do first, in steps of its
+     * own; the last step finds the structure.
      */
-    public class Fit implements Steps
+    public final class Fit implements Steps
     {
         private var _session:FitSession;
-        private var _fitter:Fitter;
+        private var _find:Function;
+        private var _before:Steps;
+        private var _structure:BoundingStructure = null;
 
         /**
-         * @param session the vertices, and their hull; it may not be there before the first step
-         * @param fitter whose fit it is
+         * @param session the vertices, and their hull
+         * @param find finds the structure: <code>function(session:FitSession):BoundingStructure</code>; called in the last step.
+         *        What takes more than a few milliseconds for thousands of vertices had better be done before
+         * @param before what has to be done first; null for nothing
          */
-        public function Fit(session:FitSession, fitter:Fitter)
+        public function Fit(session:FitSession, find:Function, before:Steps = null)
         {
             _session = session;
-            _fitter = fitter;
+            _find = find;
+            _before = before;
         }
 
-        /** The vertices, and their hull. */
-        public function get session():FitSession
+        /** What was found; null until no step is left. */
+        public function get structure():BoundingStructure
         {
-            return _session;
+            return _structure;
         }
 
         /** @inheritDoc */
         public function step():Boolean
         {
-            // another fit may have needed the same one
-            return !_session.hasFitted(_fitter) && advance();
-        }
-
-        /** Does all steps that are left, and returns what was found. */
-        public function run():BoundingStructure
-        {
-            var hasMore:Boolean = true;
-            while (hasMore)
+            if (_before != null)
             {
-                hasMore = step();
+                if (!_before.step())
+                {
+                    _before = null;
+                }
+                return true;
             }
-            return _session.fit(_fitter);
-        }
-
-        /**
-         * The next step; in the last one it calls <code>finish()</code>.
-         *
-         * @return whether there is more to do
-         */
-        protected function advance():Boolean
-        {
-            finish(_fitter.fitTo(_session));
+            // two that need the same fit both go on with it
+            _structure ||= _find(_session);
             return false;
-        }
-
-        /** Hands in what was found. */
-        protected function finish(structure:BoundingStructure):void
-        {
-            _session.keep(_fitter, structure);
         }
     }
 }

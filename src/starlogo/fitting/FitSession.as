@@ -1,27 +1,29 @@
 package starlogo.fitting
 {
-    import flash.utils.Dictionary;
-    import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.ConvexHull;
     import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
     /**
      * The vertices of one model while structures are fitted to them: their convex hull, computed once, and what each fitter
-     * found, so that a box that a capsule is built from is not searched for twice. Let go of it when the model is done.
+     * does or has done for them (see <code>Fitter.fitOnce()</code>). Let go of it when the model is done.
      *
      * <p>The hull may be computed in steps, which are those of the session.</p>
      */
     public final class FitSession implements Steps
     {
         private var _hull:ConvexHull;
-        private var _found:Dictionary = new Dictionary();
+
+        // The work begun for the vertices, and whose each is.
+        private var _owners:Vector.<Object> = new Vector.<Object>();
+        private var _works:Vector.<Steps> = new Vector.<Steps>();
 
         /**
          * @param vertices x, y, z of each vertex; kept, not copied, and never changed
-         * @param atOnce false leaves the hull to <code>step()</code>
+         * @param atOnce false leaves all, the check of the vertices too, to <code>step()</code>
          * @throws ArgumentError if they are null or empty, their number of coordinates is no multiple of 3, or one is not
          *         finite
          */
@@ -33,7 +35,7 @@ package starlogo.fitting
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if a coordinate is not finite
+         * @throws ArgumentError what the constructor throws, if it left the check to the steps
          */
         public function step():Boolean
         {
@@ -49,62 +51,30 @@ package starlogo.fitting
         /** Their convex hull; what steps have left of it is done now. */
         public function get hull():ConvexHull
         {
-            var hasMore:Boolean = true;
-            while (hasMore)
-            {
-                hasMore = _hull.step();
-            }
+            finish(_hull);
             return _hull;
         }
 
         /**
-         * What a fitter finds for these vertices; the same object whenever it is asked again.
+         * The work that was kept for an owner, which is any object; null if there is none.
          *
-         * @param fitter any fitter
-         * @throws ArgumentError if it is null
+         * @private
          */
-        public function fit(fitter:Fitter):BoundingStructure
+        engine function workOf(owner:Object):Steps
         {
-            check(fitter);
-            var found:BoundingStructure = _found[fitter];
-            if (found == null)
-            {
-                found = fitter.fitTo(this);
-                _found[fitter] = found;
-            }
-            return found;
+            var i:int = _owners.indexOf(owner);
+            return i < 0 ? null : _works[i];
         }
 
         /**
-         * Begins what <code>fit()</code> does: after the last step it is at hand there.
+         * Keeps work for whoever else needs it.
          *
-         * @param fitter any fitter
-         * @throws ArgumentError if it is null
+         * @private
          */
-        public function begin(fitter:Fitter):Fit
+        engine function keep(owner:Object, work:Steps):void
         {
-            check(fitter);
-            return fitter.begin(this);
-        }
-
-        /** Whether it is known what a fitter finds. */
-        engine function hasFitted(fitter:Fitter):Boolean
-        {
-            return _found[fitter] != null;
-        }
-
-        /** Takes what a fitter has found. */
-        engine function keep(fitter:Fitter, structure:BoundingStructure):void
-        {
-            _found[fitter] = structure;
-        }
-
-        private static function check(fitter:Fitter):void
-        {
-            if (fitter == null)
-            {
-                throw new ArgumentError("the fitter must not be null");
-            }
+            _owners.push(owner);
+            _works.push(work);
         }
     }
 }

@@ -2,15 +2,42 @@ package starlogo.fitting
 {
     import flash.errors.IllegalOperationError;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.steps.finish;
+
+    use namespace engine;
 
     /**
      * An algorithm that finds a bounding structure for a model (thesis §3.4): one that encloses every vertex, within 1e-6 of
      * the model's size. That holds for any vertices: one, two, all on a line or in a plane, repeated ones.
      *
-     * <p>This is the abstract base of one class per algorithm; a subclass implements <code>fitTo()</code>. Only vertices on
-     * the convex hull decide how tight a fit can be (thesis §3.4.2), so the algorithms search with those; a FitSession
+     * <p>This is the abstract base of one class per algorithm; a subclass implements <code>begin()</code> and nothing else. Only
+     * vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the algorithms search with those; a FitSession
      * computes the hull once for all the fitters that are given the same vertices. What they find is then measured in double
      * precision over every vertex.</p>
+     *
+     * <p>A fitter of one's own that finds its structure in one go:</p>
+     *
+     * <listing>
+     * public class OriginSphereFitter extends Fitter
+     * {
+     *     override public function begin(session:FitSession):Fit
+     *     {
+     *         return new Fit(session, find);
+     *     }
+     * 
+     *     private function find(session:FitSession):BoundingStructure
+     *     {
+     *         var v:Vector.&lt;Number&gt; = session.vertices;
+     *         var square:Number = 0;
+     *         for (var i:int = 0; i &lt; v.length; i += 3)
+     *         {
+     *             square = Math.max(square, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
+     *         }
+     *         return new Sphere(new Vector3D(), Math.sqrt(square));
+     *     }
+     * }
+     * </listing>
      */
     public class Fitter
     {
@@ -20,39 +47,58 @@ package starlogo.fitting
         }
 
         /**
-         * Finds a structure around the vertices. For several fits of the same vertices a FitSession is faster.
+         * Begins to find a structure around the vertices of a session: what a subclass implements. Settings of the fitter
+         * count as they are now.
+         *
+         * @param session the vertices, and their hull; it may not be there before the first step
+         * @return the work, not begun yet
+         */
+        public function begin(session:FitSession):Fit
+        {
+            throw new IllegalOperationError(this + " does not implement begin");
+        }
+
+        /**
+         * Finds a structure around the vertices. For several fits of the same vertices <code>fitOnce()</code> is faster.
          *
          * @param vertices x, y, z of each vertex; not changed
          * @return a structure of its own in the vertices' space and unit
          * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is
          *         not finite
          */
-        public function fit(vertices:Vector.<Number>):BoundingStructure
+        public final function fit(vertices:Vector.<Number>):BoundingStructure
         {
-            return new FitSession(vertices).fit(this);
+            return fitOnce(new FitSession(vertices));
         }
 
         /**
-         * Finds a structure around the vertices of a session; what other fitters find is at hand there. For a FitSession to
-         * call: its <code>fit()</code> remembers the result.
+         * What <code>fit()</code> finds for a session's vertices: found at the first call for a session, and the same object at
+         * every other.
          *
          * @param session the vertices, and their hull
          */
-        public function fitTo(session:FitSession):BoundingStructure
+        public final function fitOnce(session:FitSession):BoundingStructure
         {
-            throw new IllegalOperationError(this + " does not implement fitTo");
+            var work:Fit = beginOnce(session);
+            finish(work);
+            return work.structure;
         }
 
         /**
-         * Begins what <code>fitTo()</code> does, for a game to go on meanwhile: in a single step, unless a subclass overrides
-         * this. Those with a search by increments do; the smallest boxes and capsules are found in one go.
+         * The fit of a session's vertices: begun at the first call for a session, and the same object at every other. So a box
+         * that a capsule is built from is found once.
          *
          * @param session the vertices, and their hull
-         * @return the work, not begun yet
          */
-        public function begin(session:FitSession):Fit
+        public final function beginOnce(session:FitSession):Fit
         {
-            return new Fit(session, this);
+            var work:Fit = session.workOf(this) as Fit;
+            if (work == null)
+            {
+                work = begin(session);
+                session.keep(this, work);
+            }
+            return work;
         }
     }
 }

@@ -10,7 +10,7 @@ package starlogo.fitting
      * there, and given one normal the best box is known exactly (see BoxAlongAxis). What is left is a search along
      * one arc of directions for each edge of the hull.
      *
-     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples slides along arcs,
+     * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples descends along arcs,
      * from one to the next, with steps that shrink until nothing is gained. It is not a proof; against certified minima
      * on the models and sets of the project's tests it is within 0.001 %.</p>
      *
@@ -35,9 +35,14 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
         {
-            return Enclosing.box(session.vertices, smallestAxes(session.hull));
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            return EnclosingStructures.box(session.vertices, smallestAxes(session.hull));
         }
 
         private static function smallestAxes(hull:ConvexHull):Vector.<Number>
@@ -46,52 +51,52 @@ package starlogo.fitting
             {
                 return hull.axes;
             }
-            var slide:BoxSlide = new BoxSlide(hull);
+            var descent:BoxDescent = new BoxDescent(hull);
             if (hull.dimension == 2)
             {
-                slide.start(hull.axes[6], hull.axes[7], hull.axes[8]);
-                return slide.axes;
+                descent.start(hull.axes[6], hull.axes[7], hull.axes[8]);
+                return descent.axes;
             }
             var best:Vector.<Number> = null;
             var least:Number = Infinity;
-            var samples:Vector.<BoxSample> = sample(hull);
-            for each (var start:BoxSample in startsOf(samples))
+            var samples:Vector.<DirectionSample> = sample(hull);
+            for each (var start:DirectionSample in DirectionSample.best(samples, STARTS, APART))
             {
-                slide.start(start.x, start.y, start.z);
-                slide.descend();
-                if (slide.volume < least)
+                descent.start(start.x, start.y, start.z);
+                descent.descend();
+                if (descent.volume < least)
                 {
-                    least = slide.volume;
-                    best = slide.axes;
+                    least = descent.volume;
+                    best = descent.axes;
                 }
             }
             return best;
         }
 
         // Measures the normals of the hull and directions on the arcs between them.
-        private static function sample(hull:ConvexHull):Vector.<BoxSample>
+        private static function sample(hull:ConvexHull):Vector.<DirectionSample>
         {
-            var net:DirectionNet = directionsOf(hull);
+            var net:DistinctDirections = directionsOf(hull);
             var box:BoxAlongAxis = new BoxAlongAxis(hull);
-            var samples:Vector.<BoxSample> = new Vector.<BoxSample>();
+            var samples:Vector.<DirectionSample> = new Vector.<DirectionSample>();
             var directions:Vector.<Number> = net.directions;
             var least:Number = Infinity;
             for (var i:int = 0; i < directions.length; i += 3)
             {
                 var volume:Number = box.measure(directions[i], directions[i + 1], directions[i + 2], 2 * least);
                 least = Math.min(least, volume);
-                samples.push(new BoxSample(directions[i], directions[i + 1], directions[i + 2], volume));
+                samples.push(new DirectionSample(directions[i], directions[i + 1], directions[i + 2], volume));
             }
             return samples;
         }
 
-        private static function directionsOf(hull:ConvexHull):DirectionNet
+        private static function directionsOf(hull:ConvexHull):DistinctDirections
         {
             var spacing:Number = 1e-7;
-            var net:DirectionNet;
+            var net:DistinctDirections;
             do
             {
-                net = new DirectionNet(spacing);
+                net = new DistinctDirections(spacing);
                 addDirections(hull, net);
                 spacing = Math.max(0.01, 1.4 * spacing);
             }
@@ -99,7 +104,7 @@ package starlogo.fitting
             return net;
         }
 
-        private static function addDirections(hull:ConvexHull, net:DirectionNet):void
+        private static function addDirections(hull:ConvexHull, net:DistinctDirections):void
         {
             net.add(1, 0, 0);
             net.add(0, 1, 0);
@@ -122,7 +127,7 @@ package starlogo.fitting
             }
         }
 
-        private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DirectionNet):void
+        private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DistinctDirections):void
         {
             var cosine:Number = normals[a] * normals[b] + normals[a + 1] * normals[b + 1] + normals[a + 2] * normals[b + 2];
             var angle:Number = Math.acos(Math.max(-1, Math.min(1, cosine)));
@@ -174,26 +179,6 @@ package starlogo.fitting
                 across[i] = faceOf[t[i % 3 == 2 ? i - 2 : i + 1] * corners + t[i]];
             }
             return across;
-        }
-
-        // The best samples, none close to a better one.
-        private static function startsOf(samples:Vector.<BoxSample>):Vector.<BoxSample>
-        {
-            samples.sort(BoxSample.compare);
-            var starts:Vector.<BoxSample> = new Vector.<BoxSample>();
-            for (var i:int = 0; i < samples.length && starts.length < STARTS; i++)
-            {
-                var isNew:Boolean = true;
-                for (var k:int = 0; k < starts.length && isNew; k++)
-                {
-                    isNew = !samples[i].isNear(starts[k], APART);
-                }
-                if (isNew)
-                {
-                    starts.push(samples[i]);
-                }
-            }
-            return starts;
         }
     }
 }

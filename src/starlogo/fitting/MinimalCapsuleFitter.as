@@ -32,16 +32,21 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
+        {
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
         {
             if (session.hull.dimension < 2)
             {
                 return segment(session);
             }
-            var sphere:Sphere = session.fit(_sphereFitter) as Sphere;
+            var sphere:Sphere = _sphereFitter.fitOnce(session) as Sphere;
             var best:Capsule = new Capsule(sphere.center, sphere.center, sphere.radius);
             var descent:CapsuleDescent = new CapsuleDescent(session.hull.points);
-            for each (var start:CapsuleStart in startsOf(session.hull))
+            for each (var start:CapsuleSample in DirectionSample.best(samplesOf(session.hull), STARTS, APART))
             {
                 for (var i:int = 0; i < 6; i++)
                 {
@@ -63,8 +68,8 @@ package starlogo.fitting
             var points:Vector.<Number> = session.hull.points;
             var start:Vector3D = new Vector3D(points[0], points[1], points[2]);
             var axis:Vector3D = new Vector3D(session.hull.axes[0], session.hull.axes[1], session.hull.axes[2]);
-            var radius:Number = Enclosing.distanceFromLine(session.vertices, start, axis);
-            return Enclosing.capsule(session.vertices, start, axis, Infinity, -Infinity, radius);
+            var radius:Number = EnclosingStructures.distanceFromLine(session.vertices, start, axis);
+            return EnclosingStructures.capsule(session.vertices, start, axis, Infinity, -Infinity, radius);
         }
 
         private static function enclose(vertices:Vector.<Number>, descent:CapsuleDescent):Capsule
@@ -76,13 +81,13 @@ package starlogo.fitting
             {
                 axis.setTo(1, 0, 0);
             }
-            var radius:Number = Math.max(descent.radius, Enclosing.distanceFromLine(vertices, start, axis));
-            return Enclosing.capsule(vertices, start, axis, Infinity, -Infinity, radius);
+            var radius:Number = Math.max(descent.radius, EnclosingStructures.distanceFromLine(vertices, start, axis));
+            return EnclosingStructures.capsule(vertices, start, axis, Infinity, -Infinity, radius);
         }
 
-        private static function startsOf(hull:ConvexHull):Vector.<CapsuleStart>
+        private static function samplesOf(hull:ConvexHull):Vector.<DirectionSample>
         {
-            var all:Vector.<CapsuleStart> = new Vector.<CapsuleStart>();
+            var all:Vector.<DirectionSample> = new Vector.<DirectionSample>();
             var i:int;
             for (i = 0; i < 9; i += 3)
             {
@@ -96,25 +101,11 @@ package starlogo.fitting
                 var across:Number = Math.sqrt(1 - z * z);
                 all.push(startAlong(hull.points, across * Math.cos(angle), across * Math.sin(angle), z));
             }
-            all.sort(CapsuleStart.compare);
-            var starts:Vector.<CapsuleStart> = new Vector.<CapsuleStart>();
-            for (i = 0; i < all.length && starts.length < STARTS; i++)
-            {
-                var isNew:Boolean = true;
-                for (var k:int = 0; k < starts.length && isNew; k++)
-                {
-                    isNew = !all[i].isNear(starts[k], APART);
-                }
-                if (isNew)
-                {
-                    starts.push(all[i]);
-                }
-            }
-            return starts;
+            return all;
         }
 
         // The axis through the smallest circle, and the radius of the smallest volume.
-        private static function startAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):CapsuleStart
+        private static function startAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):CapsuleSample
         {
             var uX:Number = z * z > 0.5 ? z : y;
             var uY:Number = z * z > 0.5 ? 0 : -x;
@@ -134,28 +125,23 @@ package starlogo.fitting
                 seen[i + 1] = points[i] * vX + points[i + 1] * vY + points[i + 2] * vZ;
                 heights[i / 3] = points[i] * x + points[i + 1] * y + points[i + 2] * z;
             }
-            var circle:SmallestBall = new SmallestBall(seen);
-            var best:CapsuleStart = null;
+            var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
+            var best:CapsuleSample = new CapsuleSample(x, y, z);
             for each (var multiple:Number in RADII)
             {
-                var start:CapsuleStart = startOf(seen, heights, circle, multiple * circle.radius);
-                if (best == null || start.volume < best.volume)
-                {
-                    best = start;
-                }
+                tryRadius(multiple * circle.radius, best, seen, heights, circle);
             }
             var centerX:Number = circle.x * uX + circle.y * vX;
             var centerY:Number = circle.x * uY + circle.y * vY;
             var centerZ:Number = circle.x * uZ + circle.y * vZ;
             best.ends = new <Number>[centerX + best.low * x, centerY + best.low * y, centerZ + best.low * z,
                     centerX + best.high * x, centerY + best.high * y, centerZ + best.high * z];
-            best.x = x;
-            best.y = y;
-            best.z = z;
             return best;
         }
 
-        private static function startOf(seen:Vector.<Number>, heights:Vector.<Number>, circle:SmallestBall, radius:Number):CapsuleStart
+        // Takes the capsule of a radius if it is smaller than the best so far.
+        private static function tryRadius(radius:Number, best:CapsuleSample, seen:Vector.<Number>, heights:Vector.<Number>,
+                circle:SmallestEnclosingBall):void
         {
             var low:Number = Infinity;
             var high:Number = -Infinity;
@@ -172,11 +158,13 @@ package starlogo.fitting
             {
                 low = high = (low + high) / 2;
             }
-            var start:CapsuleStart = new CapsuleStart();
-            start.low = low;
-            start.high = high;
-            start.volume = Math.PI * radius * radius * (high - low + 4 / 3 * radius);
-            return start;
+            var volume:Number = Math.PI * radius * radius * (high - low + 4 / 3 * radius);
+            if (volume < best.volume)
+            {
+                best.volume = volume;
+                best.low = low;
+                best.high = high;
+            }
         }
     }
 }

@@ -3,7 +3,7 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
 
     /**
-     * The smallest sphere of all (beyond the thesis; see SmallestBall): exact but for rounding, about 1e-12 of the radius. Usually
+     * The smallest sphere of all (beyond the thesis; see SmallestEnclosingBall): exact but for rounding, about 1e-12 of the radius. Usually
      * 5 to 15 passes over the hull's vertices, and two over all.
      */
     public final class MinimalSphereFitter extends Fitter
@@ -14,12 +14,17 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
         {
-            var ball:SmallestBall = new SmallestBall(session.hull.points);
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            var ball:SmallestEnclosingBall = new SmallestEnclosingBall(session.hull.points);
             // the hull leaves out what is outside of it by less than its grid's step
             ball.enclose(session.vertices);
-            return Enclosing.sphere(session.vertices, ball.x, ball.y, ball.z);
+            return EnclosingStructures.sphere(session.vertices, ball.x, ball.y, ball.z);
         }
     }
 }

@@ -14,10 +14,15 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
         {
-            var box:Extents = new Extents(session.hull.points);
-            return Enclosing.sphere(session.vertices, (box.lowX + box.highX) / 2, (box.lowY + box.highY) / 2,
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            var box:ExtremePoints = new ExtremePoints(session.hull.points);
+            return EnclosingStructures.sphere(session.vertices, (box.lowX + box.highX) / 2, (box.lowY + box.highY) / 2,
                     (box.lowZ + box.highZ) / 2);
         }
     }

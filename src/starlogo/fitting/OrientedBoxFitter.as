@@ -38,15 +38,10 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
-        {
-            return begin(session).run();
-        }
-
-        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            return new RotationFit(session, this, _degIncrement, _degIncrement, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, _degIncrement, _degIncrement, _degIncrement);
+            return new Fit(session, search.smallestBox, search);
         }
     }
 }

@@ -40,7 +40,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
+        override public function begin(session:FitSession):Fit
+        {
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
         {
             var points:Vector.<Number> = session.hull.points;
             var pair:Vector.<int> = _start == WIDEST_DIMENSION ? widest(points) : farthestFromFirst(points);
@@ -62,12 +67,12 @@ package starlogo.fitting
                     radius = (distance + radius) / 2;
                 }
             }
-            return Enclosing.sphere(session.vertices, x, y, z, radius);
+            return EnclosingStructures.sphere(session.vertices, x, y, z, radius);
         }
 
         private static function widest(points:Vector.<Number>):Vector.<int>
         {
-            var box:Extents = new Extents(points);
+            var box:ExtremePoints = new ExtremePoints(points);
             var x:Number = box.highX - box.lowX;
             var y:Number = box.highY - box.lowY;
             var z:Number = box.highZ - box.lowZ;

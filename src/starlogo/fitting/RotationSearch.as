@@ -1,12 +1,16 @@
 package starlogo.fitting
 {
     import flash.geom.Matrix3D;
+    import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Tolerances;
+    import starlogo.steps.Steps;
 
     /**
      * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose
-     * axis-aligned box is the smallest.
+     * axis-aligned box is the smallest. The rotations go about x first, then y, then z, each from 0 up to below 90 degrees. Of
+     * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first. A step tries all rotations
+     * about z that follow one about x and y.
      *
      * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The player turns the whole
      * hull about x and y natively; the rotations about z that follow leave the extent along z as it is, and their extents
@@ -15,13 +19,14 @@ package starlogo.fitting
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
      * if a box is as small as the hull itself.</p>
      */
-    public class RotationSearch
+    internal class RotationSearch implements Steps
     {
         private static const DEGREE:Number = Math.PI / 180;
         private static const MANY:int = 50;
         private static const RARELY:Number = 0.2;
 
-        private var _hull:ConvexHull;
+        private var _session:FitSession;
+        private var _hull:ConvexHull = null;
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
@@ -37,27 +42,30 @@ package starlogo.fitting
         private var _stepX:Number;
         private var _stepY:Number;
         private var _stepZ:Number;
-        private var _aboutX:Number;
-        private var _aboutY:Number;
-        private var _isForth:Boolean;
-        private var _cosines:Vector.<Number>;
-        private var _sines:Vector.<Number>;
-        private var _corners:Vector.<int>;
+        private var _aboutX:Number = 0;
+        private var _aboutY:Number = 0;
+        private var _isForth:Boolean = false;
+        private var _cosines:Vector.<Number> = new Vector.<Number>();
+        private var _sines:Vector.<Number> = new Vector.<Number>();
+        private var _corners:Vector.<int> = new Vector.<int>(6);
         private var _enough:Number;
-        private var _least:Number;
-        private var _bestX:Number;
-        private var _bestY:Number;
-        private var _bestZ:Number;
+        private var _least:Number = Infinity;
+        private var _bestX:Number = 0;
+        private var _bestY:Number = 0;
+        private var _bestZ:Number = 0;
 
         /**
-         * @param hull of the vertices
+         * @param session the vertices; their hull may not be there before the first step
+         * @param stepX degrees between the rotations about x
+         * @param stepY about y
+         * @param stepZ about z
          */
-        public function RotationSearch(hull:ConvexHull)
+        public function RotationSearch(session:FitSession, stepX:Number, stepY:Number, stepZ:Number)
         {
-            _hull = hull;
-            _turned = new Vector.<Number>(hull.points.length);
-            _firstNeighbor = hull.firstNeighbor;
-            _neighbors = hull.neighbors;
+            _session = session;
+            _stepX = stepX;
+            _stepY = stepY;
+            _stepZ = stepZ;
         }
 
         /**
@@ -75,68 +83,18 @@ package starlogo.fitting
             return degrees;
         }
 
-        /**
-         * The axes of the smallest box: the rotations go about x first, then y, then z, each from 0 up to below 90 degrees. Of
-         * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first.
-         *
-         * @param stepX degrees
-         * @param stepY degrees
-         * @param stepZ degrees
-         * @return three unit vectors, nine numbers
-         */
-        public function smallestBox(stepX:Number, stepY:Number, stepZ:Number):Vector.<Number>
-        {
-            begin(stepX, stepY, stepZ);
-            var hasMore:Boolean = true;
-            while (hasMore)
-            {
-                hasMore = step();
-            }
-            return axes;
-        }
-
-        /**
-         * Begins what <code>smallestBox()</code> does.
-         *
-         * @param stepX degrees
-         * @param stepY degrees
-         * @param stepZ degrees
-         */
-        public function begin(stepX:Number, stepY:Number, stepZ:Number):void
-        {
-            _stepX = stepX;
-            _stepY = stepY;
-            _stepZ = stepZ;
-            _aboutX = 0;
-            _aboutY = 0;
-            _bestX = 0;
-            _bestY = 0;
-            _bestZ = 0;
-            _least = Infinity;
-            _enough = _hull.volume * (1 + Tolerances.FIT_TIE);
-            _corners = new Vector.<int>(6);
-            _isForth = false;
-            _cosines = new Vector.<Number>();
-            _sines = new Vector.<Number>();
-            var count:int = Math.ceil(90 / stepZ);
-            while (_sines.length < count)
-            {
-                _cosines.push(Math.cos(_sines.length * stepZ * DEGREE));
-                _sines.push(Math.sin(_sines.length * stepZ * DEGREE));
-            }
-        }
-
-        /**
-         * Goes on with what was begun: tries all rotations about z that follow one about x and y.
-         *
-         * @return whether there is more to do
-         */
+        /** @inheritDoc */
         public function step():Boolean
         {
+            if (_hull == null)
+            {
+                prepare();
+                return true;
+            }
             turn(_aboutX * DEGREE, _aboutY * DEGREE);
             var corners:Vector.<int> = _corners;
-            corners[4] = climbUp(corners[4], 1);
-            corners[5] = climbUp(corners[5], -1);
+            corners[4] = climb(corners[4], 1, 0, 1);
+            corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
             // to and fro: the corners found last are close to those looked for next
             _isForth = !_isForth;
@@ -168,10 +126,25 @@ package starlogo.fitting
             return goOn();
         }
 
-        /** What <code>smallestBox()</code> returns: of the rotations tried so far. */
-        public function get axes():Vector.<Number>
+        /** The smallest box of the rotations tried so far, around all vertices. */
+        public function smallestBox(session:FitSession):Box
         {
-            return axesOf(_bestX * DEGREE, _bestY * DEGREE, _bestZ * DEGREE);
+            return EnclosingStructures.box(session.vertices, axesOf(_bestX * DEGREE, _bestY * DEGREE, _bestZ * DEGREE));
+        }
+
+        private function prepare():void
+        {
+            _hull = _session.hull;
+            _turned = new Vector.<Number>(_hull.points.length);
+            _firstNeighbor = _hull.firstNeighbor;
+            _neighbors = _hull.neighbors;
+            _enough = _hull.volume * (1 + Tolerances.FIT_TIE);
+            var count:int = Math.ceil(90 / _stepZ);
+            for (var i:int = 0; i < count; i++)
+            {
+                _cosines.push(Math.cos(i * _stepZ * DEGREE));
+                _sines.push(Math.sin(i * _stepZ * DEGREE));
+            }
         }
 
         // To the next rotation about y, or about x; false if there is none.
@@ -230,8 +203,8 @@ package starlogo.fitting
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.
         private function span(corners:Vector.<int>, index:int, alongX:Number, alongY:Number):Number
         {
-            var high:int = corners[index] = climb(corners[index], alongX, alongY);
-            var low:int = corners[index + 1] = climb(corners[index + 1], -alongX, -alongY);
+            var high:int = corners[index] = climb(corners[index], 0, alongX, alongY);
+            var low:int = corners[index + 1] = climb(corners[index + 1], 0, -alongX, -alongY);
             return (_turned[3 * high] - _turned[3 * low]) * alongX + (_turned[3 * high + 1] - _turned[3 * low + 1]) * alongY;
         }
 
@@ -295,21 +268,22 @@ package starlogo.fitting
             return (highX - lowX) * (highY - lowY);
         }
 
-        // The corner that is farthest in a direction of the plane.
-        private function climb(corner:int, alongX:Number, alongY:Number):int
+        // The corner that is farthest in a direction of the plane of two coordinates that follow each other: 0 for x and y, 1 for
+        // y and z. Nearly all of the search's time goes here, and the hull's support() takes a third coordinate for every neighbour.
+        private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;
             var neighbors:Vector.<int> = _neighbors;
             var firstNeighbor:Vector.<int> = _firstNeighbor;
-            var at:int = 3 * corner;
-            var best:Number = alongX * turned[at] + alongY * turned[at + 1];
+            var at:int = 3 * corner + plane;
+            var best:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
             var end:int = firstNeighbor[corner + 1];
             var i:int = firstNeighbor[corner];
             while (i < end)
             {
                 var neighbor:int = neighbors[i];
-                at = 3 * neighbor;
-                var value:Number = alongX * turned[at] + alongY * turned[at + 1];
+                at = 3 * neighbor + plane;
+                var value:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
                 if (value > best)
                 {
                     // on from there at once: to see whether another neighbour is better still costs more than it brings
@@ -323,29 +297,6 @@ package starlogo.fitting
                     i++;
                 }
             }
-            return corner;
-        }
-
-        // The corner that is farthest up the z axis, or for direction -1 down.
-        private function climbUp(corner:int, direction:int):int
-        {
-            var best:Number = direction * _turned[3 * corner + 2];
-            var from:int;
-            do
-            {
-                from = corner;
-                var end:int = _firstNeighbor[from + 1];
-                for (var i:int = _firstNeighbor[from]; i < end; i++)
-                {
-                    var value:Number = direction * _turned[3 * _neighbors[i] + 2];
-                    if (value > best)
-                    {
-                        best = value;
-                        corner = _neighbors[i];
-                    }
-                }
-            }
-            while (corner != from);
             return corner;
         }
     }

@@ -34,15 +34,10 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function fitTo(session:FitSession):BoundingStructure
-        {
-            return begin(session).run();
-        }
-
-        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            return new RotationFit(session, this, 90, 90, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, 90, 90, _degIncrement);
+            return new Fit(session, search.smallestBox, search);
         }
     }
 }

@@ -1,10 +1,12 @@
 package starlogo.geometry
 {
+    import starlogo.steps.Steps;
+
     /**
      * The convex hull of points in a plane (Andrew, "Another Efficient Algorithm for Convex Hulls in Two Dimensions",
      * Information Processing Letters 9(5), 1979), in three steps: the sorting, and either half.
      */
-    public final class PlanarHull
+    internal final class PlanarHull implements Steps
     {
         private var _points:Vector.<Number>;
         private var _order:Array = null;
@@ -27,11 +29,7 @@ package starlogo.geometry
             return _corners;
         }
 
-        /**
-         * Does the next step.
-         *
-         * @return whether there is more to do
-         */
+        /** @inheritDoc */
         public function step():Boolean
         {
             if (_order == null)

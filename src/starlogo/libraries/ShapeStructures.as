@@ -5,7 +5,11 @@ package starlogo.libraries
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
 
-    /** What the BoundingStructuresLibrary keeps of one shape. */
+    /**
+     * What the BoundingStructuresLibrary keeps of one shape.
+     *
+     * @private
+     */
     public final class ShapeStructures
     {
         /** What has the least volume, or the cheapest tests within the factor. */

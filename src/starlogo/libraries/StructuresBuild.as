@@ -9,17 +9,17 @@ package starlogo.libraries
     /**
      * Finds the structures of one shape for a BoundingStructuresLibrary, with the library's settings as they were when it
      * began: the hull of the vertices, then what each fitter finds.
+     *
+     * @private
      */
     public final class StructuresBuild implements Steps
     {
         private var _name:String;
         private var _cheaperTestsFactor:Number;
         private var _keepsAll:Boolean;
-        private var _session:FitSession;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
-        private var _found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-        private var _isHullDone:Boolean = false;
+        private var _left:Vector.<Steps>;
         private var _structures:ShapeStructures = null;
 
         /**
@@ -28,7 +28,7 @@ package starlogo.libraries
          * @param fitters what to compare; copied
          * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
          * @param keepsAll whether the smallest one of each kind is kept beside the tightest
-         * @throws ArgumentError if there are no vertices or a coordinate is missing; if there are no fitters, or one is null
+         * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
         public function StructuresBuild(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, cheaperTestsFactor:Number,
                 keepsAll:Boolean)
@@ -40,14 +40,17 @@ package starlogo.libraries
             {
                 throw named("the library's list of fitters is empty");
             }
-            _fitters = fitters.concat();
-            try
+            if (fitters.indexOf(null) >= 0)
             {
-                begin(vertices);
+                throw named("a fitter must not be null");
             }
-            catch (error:ArgumentError)
+            _fitters = fitters.concat();
+            var session:FitSession = new FitSession(vertices, false);
+            _left = new <Steps>[session];
+            for each (var fitter:Fitter in _fitters)
             {
-                throw named(error.message);
+                _fits.push(fitter.beginOnce(session));
+                _left.push(_fits[_fits.length - 1]);
             }
         }
 
@@ -60,8 +63,8 @@ package starlogo.libraries
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if a coordinate is not finite, or a fitter finds what cannot be collided, or refuses the
-         *         vertices; the message names the shape
+         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not
+         *         finite; if a fitter finds what cannot be collided, or refuses the vertices; the message names the shape
          */
         public function step():Boolean
         {
@@ -76,40 +79,32 @@ package starlogo.libraries
             return _structures == null;
         }
 
-        private function begin(vertices:Vector.<Number>):void
-        {
-            _session = new FitSession(vertices, false);
-            for each (var fitter:Fitter in _fitters)
-            {
-                _fits.push(_session.begin(fitter));
-            }
-        }
-
         private function advance():void
         {
-            if (!_isHullDone)
+            if (!_left[0].step())
             {
-                _isHullDone = !_session.step();
+                _left.shift();
             }
-            else if (!_fits[_found.length].step())
+            if (_left.length == 0)
             {
-                take(_fitters[_found.length]);
-                if (_found.length == _fits.length)
-                {
-                    _structures = new ShapeStructures(_found, _cheaperTestsFactor, _keepsAll);
-                }
+                _structures = new ShapeStructures(found(), _cheaperTestsFactor, _keepsAll);
             }
         }
 
-        private function take(fitter:Fitter):void
+        private function found():Vector.<BoundingStructure>
         {
-            var structure:BoundingStructure = _session.fit(fitter);
-            if (structure == null || structure.kind == BoundingStructure.CYLINDER)
+            var all:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            for (var i:int = 0; i < _fits.length; i++)
             {
-                throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found "
-                        + structure);
+                var structure:BoundingStructure = _fits[i].structure;
+                if (structure == null || structure.kind == BoundingStructure.CYLINDER)
+                {
+                    throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + _fitters[i]
+                            + " found " + structure);
+                }
+                all.push(widened(structure));
             }
-            _found.push(widened(structure));
+            return all;
         }
 
         private function named(problem:String):ArgumentError

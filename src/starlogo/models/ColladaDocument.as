@@ -1,10 +1,10 @@
 package starlogo.models
 {
-    /** A COLLADA document's elements: found by name and id whatever their namespace, read, and named in errors. */
+    /** A COLLADA document: its elements found by id, their numbers read, and their places named in errors. */
     internal final class ColladaDocument
     {
         private var _name:String;
-        private var _root:XML;
+        private var _root:ColladaElement;
         private var _elementsById:Object = null;
 
         /**
@@ -20,36 +20,23 @@ package starlogo.models
                 throw new ModelError(name, "", "there is no text to read");
             }
             _root = parse(source);
-            if (_root.localName() != "COLLADA")
+            if (_root.name != "COLLADA")
             {
                 throw new ModelError(name, "", "expected a COLLADA document, but its root element is <" +
-                        _root.localName() + ">");
+                        _root.name + ">");
             }
         }
 
         /** The element COLLADA. */
-        public function get root():XML
+        public function get root():ColladaElement
         {
             return _root;
         }
 
-        /** The elements of a name within an element. */
-        public static function children(element:XML, name:String):XMLList
-        {
-            return element.elements(new QName(null, name));
-        }
-
-        /** The first element of a name within an element, or null. */
-        public static function child(element:XML, name:String):XML
-        {
-            var found:XMLList = element.elements(new QName(null, name));
-            return found.length() > 0 ? found[0] : null;
-        }
-
         /** The first element of a name within an element, which has to be there. */
-        public function requiredChild(element:XML, name:String):XML
+        public function requiredChild(element:ColladaElement, name:String):ColladaElement
         {
-            var found:XML = child(element, name);
+            var found:ColladaElement = element.child(name);
             if (found == null)
             {
                 throw error(element, "expected a <" + name + "> in it");
@@ -65,37 +52,25 @@ package starlogo.models
          * @param names the names that the element may have, the wanted one first
          * @param scope where it is looked for first, or null: some exporters use an id again in each mesh
          */
-        public function target(element:XML, attribute:String, names:Array, scope:XML = null):XML
+        public function target(element:ColladaElement, attribute:String, names:Array, scope:ColladaElement = null):ColladaElement
         {
-            var url:String = element.attribute(attribute).toString();
+            var url:String = element.attribute(attribute);
             if (url.charAt(0) != "#")
             {
                 throw error(element, "expected a " + attribute +
                         " like \"#id\", of an element in this file, but found \"" +
-                        Words.shorten(url) + "\"");
+                        TextTokens.shorten(url) + "\"");
             }
             var id:String = url.substr(1);
             for each (var name:String in names)
             {
-                var found:XML = (scope == null ? null : childWithId(scope, name, id)) || elementWithId(name, id);
+                var found:ColladaElement = (scope == null ? null : childWithId(scope, name, id)) || elementWithId(name, id);
                 if (found != null)
                 {
                     return found;
                 }
             }
-            throw error(element, "there is no <" + names[0] + "> with the id \"" + Words.shorten(id) + "\"");
-        }
-
-        /** An element's text: words divided by white space. */
-        public static function words(element:XML):Array
-        {
-            var texts:XMLList = element.text();
-            var all:Array = [];
-            for each (var text:XML in texts)
-            {
-                all.push(text.toString()); // comments may divide the text
-            }
-            return Words.of(all.join(" "));
+            throw error(element, "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
         }
 
         /**
@@ -103,9 +78,9 @@ package starlogo.models
          *
          * @param count how many there must be; negative if that is open
          */
-        public function numbers(element:XML, count:int = -1):Vector.<Number>
+        public function numbers(element:ColladaElement, count:int = -1):Vector.<Number>
         {
-            var all:Array = words(element);
+            var all:Array = element.words;
             var length:int = all.length;
             if (count >= 0 && length != count)
             {
@@ -120,12 +95,12 @@ package starlogo.models
         }
 
         /** The finite number that a word of an element's text is. */
-        public function toNumber(element:XML, word:String):Number
+        public function toNumber(element:ColladaElement, word:String):Number
         {
-            var number:Number = Words.toNumber(word);
+            var number:Number = TextTokens.toNumber(word);
             if (number - number != 0)
             {
-                throw error(element, "expected finite numbers, but found \"" + Words.shorten(word) + "\"");
+                throw error(element, "expected finite numbers, but found \"" + TextTokens.shorten(word) + "\"");
             }
             return number;
         }
@@ -135,61 +110,58 @@ package starlogo.models
          *
          * @param missing what it is if it is not there
          */
-        public function integer(element:XML, attribute:String, missing:Number):Number
+        public function integer(element:ColladaElement, attribute:String, missing:Number):Number
         {
-            var text:String = element.attribute(attribute).toString();
+            var text:String = element.attribute(attribute);
             var number:Number = text == "" ? missing : Number(text);
             if (!(number >= 0 && number == Math.floor(number) && number < Number.POSITIVE_INFINITY))
             {
                 throw error(element, "expected " + attribute + " to be a whole number, not negative, but found \"" +
-                        Words.shorten(text) + "\"");
+                        TextTokens.shorten(text) + "\"");
             }
             return number;
         }
 
         /** Checks an element's attribute <code>count</code>, if there is one, against what was counted. */
-        public function checkCount(element:XML, counted:int, what:String):void
+        public function checkCount(element:ColladaElement, counted:int, what:String):void
         {
             if (integer(element, "count", counted) != counted)
             {
-                throw error(element, "its count is " + Words.shorten(element.@count) + ", but it has " + counted +
+                throw error(element, "its count is " + TextTokens.shorten(element.attribute("count")) + ", but it has " + counted +
                         " " + what);
             }
         }
 
         /** An error in an element. */
-        public function error(element:XML, problem:String):ModelError
+        public function error(element:ColladaElement, problem:String):ModelError
         {
-            return new ModelError(_name, path(element), problem);
+            return new ModelError(_name, element.path, problem);
         }
 
-        private function parse(source:String):XML
+        private function parse(source:String):ColladaElement
         {
-            if (source.indexOf("<") < 0)
-            {
-                throw new ModelError(_name, "", "this is not XML: expected a COLLADA document");
-            }
+            var parsed:ColladaElement = null;
             try
             {
                 // a byte-order mark is no XML to every player
-                var xml:XML = new XML(source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source);
+                parsed = source.indexOf("<") < 0 ? null : ColladaElement.parse(source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source);
             }
             catch (error:TypeError)
             {
                 throw new ModelError(_name, "", "this is not well-formed XML, or cut off: " + error.message);
             }
-            if (xml.nodeKind() != "element")
+            if (parsed == null)
             {
                 throw new ModelError(_name, "", "this is not XML: expected a COLLADA document");
             }
-            return xml;
+            return parsed;
         }
 
-        private static function childWithId(element:XML, name:String, id:String):XML
+        private static function childWithId(element:ColladaElement, name:String, id:String):ColladaElement
         {
-            for each (var candidate:XML in children(element, name))
+            for each (var candidate:ColladaElement in element.children)
             {
-                if (candidate.@id == id)
+                if (candidate.name == name && candidate.id == id)
                 {
                     return candidate;
                 }
@@ -197,54 +169,24 @@ package starlogo.models
             return null;
         }
 
-        private function elementWithId(name:String, id:String):XML
+        private function elementWithId(name:String, id:String):ColladaElement
         {
             if (_elementsById == null)
             {
-                _elementsById = new Object();
-                for each (var element:XML in _root.descendants())
+                _elementsById = {};
+                for each (var element:ColladaElement in _root.identified)
                 {
-                    var itsId:String = element.nodeKind() == "element" ? element.@id.toString() : "";
-                    if (itsId != "" && _elementsById[element.localName() + "#" + itsId] == null)
-                    {
-                        _elementsById[element.localName() + "#" + itsId] = element;
-                    }
+                    var key:String = keyOf(element.name, element.id);
+                    _elementsById[key] = _elementsById[key] || element;
                 }
             }
-            return _elementsById[name + "#" + id];
+            return _elementsById[keyOf(name, id)];
         }
 
-        /** The way from the root to an element: names, with ids or, among several without, with numbers from 1. */
-        private static function path(element:XML):String
+        /** Never the name of a property that each Object has. */
+        private static function keyOf(name:String, id:String):String
         {
-            var steps:Array = [];
-            for (var parent:XML = element.parent(); parent != null; parent = element.parent())
-            {
-                steps.unshift(step(element, parent));
-                element = parent;
-            }
-            return steps.length > 0 ? steps.join("/") : element.localName();
-        }
-
-        private static function step(element:XML, parent:XML):String
-        {
-            var name:String = element.localName();
-            var id:String = element.@id.toString();
-            if (id != "")
-            {
-                return name + "#" + Words.shorten(id);
-            }
-            var siblings:XMLList = children(parent, name);
-            if (siblings.length() == 1)
-            {
-                return name;
-            }
-            var place:int = 0;
-            while (siblings[place].childIndex() != element.childIndex())
-            {
-                place++;
-            }
-            return name + "[" + (place + 1) + "]";
+            return name + "#" + id;
         }
     }
 }

@@ -4,20 +4,20 @@ package starlogo.models
     internal final class ColladaInstance
     {
         /** The element "geometry". */
-        public var geometry:XML;
+        public var geometry:ColladaElement;
 
         /** Where it is in the scene. */
         public var transform:ColladaTransform;
 
         /** The element that placed it there. */
-        public var element:XML;
+        public var element:ColladaElement;
 
         /**
          * @param geometry the element "geometry"
          * @param transform where it is in the scene
          * @param element the element that placed it there
          */
-        public function ColladaInstance(geometry:XML, transform:ColladaTransform, element:XML)
+        public function ColladaInstance(geometry:ColladaElement, transform:ColladaTransform, element:ColladaElement)
         {
             this.geometry = geometry;
             this.transform = transform;

@@ -1,37 +1,44 @@
 package starlogo.models
 {
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
     /** Reads a COLLADA geometry, in small steps. Splines, solids and lines have no surface here. */
-    internal final class ColladaMesh
+    internal final class ColladaMesh implements Steps
     {
         private var _document:ColladaDocument;
-        private var _mesh:XML;
-        private var _primitives:Array = [];
-        private var _source:ColladaSource = null;
-        private var _reading:ColladaPrimitive = null;
+        private var _mesh:ColladaElement;
+        private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
         private var _positions:Object = {};
-        private var _hasPositions:Boolean = false;
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
         private var _triangulator:Triangulator;
+        private var _work:StepSequence = new StepSequence();
         private var _isRead:Boolean = false;
 
         /**
          * @param document the document
          * @param geometry the element
          */
-        public function ColladaMesh(document:ColladaDocument, geometry:XML)
+        public function ColladaMesh(document:ColladaDocument, geometry:ColladaElement)
         {
             _document = document;
-            _mesh = ColladaDocument.child(geometry, "mesh") || ColladaDocument.child(geometry, "convex_mesh");
+            _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
             _triangulator = new Triangulator(_vertices, _triangles);
-            for each (var element:XML in _mesh == null ? new XMLList() : _mesh.elements())
+            for each (var element:ColladaElement in _mesh == null ? new Vector.<ColladaElement>() : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
                 {
                     _primitives.push(element);
+                    _work.begin(nextPrimitive);
                 }
             }
+            if (_primitives.length == 0)
+            {
+                _work.begin(points);
+            }
+            _work.call(conclude);
         }
 
         /** When it is read: the points that its surfaces use, or all if it has none. */
@@ -52,59 +59,46 @@ package starlogo.models
             return _isUsed.indexOf(1) >= 0;
         }
 
-        /**
-         * Reads on.
-         *
-         * @return whether there is more to read
-         */
+        /** @inheritDoc A mesh that is read may be asked again: it says that there is no more. */
         public function step():Boolean
         {
-            if (_isRead)
-            {
-                return false;
-            }
-            if (_source != null)
-            {
-                _source = _source.step() ? _source : null;
-            }
-            else if (_reading != null)
-            {
-                _reading = _reading.step() ? _reading : null;
-            }
-            else if (_primitives.length > 0)
-            {
-                _reading = primitive(_primitives.shift());
-            }
-            else if (!_hasPositions)
-            {
-                addPoints();
-            }
-            else
-            {
-                finish();
-            }
-            return !_isRead;
+            return !_isRead && _work.step();
         }
 
-        private function primitive(element:XML):ColladaPrimitive
+        /** The work on a primitive, after that on its source, if that was not read yet. */
+        private function nextPrimitive():Steps
         {
-            var source:XML = positionSource(ColladaPrimitive.positionInput(_document, element));
-            var positions:ColladaPositions = positionsOf(source);
-            return new ColladaPrimitive(_document, element, positions, _isUsed, _triangles, _triangulator);
+            var element:ColladaElement = _primitives.shift();
+            var work:StepSequence = new StepSequence();
+            var source:ColladaElement = positionSource(ColladaPrimitive.positionInput(_document, element));
+            var positions:ColladaPointRange = positionsOf(source, work);
+            return work.add(new ColladaPrimitive(_document, element, positions, _isUsed, _triangles, _triangulator));
+        }
+
+        /** Where there are no surfaces, the points are all that there is. */
+        private function points():Steps
+        {
+            var work:StepSequence = new StepSequence();
+            var element:ColladaElement = _mesh == null ? null : _mesh.child("vertices");
+            if (element != null)
+            {
+                positionsOf(sourceOfVertices(element), work);
+            }
+            return work;
         }
 
         /** The source that an input leads to, by way of an element "vertices" or not. */
-        private function positionSource(input:XML):XML
+        private function positionSource(input:ColladaElement):ColladaElement
         {
-            var target:XML = _document.target(input, "source", ["vertices", "source"], _mesh);
-            return target.localName() == "source" ? target : sourceOfVertices(target);
+            var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
+            return target.name == "source" ? target : sourceOfVertices(target);
         }
 
-        private function sourceOfVertices(vertices:XML):XML
+        private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
-            for each (var input:XML in ColladaDocument.children(vertices, "input"))
+            for each (var input:ColladaElement in vertices.childrenNamed("input"))
             {
-                if (input.@semantic == "POSITION")
+                if (input.attribute("semantic") == "POSITION")
                 {
                     return _document.target(input, "source", ["source"], _mesh);
                 }
@@ -112,39 +106,28 @@ package starlogo.models
             throw _document.error(vertices, "expected an <input> with the semantic POSITION");
         }
 
-        /** A source's points, which are read in the next steps; once, however many primitives have them. */
-        private function positionsOf(source:XML):ColladaPositions
+        /** A source's points; the work of reading them is added, once, however many primitives have them. */
+        private function positionsOf(source:ColladaElement, work:StepSequence):ColladaPointRange
         {
-            var key:String = "#" + source.@id; // an id may be the name of a property that each Object has
+            var key:String = "#" + source.id; // an id may be the name of a property that each Object has
             if (_positions[key] == null)
             {
                 var first:int = _vertices.length / 3;
-                _source = new ColladaSource(_document, source, _vertices);
-                _positions[key] = new ColladaPositions(first, _source.count);
-                _isUsed.length = first + _source.count;
-                _hasPositions = true;
+                var reading:ColladaSource = new ColladaSource(_document, source, _vertices);
+                work.add(reading);
+                _positions[key] = new ColladaPointRange(first, reading.count);
+                _isUsed.length = first + reading.count;
             }
             return _positions[key];
         }
 
-        private function finish():void
+        private function conclude():void
         {
             if (hasSurfaces)
             {
                 VertexFilter.keepUsed(_vertices, _triangles, _isUsed);
             }
             _isRead = true;
-        }
-
-        /** The points of a geometry without surfaces. */
-        private function addPoints():void
-        {
-            var element:XML = _mesh == null ? null : ColladaDocument.child(_mesh, "vertices");
-            if (element != null)
-            {
-                positionsOf(sourceOfVertices(element));
-            }
-            _hasPositions = true;
         }
     }
 }

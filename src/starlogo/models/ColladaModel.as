@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.steps.finish;
 
     /**
      * A model from a COLLADA document, 1.4 or 1.5.
@@ -32,7 +33,8 @@ package starlogo.models
          */
         public function ColladaModel(name:String, source:String)
         {
-            var reader:ColladaReader = new ColladaReader(name, source).readAll();
+            var reader:ColladaReader = new ColladaReader(name, source);
+            finish(reader);
             super(name, reader.vertices, reader.triangles);
         }
 

@@ -4,7 +4,7 @@ package starlogo.models
     internal final class ColladaNode
     {
         /** The element. */
-        public var element:XML;
+        public var element:ColladaElement;
 
         /** What it is in, or null. */
         public var parent:ColladaNode;
@@ -19,7 +19,7 @@ package starlogo.models
          * @param element the element
          * @param parent what it is in, or null
          */
-        public function ColladaNode(element:XML, parent:ColladaNode)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode)
         {
             this.element = element;
             this.parent = parent;
@@ -32,7 +32,7 @@ package starlogo.models
         {
             for (var node:ColladaNode = this; node != null; node = node.parent)
             {
-                if (node.element.@id == id)
+                if (node.element.id == id)
                 {
                     return true;
                 }

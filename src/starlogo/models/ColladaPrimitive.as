@@ -1,16 +1,18 @@
 package starlogo.models
 {
+    import starlogo.steps.Steps;
+
     /**
      * Reads one element of a COLLADA mesh that carries surfaces: triangles, polylist, polygons, tristrips or trifans.
      */
-    internal final class ColladaPrimitive
+    internal final class ColladaPrimitive implements Steps
     {
         private static const CORNERS_PER_STEP:int = 1500;
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
         private var _document:ColladaDocument;
-        private var _element:XML;
+        private var _element:ColladaElement;
         private var _firstPosition:int;
         private var _positionCount:int;
         private var _isUsed:Vector.<uint>;
@@ -37,7 +39,7 @@ package starlogo.models
          * @param triangles where the triangles go
          * @param triangulator cuts the polygons, into the same triangles
          */
-        public function ColladaPrimitive(document:ColladaDocument, element:XML, positions:ColladaPositions,
+        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaPointRange,
                 isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
         {
             _document = document;
@@ -48,7 +50,7 @@ package starlogo.models
             _triangles = triangles;
             _triangulator = triangulator;
             readInputs();
-            for each (var list:XML in ColladaDocument.children(element, "p"))
+            for each (var list:ColladaElement in element.childrenNamed("p"))
             {
                 _lists.push(list);
             }
@@ -56,9 +58,9 @@ package starlogo.models
         }
 
         /** Whether an element is a primitive with surfaces; some programs write empty ones, without inputs. */
-        internal static function isSurface(element:XML):Boolean
+        internal static function isSurface(element:ColladaElement):Boolean
         {
-            return NAMES.indexOf(element.localName()) >= 0 && element.@count != "0";
+            return NAMES.indexOf(element.name) >= 0 && element.attribute("count") != "0";
         }
 
         /**
@@ -66,16 +68,16 @@ package starlogo.models
          *
          * @throws ModelError if there is none
          */
-        internal static function positionInput(document:ColladaDocument, element:XML):XML
+        internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
         {
-            var position:XML = null;
-            for each (var input:XML in ColladaDocument.children(element, "input"))
+            var position:ColladaElement = null;
+            for each (var input:ColladaElement in element.childrenNamed("input"))
             {
-                if (input.@semantic == "VERTEX")
+                if (input.attribute("semantic") == "VERTEX")
                 {
                     return input;
                 }
-                if (input.@semantic == "POSITION")
+                if (input.attribute("semantic") == "POSITION")
                 {
                     position = input;
                 }
@@ -87,14 +89,10 @@ package starlogo.models
             return position;
         }
 
-        /**
-         * Reads on.
-         *
-         * @return whether there is more to read
-         */
+        /** @inheritDoc */
         public function step():Boolean
         {
-            switch (_element.localName())
+            switch (_element.name)
             {
                 case "triangles":
                     return readTriangles();
@@ -112,7 +110,7 @@ package starlogo.models
         private function readInputs():void
         {
             _stride = 1;
-            for each (var input:XML in ColladaDocument.children(_element, "input"))
+            for each (var input:ColladaElement in _element.childrenNamed("input"))
             {
                 var offset:Number = _document.integer(input, "offset", 0);
                 if (offset > MAX_OFFSET)
@@ -126,7 +124,7 @@ package starlogo.models
 
         private function checkLists():void
         {
-            switch (_element.localName())
+            switch (_element.name)
             {
                 case "triangles":
                     _words = allWords();
@@ -142,7 +140,7 @@ package starlogo.models
                     readSizes();
                     break;
                 case "polygons":
-                    for each (var polygon:XML in ColladaDocument.children(_element, "ph"))
+                    for each (var polygon:ColladaElement in _element.childrenNamed("ph"))
                     {
                         _lists.push(polygon);
                     }
@@ -156,8 +154,8 @@ package starlogo.models
 
         private function readSizes():void
         {
-            var vcount:XML = ColladaDocument.child(_element, "vcount");
-            _sizes = vcount == null ? [] : ColladaDocument.words(vcount);
+            var vcount:ColladaElement = _element.child("vcount");
+            _sizes = vcount == null ? [] : vcount.words;
             _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
             var sum:Number = 0;
             for each (var word:String in _sizes)
@@ -166,7 +164,7 @@ package starlogo.models
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
                     throw _document.error(vcount, "expected how many corners a polygon has, but found \"" +
-                            Words.shorten(word) + "\"");
+                            TextTokens.shorten(word) + "\"");
                 }
                 sum += size;
             }
@@ -181,12 +179,12 @@ package starlogo.models
         {
             if (_lists.length == 1)
             {
-                return ColladaDocument.words(_lists[0]);
+                return _lists[0].words;
             }
             var words:Array = [];
-            for each (var list:XML in _lists)
+            for each (var list:ColladaElement in _lists)
             {
-                words = words.concat(ColladaDocument.words(list));
+                words = words.concat(list.words);
             }
             return words;
         }
@@ -238,12 +236,12 @@ package starlogo.models
             var read:int = 0;
             while (read < CORNERS_PER_STEP && _list < _lists.length)
             {
-                var element:XML = _lists[_list++];
+                var element:ColladaElement = _lists[_list++];
                 var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
-                if (element.localName() == "ph")
+                if (element.name == "ph")
                 {
                     loops.push(loopOf(_document.requiredChild(element, "p")));
-                    for each (var hole:XML in ColladaDocument.children(element, "h"))
+                    for each (var hole:ColladaElement in element.childrenNamed("h"))
                     {
                         loops.push(loopOf(hole));
                     }
@@ -281,9 +279,9 @@ package starlogo.models
             return _list < _lists.length;
         }
 
-        private function loopOf(element:XML):Vector.<uint>
+        private function loopOf(element:ColladaElement):Vector.<uint>
         {
-            _words = ColladaDocument.words(element);
+            _words = element.words;
             return corners(_words, 0, cornersIn(_words));
         }
 
@@ -305,7 +303,7 @@ package starlogo.models
             if (index != value || index < 0 || index >= _positionCount)
             {
                 throw _document.error(_element, "expected a position's index, 0 to " + (_positionCount - 1) +
-                        ", but found \"" + Words.shorten(_words[word + _offset]) + "\"");
+                        ", but found \"" + TextTokens.shorten(_words[word + _offset]) + "\"");
             }
             index += _firstPosition;
             _isUsed[index] = 1;

@@ -1,5 +1,8 @@
 package starlogo.models
 {
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
     /** Reads a COLLADA document; ColladaModel says what of it. */
     internal final class ColladaReader implements ModelReader
     {
@@ -13,11 +16,11 @@ package starlogo.models
         private var _source:String;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
-        private var _isWalking:Boolean = true;
         private var _instance:int = 0;
         private var _meshes:Object = {};
         private var _mesh:ColladaMesh = null;
         private var _isDone:Boolean = false;
+        private var _work:StepSequence = new StepSequence().call(parse).begin(newScene).repeat(readInstances).call(conclude);
 
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
@@ -56,44 +59,28 @@ package starlogo.models
             return _instance == 0 ? 0 : 0.9 * _instance / _scene.instances.length;
         }
 
-        /** Reads all of it, and is ready with the vertices and triangles. */
-        public function readAll():ColladaReader
-        {
-            while (!_isDone)
-            {
-                step();
-            }
-            return this;
-        }
-
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_document == null)
-            {
-                _document = new ColladaDocument(_name, _source);
-            }
-            else if (_scene == null)
-            {
-                _scene = new ColladaScene(_document);
-            }
-            else if (_isWalking)
-            {
-                _isWalking = _scene.step();
-            }
-            else
-            {
-                readInstances();
-            }
-            return !_isDone;
+            return _work.step();
         }
 
-        private function readInstances():void
+        private function parse():void
+        {
+            _document = new ColladaDocument(_name, _source);
+        }
+
+        private function newScene():Steps
+        {
+            _scene = new ColladaScene(_document);
+            return _scene;
+        }
+
+        private function readInstances():Boolean
         {
             if (_instance == _scene.instances.length)
             {
-                finish();
-                return;
+                return false;
             }
             var instance:ColladaInstance = _scene.instances[_instance];
             if (_mesh == null)
@@ -106,12 +93,13 @@ package starlogo.models
                 _mesh = null;
                 _instance++;
             }
+            return true;
         }
 
         /** A geometry is read once, however often the scene has it. */
-        private function meshOf(geometry:XML):ColladaMesh
+        private function meshOf(geometry:ColladaElement):ColladaMesh
         {
-            var key:String = "#" + geometry.@id; // an id may be the name of a property that each Object has
+            var key:String = "#" + geometry.id; // an id may be the name of a property that each Object has
             if (key == "#" || _meshes[key] == null)
             {
                 _meshes[key] = new ColladaMesh(_document, geometry);
@@ -153,7 +141,7 @@ package starlogo.models
             }
         }
 
-        private function finish():void
+        private function conclude():void
         {
             if (_vertices.length == 0)
             {
@@ -171,13 +159,13 @@ package starlogo.models
 
         private function upAxis():String
         {
-            var asset:XML = ColladaDocument.child(_document.root, "asset");
-            var element:XML = asset == null ? null : ColladaDocument.child(asset, "up_axis");
+            var asset:ColladaElement = _document.root.child("asset");
+            var element:ColladaElement = asset == null ? null : asset.child("up_axis");
             if (element == null)
             {
                 return UpAxis.Y;
             }
-            var text:String = ColladaDocument.words(element).join(" ");
+            var text:String = element.words.join(" ");
             switch (text)
             {
                 case "X_UP":
@@ -188,7 +176,7 @@ package starlogo.models
                     return UpAxis.Z;
                 default:
                     throw _document.error(element, "expected X_UP, Y_UP or Z_UP, but found \"" +
-                            Words.shorten(text) + "\"");
+                            TextTokens.shorten(text) + "\"");
             }
         }
     }

@@ -1,10 +1,12 @@
 package starlogo.models
 {
+    import starlogo.steps.Steps;
+
     /**
      * Walks through the scene of a COLLADA document and finds the geometries in it; without a scene, all geometries of
      * the library as they are.
      */
-    internal final class ColladaScene
+    internal final class ColladaScene implements Steps
     {
         private static const NODES_PER_STEP:int = 20;
         private static const MAX_DEPTH:int = 256;
@@ -23,8 +25,8 @@ package starlogo.models
         public function ColladaScene(document:ColladaDocument)
         {
             _document = document;
-            var scene:XML = ColladaDocument.child(document.root, "scene");
-            var instance:XML = scene == null ? null : ColladaDocument.child(scene, "instance_visual_scene");
+            var scene:ColladaElement = document.root.child("scene");
+            var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
             {
                 _pending.push(new ColladaNode(document.target(instance, "url", ["visual_scene"]), null));
@@ -41,11 +43,7 @@ package starlogo.models
             return _instances;
         }
 
-        /**
-         * Walks on.
-         *
-         * @return whether there is more
-         */
+        /** @inheritDoc */
         public function step():Boolean
         {
             for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
@@ -57,9 +55,9 @@ package starlogo.models
 
         private function addLibrary():void
         {
-            for each (var library:XML in ColladaDocument.children(_document.root, "library_geometries"))
+            for each (var library:ColladaElement in _document.root.childrenNamed("library_geometries"))
             {
-                for each (var geometry:XML in ColladaDocument.children(library, "geometry"))
+                for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
                     _instances.push(new ColladaInstance(geometry, new ColladaTransform(), geometry));
                 }
@@ -70,10 +68,9 @@ package starlogo.models
         {
             checkSize(node);
             var nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
-            var elements:XMLList = node.element.elements();
-            for each (var element:XML in elements)
+            for each (var element:ColladaElement in node.element.children)
             {
-                switch (element.localName())
+                switch (element.name)
                 {
                     case "instance_geometry":
                         addGeometry(element, node.transform);
@@ -112,32 +109,32 @@ package starlogo.models
             }
         }
 
-        private function instanced(element:XML, node:ColladaNode):XML
+        private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
         {
-            var target:XML = _document.target(element, "url", ["node"]);
-            if (node.isWithin(target.@id))
+            var target:ColladaElement = _document.target(element, "url", ["node"]);
+            if (node.isWithin(target.id))
             {
                 throw _document.error(element, "recursive instance_node: it places the node \"" +
-                        Words.shorten(target.@id) +
+                        TextTokens.shorten(target.id) +
                         "\" within itself");
             }
             return target;
         }
 
-        private function addGeometry(element:XML, transform:ColladaTransform):void
+        private function addGeometry(element:ColladaElement, transform:ColladaTransform):void
         {
             _instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), transform, element));
         }
 
         /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */
-        private function addController(element:XML, transform:ColladaTransform):void
+        private function addController(element:ColladaElement, transform:ColladaTransform):void
         {
-            var target:XML = _document.target(element, "url", ["controller"]);
-            for (var i:int = 0; target.localName() == "controller"; i++)
+            var target:ColladaElement = _document.target(element, "url", ["controller"]);
+            for (var i:int = 0; target.name == "controller"; i++)
             {
-                var skin:XML = ColladaDocument.child(target, "skin");
-                var deformer:XML = skin || _document.requiredChild(target, "morph");
-                var shape:XML = skin == null ? null : ColladaDocument.child(skin, "bind_shape_matrix");
+                var skin:ColladaElement = target.child("skin");
+                var deformer:ColladaElement = skin || _document.requiredChild(target, "morph");
+                var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
                 transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
                 if (i > MAX_DEPTH)

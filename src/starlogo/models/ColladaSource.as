@@ -1,12 +1,14 @@
 package starlogo.models
 {
+    import starlogo.steps.Steps;
+
     /** Reads the points of a COLLADA source, its array as its accessor sees it, in small steps. */
-    internal final class ColladaSource
+    internal final class ColladaSource implements Steps
     {
         private static const POINTS_PER_STEP:int = 2000;
 
         private var _document:ColladaDocument;
-        private var _array:XML;
+        private var _array:ColladaElement;
         private var _words:Array;
         private var _columns:Vector.<int>;
         private var _stride:int;
@@ -20,13 +22,13 @@ package starlogo.models
          * @param source the element
          * @param points where its points go, after those that are there: x, y, z, ...
          */
-        public function ColladaSource(document:ColladaDocument, source:XML, points:Vector.<Number>)
+        public function ColladaSource(document:ColladaDocument, source:ColladaElement, points:Vector.<Number>)
         {
             _document = document;
             _points = points;
-            var accessor:XML = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
+            var accessor:ColladaElement = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
             _array = document.target(accessor, "source", ["float_array", "int_array"], source);
-            _words = ColladaDocument.words(_array);
+            _words = _array.words;
             document.checkCount(_array, _words.length, "numbers");
             readAccessor(accessor);
             _at = points.length;
@@ -39,11 +41,7 @@ package starlogo.models
             return _count;
         }
 
-        /**
-         * Reads on.
-         *
-         * @return whether there is more to read
-         */
+        /** @inheritDoc */
         public function step():Boolean
         {
             var x:int = _columns[0];
@@ -66,7 +64,7 @@ package starlogo.models
             return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
         }
 
-        private function readAccessor(accessor:XML):void
+        private function readAccessor(accessor:ColladaElement):void
         {
             var length:int = _words.length;
             var stride:Number = _document.integer(accessor, "stride", 1);
@@ -86,12 +84,12 @@ package starlogo.models
         }
 
         /** Which of an accessor's parameters are x, y and z: by their names, else the first three. */
-        private function columnsOf(accessor:XML, stride:Number):Vector.<int>
+        private function columnsOf(accessor:ColladaElement, stride:Number):Vector.<int>
         {
             var names:Array = [];
-            for each (var param:XML in ColladaDocument.children(accessor, "param"))
+            for each (var param:ColladaElement in accessor.childrenNamed("param"))
             {
-                names.push(param.@name.toString());
+                names.push(param.attribute("name"));
             }
             var columns:Vector.<int> = new <int>[names.indexOf("X"), names.indexOf("Y"), names.indexOf("Z")];
             if (columns.indexOf(-1) >= 0)

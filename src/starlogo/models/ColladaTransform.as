@@ -21,9 +21,9 @@ package starlogo.models
          *
          * @return null if the element is none that transforms
          */
-        internal static function of(document:ColladaDocument, element:XML):ColladaTransform
+        internal static function of(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
-            switch (element.localName())
+            switch (element.name)
             {
                 case "matrix":
                     return matrix(document, element);
@@ -108,7 +108,7 @@ package starlogo.models
         }
 
         /** What 16 numbers in rows do. */
-        internal static function matrix(document:ColladaDocument, element:XML):ColladaTransform
+        internal static function matrix(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
             var m:Vector.<Number> = document.numbers(element, 16);
             if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
@@ -129,7 +129,7 @@ package starlogo.models
         }
 
         /** About an axis (three numbers) by degrees (the fourth); no axis at all is taken for no rotation. */
-        private static function rotation(document:ColladaDocument, element:XML):ColladaTransform
+        private static function rotation(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
             var v:Vector.<Number> = document.numbers(element, 4);
             var length:Number = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -151,7 +151,7 @@ package starlogo.models
         }
 
         /** Stands at the first point and looks along -z at the second; the third vector points up. */
-        private static function lookAt(document:ColladaDocument, element:XML):ColladaTransform
+        private static function lookAt(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
             var v:Vector.<Number> = document.numbers(element, 9);
             var back:Vector.<Number> = normalise(new <Number>[v[0] - v[3], v[1] - v[4], v[2] - v[5]]);
@@ -168,7 +168,7 @@ package starlogo.models
         }
 
         /** An angle, the axis that turns by it, and the axis along which everything shifts. */
-        private static function skew(document:ColladaDocument, element:XML):ColladaTransform
+        private static function skew(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
             var v:Vector.<Number> = document.numbers(element, 7);
             var turning:Vector.<Number> = normalise(v.slice(1, 4));

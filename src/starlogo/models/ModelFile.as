@@ -1,8 +1,9 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.steps.finish;
 
-    /** Makes text of a model file's bytes: whatever the encoding, and out of a zip archive. */
+    /** Makes text of a model file's bytes, whatever the encoding. */
     internal final class ModelFile
     {
         private static const UTF_8:String = "utf-8";
@@ -45,33 +46,9 @@ package starlogo.models
             {
                 return text(name, bytes);
             }
-            var archive:ZipArchive = new ZipArchive(name, bytes);
-            return text(name, archive.read(documentIn(name, archive)));
-        }
-
-        /** The document that an archive's manifest names, or else the first one in it. */
-        private static function documentIn(name:String, archive:ZipArchive):String
-        {
-            if (archive.has("manifest.xml"))
-            {
-                var words:Array = text(name, archive.read("manifest.xml")).split(/<[^>]*>/);
-                for each (var word:String in words)
-                {
-                    var path:String = unescape(word.replace(/^\s*(\.\/)?|\s*(#.*)?$/g, ""));
-                    if (archive.has(path))
-                    {
-                        return path;
-                    }
-                }
-            }
-            for each (var file:String in archive.files)
-            {
-                if (file.substr(-4).toLowerCase() == ".dae")
-                {
-                    return file;
-                }
-            }
-            throw new ModelError(name, "", "the archive has no COLLADA document (.dae) in it");
+            var document:ArchivedDocument = new ArchivedDocument(name, bytes);
+            finish(document);
+            return document.text;
         }
 
         private static function encodingOf(bytes:ByteArray):String

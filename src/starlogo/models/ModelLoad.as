@@ -1,14 +1,8 @@
 package starlogo.models
 {
-    import flash.events.ErrorEvent;
-    import flash.events.Event;
-    import flash.events.IOErrorEvent;
-    import flash.events.ProgressEvent;
-    import flash.events.SecurityErrorEvent;
     import flash.net.URLLoader;
-    import flash.net.URLLoaderDataFormat;
-    import flash.net.URLRequest;
     import flash.utils.ByteArray;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** One model on its way through a ModelLoader: fetched, read, normalised, and taken in by the receiver. */
@@ -21,16 +15,14 @@ package starlogo.models
         private var _name:String;
         private var _upAxis:String;
         private var _receiver:ModelReceiver;
-        private var _fileName:String = "";
-        private var _fetching:URLLoader = null;
-        private var _fetched:Number = 0;
-        private var _problem:String = null;
+        private var _url:String = null;
+        private var _fetch:ModelFetch = null;
         private var _bytes:ByteArray = null;
+        private var _document:ArchivedDocument = null;
         private var _text:String = null;
         private var _reader:ModelReader = null;
-        private var _isReading:Boolean = true;
         private var _model:Model = null;
-        private var _receiving:Steps = null;
+        private var _work:StepSequence = new StepSequence().begin(unpack).begin(read).call(normalise).begin(receive);
 
         /**
          * @param name the model's name
@@ -59,7 +51,7 @@ package starlogo.models
         /** Whether its file is there, or won't come. */
         public function get isReady():Boolean
         {
-            return _fetching == null;
+            return _fetch == null || !_fetch.isUnderWay;
         }
 
         /** How far along it is, from 0 to 1. */
@@ -69,32 +61,25 @@ package starlogo.models
             {
                 return READ;
             }
-            return _reader == null ? FETCHED * _fetched : FETCHED + (READ - FETCHED) * _reader.progress;
+            if (_reader != null)
+            {
+                return FETCHED + (READ - FETCHED) * _reader.progress;
+            }
+            return _fetch == null ? 0 : FETCHED * _fetch.progress;
         }
 
-        /** Starts to fetch the file. */
-        public function fetch(url:String):void
+        /**
+         * Starts to fetch the file.
+         *
+         * @param url where it is
+         * @param loader fetches it
+         */
+        public function fetch(url:String, loader:URLLoader):void
         {
-            if (url == null || url == "")
+            _url = url || "";
+            if (_url != "")
             {
-                _problem = "there is no address to fetch its file from";
-                return;
-            }
-            _fileName = url.replace(/[?#].*$/, "");
-            _fetching = new URLLoader();
-            _fetching.dataFormat = URLLoaderDataFormat.BINARY;
-            _fetching.addEventListener(Event.COMPLETE, onFetched);
-            _fetching.addEventListener(ProgressEvent.PROGRESS, onProgress);
-            _fetching.addEventListener(IOErrorEvent.IO_ERROR, onFetchError);
-            _fetching.addEventListener(SecurityErrorEvent.SECURITY_ERROR, onFetchError);
-            try
-            {
-                _fetching.load(new URLRequest(url));
-            }
-            catch (error:SecurityError)
-            {
-                _problem = "its file may not be fetched: " + error.message;
-                stopListening();
+                _fetch = new ModelFetch(_url, loader);
             }
         }
 
@@ -113,85 +98,83 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            if (_fetching != null)
+            if (_fetch != null)
             {
-                var loader:URLLoader = _fetching;
-                stopListening();
-                loader.close();
+                _fetch.cancel();
             }
         }
 
-        /** @inheritDoc */
+        /**
+         * @inheritDoc
+         *
+         * @throws ModelError if the file did not come or is no model; the receiver's steps may throw other errors
+         */
         public function step():Boolean
         {
-            if (_problem != null)
-            {
-                throw new ModelError(_name, "", _problem);
-            }
-            if (_text == null)
-            {
-                _text = isArchive ? ModelFile.colladaText(_name, _bytes) : ModelFile.text(_name, _bytes);
-                _bytes = null;
-            }
-            else if (_reader == null)
-            {
-                _reader = isCollada ? new ColladaReader(_name, _text) : new ObjReader(_name, _text, _upAxis);
-            }
-            else if (_isReading)
-            {
-                _isReading = _reader.step();
-            }
-            else if (_model == null)
-            {
-                _model = new Model(_name, _reader.vertices, _reader.triangles);
-            }
-            else if (_receiving == null)
-            {
-                _receiving = _receiver.receive(_model);
-            }
-            else
-            {
-                return _receiving.step();
-            }
-            return true;
+            return _work.step();
         }
 
-        private function get isArchive():Boolean
+        private function unpack():Steps
         {
-            return _bytes != null && ZipArchive.isArchive(_bytes);
+            if (_fetch != null)
+            {
+                _bytes = _fetch.bytes;
+            }
+            checkFetched();
+            if (_bytes != null && ZipArchive.isArchive(_bytes))
+            {
+                _document = new ArchivedDocument(_name, _bytes);
+            }
+            else if (_text == null)
+            {
+                _text = ModelFile.text(_name, _bytes);
+            }
+            _bytes = null;
+            return _document;
+        }
+
+        private function checkFetched():void
+        {
+            var problem:String = _fetch == null ? null : _fetch.problem;
+            if (_url == "")
+            {
+                problem = "there is no address to fetch its file from";
+            }
+            if (problem != null)
+            {
+                throw new ModelError(_name, "", problem);
+            }
+        }
+
+        private function read():Steps
+        {
+            if (_document != null)
+            {
+                _text = _document.text;
+                _document = null;
+            }
+            _reader = isCollada ? new ColladaReader(_name, _text) : new ObjReader(_name, _text, _upAxis);
+            _text = null;
+            _fetch = null;
+            return _reader;
+        }
+
+        private function normalise():void
+        {
+            _model = new Model(_name, _reader.vertices, _reader.triangles);
+            _reader = null;
+        }
+
+        private function receive():Steps
+        {
+            return _receiver.receive(_model);
         }
 
         /** What begins with a tag is no OBJ file, whatever its name. */
         private function get isCollada():Boolean
         {
-            return /^﻿?\s*</.test(_text.substr(0, 1000)) || /\.(dae|zae)$/i.test(_fileName);
-        }
-
-        private function onProgress(event:ProgressEvent):void
-        {
-            _fetched = event.bytesTotal > 0 ? Math.min(1, event.bytesLoaded / event.bytesTotal) : 0;
-        }
-
-        private function onFetched(event:Event):void
-        {
-            _bytes = _fetching.data;
-            _fetched = 1;
-            stopListening();
-        }
-
-        private function onFetchError(event:ErrorEvent):void
-        {
-            _problem = "its file can't be fetched: " + event.text;
-            stopListening();
-        }
-
-        private function stopListening():void
-        {
-            _fetching.removeEventListener(Event.COMPLETE, onFetched);
-            _fetching.removeEventListener(ProgressEvent.PROGRESS, onProgress);
-            _fetching.removeEventListener(IOErrorEvent.IO_ERROR, onFetchError);
-            _fetching.removeEventListener(SecurityErrorEvent.SECURITY_ERROR, onFetchError);
-            _fetching = null;
+            var start:int = _text.charCodeAt(0) == 0xFEFF ? 1 : 0; // a byte-order mark
+            return /^\s*</.test(_text.substr(start, 1000)) || _url != null && /^[^?#]*\.(dae|zae)([?#]|$)/i.test(_url);
         }
     }
 }

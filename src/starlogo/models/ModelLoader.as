@@ -5,6 +5,7 @@ package starlogo.models
     import flash.events.Event;
     import flash.events.EventDispatcher;
     import flash.events.ProgressEvent;
+    import flash.net.URLLoader;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
 
@@ -37,6 +38,8 @@ package starlogo.models
      * works for about <code>budget</code> milliseconds. It can't stop within a step: most take less than a millisecond,
      * the longest for a file of 5,000 vertices a few (the player takes XML in one piece).</p>
      *
+     * <p>A loader that has work need not be kept: it stays alive until that is done or cancelled.</p>
+     *
      * <p>The reader is chosen by content and name: a zip archive, a text that begins with a tag, and files named .dae and
      * .zae are COLLADA, anything else OBJ. Agents may have a shape from when its ModelEvent comes; before that the
      * collision systems do not know it.</p>
@@ -51,12 +54,13 @@ package starlogo.models
      */
     public class ModelLoader extends EventDispatcher
     {
-        /** Milliseconds of work a frame. At 0 it is one step a frame. */
-        public var budget:Number;
+        // its listeners are the loaders that have work: static, so that they are not collected with what they are doing
+        private static var sFrames:Shape = new Shape();
 
         private var _receiver:ModelReceiver;
+        private var _budget:Number;
         private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
-        private var _frames:Shape = new Shape();
+        private var _isWorking:Boolean = false;
         private var _doneCount:int = 0;
         private var _longestFrame:int = 0;
         private var _longestStep:int = 0;
@@ -64,11 +68,42 @@ package starlogo.models
         /**
          * @param receiver takes the models in
          * @param budget milliseconds of work a frame
+         * @throws ArgumentError if the receiver is null
+         * @throws RangeError if the budget is negative or not a number
          */
         public function ModelLoader(receiver:ModelReceiver, budget:Number = 8)
         {
+            if (receiver == null)
+            {
+                throw new ArgumentError("the receiver of the models must not be null: a GreatLand, say");
+            }
             _receiver = receiver;
             this.budget = budget;
+        }
+
+        /** Whether any loader has work. */
+        internal static function get isAnyWorking():Boolean
+        {
+            return sFrames.hasEventListener(Event.ENTER_FRAME);
+        }
+
+        /**
+         * Milliseconds of work a frame. At 0 it is one step a frame.
+         *
+         * @throws RangeError if it is set to what is negative or not a number
+         */
+        public function get budget():Number
+        {
+            return _budget;
+        }
+
+        public function set budget(value:Number):void
+        {
+            if (!(value >= 0))
+            {
+                throw new RangeError("the budget must be 0 milliseconds a frame or more, not " + value);
+            }
+            _budget = value;
         }
 
         /** How many models are not loaded yet. */
@@ -111,8 +146,7 @@ package starlogo.models
          */
         public function load(name:String, url:String, upAxis:String = "z"):void
         {
-            var added:ModelLoad = add(name, upAxis);
-            added.fetch(url);
+            add(name, upAxis).fetch(url, newURLLoader());
         }
 
         /**
@@ -164,35 +198,49 @@ package starlogo.models
             }
         }
 
+        /** Fetches one file. */
+        internal function newURLLoader():URLLoader
+        {
+            return new URLLoader();
+        }
+
+        /** The time, in milliseconds. */
+        internal function now():int
+        {
+            return getTimer();
+        }
+
         private function add(name:String, upAxis:String):ModelLoad
         {
             var added:ModelLoad = new ModelLoad(name, upAxis, _receiver);
-            _queue.push(added);
             _receiver.expect(name);
-            _frames.addEventListener(Event.ENTER_FRAME, onFrame);
+            _queue.push(added);
+            sFrames.addEventListener(Event.ENTER_FRAME, onFrame);
+            _isWorking = true;
             return added;
         }
 
         private function rest():void
         {
-            _frames.removeEventListener(Event.ENTER_FRAME, onFrame);
+            sFrames.removeEventListener(Event.ENTER_FRAME, onFrame);
+            _isWorking = false;
             _doneCount = 0;
         }
 
         private function onFrame(event:Event):void
         {
-            var start:int = getTimer();
-            var now:int = start;
+            var start:int = now();
+            var time:int = start;
             var next:ModelLoad = nextReady();
             while (next != null)
             {
-                var before:int = now;
+                var before:int = time;
                 work(next);
-                now = getTimer();
-                _longestStep = Math.max(_longestStep, now - before);
-                next = now - start < budget ? nextReady() : null;
+                time = now();
+                _longestStep = Math.max(_longestStep, time - before);
+                next = time - start < _budget ? nextReady() : null;
             }
-            _longestFrame = Math.max(_longestFrame, now - start);
+            _longestFrame = Math.max(_longestFrame, time - start);
             report();
         }
 
@@ -249,7 +297,7 @@ package starlogo.models
 
         private function report():void
         {
-            if (!_frames.hasEventListener(Event.ENTER_FRAME))
+            if (!_isWorking)
             {
                 return; // a handler has cancelled the rest
             }
@@ -260,7 +308,7 @@ package starlogo.models
             }
             var total:Number = 100 * (_doneCount + _queue.length);
             dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, Math.floor(100 * done), total));
-            if (_queue.length == 0 && _frames.hasEventListener(Event.ENTER_FRAME))
+            if (_queue.length == 0 && _isWorking)
             {
                 rest();
                 dispatchEvent(new Event(Event.COMPLETE));

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.steps.finish;
 
     /**
      * A model from Wavefront OBJ text.
@@ -29,7 +30,8 @@ package starlogo.models
          */
         public function ObjModel(name:String, source:String, upAxis:String = "z")
         {
-            var reader:ObjReader = new ObjReader(name, source, upAxis).readAll();
+            var reader:ObjReader = new ObjReader(name, source, upAxis);
+            finish(reader);
             super(name, reader.vertices, reader.triangles);
         }
 

@@ -1,34 +1,19 @@
 package starlogo.models
 {
-    /** Reads Wavefront OBJ text; ObjModel says what of it. */
+    import starlogo.steps.StepSequence;
+
+    /** Reads the statements of Wavefront OBJ text; ObjModel says which. */
     internal final class ObjReader implements ModelReader
     {
-        private static const CHARACTERS_PER_PIECE:int = 30000;
         private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
 
-        // words of the reader's own, of characters that no text uses: a line's end, and one that the next line goes on
-        // from
-        private static const END:String = "\uE000";
-        private static const CONTINUED:String = "\uE001";
-
-        // what the text still has to go through, in this order
-        private static const WORDS:int = 0;
-        private static const POLYGONS:int = 1;
-        private static const RESULT:int = 2;
-        private static const DONE:int = 3;
-
         private var _name:String;
         private var _upAxis:String;
-        private var _source:String;
-        // the piece of the text from _start up to _end is words now
-        private var _start:int = 0;
-        private var _end:int = 0;
-        private var _words:Array = null;
-        private var _word:int;
-        private var _stage:int = WORDS;
-        private var _line:int = 0;
+        private var _tokens:ObjTokens;
         private var _polygon:int = 0;
+        private var _isDone:Boolean = false;
+        private var _work:StepSequence = new StepSequence().repeat(readSome).repeat(cutPolygons).call(conclude);
 
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _vertexCount:int = 0;
@@ -61,7 +46,7 @@ package starlogo.models
             {
                 throw new ModelError(name, "", "this is no OBJ text but some binary file");
             }
-            _source = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
+            _tokens = new ObjTokens(source);
             _triangulator = new Triangulator(_vertices, _triangles);
         }
 
@@ -80,100 +65,40 @@ package starlogo.models
         /** @inheritDoc */
         public function get progress():Number
         {
-            if (_words == null)
-            {
-                return _stage == DONE ? 1 : 0;
-            }
-            var read:Number = _start + (_end - _start) * _word / _words.length;
-            return 0.9 * read / Math.max(1, _source.length);
+            return _isDone ? 1 : 0.9 * _tokens.progress;
         }
 
         /** @inheritDoc */
         public function step():Boolean
         {
-            switch (_stage)
+            return _work.step();
+        }
+
+        /** A step through the words; whether there are more. */
+        private function readSome():Boolean
+        {
+            if (_tokens.isPieceRead)
             {
-                case WORDS:
-                    readSome();
-                    break;
-                case POLYGONS:
-                    cutPolygons(_polygon + POLYGONS_PER_STEP);
-                    break;
-                case RESULT:
-                    finish();
-                    break;
+                _tokens.takePiece();
+                return true;
             }
-            return _stage != DONE;
-        }
-
-        /** Reads all of it, and is ready with the vertices and triangles. */
-        public function readAll():ObjReader
-        {
-            while (_stage != DONE)
+            readWords();
+            if (_tokens.isPieceRead && _tokens.isLastPiece)
             {
-                step();
+                checkIndices();
+                return false;
             }
-            return this;
+            return true;
         }
 
-        private function readSome():void
+        private function readWords():void
         {
-            if (_words == null || _word == _words.length - 1)
+            var tokens:ObjTokens = _tokens;
+            var words:Array = tokens.words;
+            var end:int = Math.min(tokens.next + WORDS_PER_STEP, words.length - 1);
+            while (tokens.next < end)
             {
-                takePiece();
-            }
-            else
-            {
-                readWords(_word + WORDS_PER_STEP);
-            }
-        }
-
-        private function takePiece():void
-        {
-            _start = _end;
-            _end = endOfPiece(_start + CHARACTERS_PER_PIECE);
-            // with what makes an end before each line and after it
-            _words = wordsOf(_start == 0 ? "\n" : "", _source.substring(_start, _end), _end == _source.length ? "\n" : "");
-            _word = 1;
-        }
-
-        /** Pieces end with a line, and with one that is not continued. */
-        private function endOfPiece(from:int):int
-        {
-            var place:int = _source.indexOf("\n", from);
-            while (place >= 0)
-            {
-                var before:int = _source.charCodeAt(place - 1) == 0x0D ? place - 2 : place - 1;
-                if (_source.charAt(before) != "\\")
-                {
-                    return place + 1;
-                }
-                place = _source.indexOf("\n", place + 1);
-            }
-            return _source.length;
-        }
-
-        /**
-         * Splitting is native and cheap: so the text is made into words that one space divides, END after each line. The
-         * first word and the last are nothing.
-         */
-        private static function wordsOf(before:String, text:String, after:String):Array
-        {
-            text = Words.replaceAll(text, "\r\n", "\n");
-            text = Words.replaceAll(text, "\r", "\n");
-            text = Words.replaceAll(text, "\t", " ");
-            text = Words.replaceAll(text, "\\\n", " " + CONTINUED + " ");
-            text = Words.replaceAll(before + text + after, "\n", " " + END + " ");
-            return Words.singleSpaced(" " + text + " ").split(" ");
-        }
-
-        private function readWords(end:int):void
-        {
-            var last:int = _words.length - 1; // nothing
-            end = Math.min(end, last);
-            while (_word < end)
-            {
-                var word:String = _words[_word++];
+                var word:String = words[tokens.next++];
                 if (word == "v")
                 {
                     readVertex();
@@ -182,38 +107,24 @@ package starlogo.models
                 {
                     readFace();
                 }
-                else if (word == END || word == CONTINUED)
+                else if (word == ObjTokens.END || word == ObjTokens.CONTINUED)
                 {
-                    _line++;
+                    tokens.line++;
                 }
                 else
                 {
-                    skipStatement();
+                    tokens.skipStatement();
                 }
-            }
-            if (_word == last && _end == _source.length)
-            {
-                checkIndices();
-                _stage = POLYGONS;
-            }
-        }
-
-        // A comment or a path in a material's name may end in a backslash without meaning to be continued. So the next
-        // line is looked at anyway; that of a skipped statement's begins with a number and is skipped too.
-        private function skipStatement():void
-        {
-            var word:String = _words[_word];
-            while (word != END && word != CONTINUED)
-            {
-                word = _words[++_word];
             }
         }
 
         private function readVertex():void
         {
-            var x:Number = Number(_words[_word]);
-            var y:Number = Number(_words[int(_word + 1)]);
-            var z:Number = Number(_words[int(_word + 2)]);
+            var words:Array = _tokens.words;
+            var at:int = _tokens.next;
+            var x:Number = Number(words[at]);
+            var y:Number = Number(words[int(at + 1)]);
+            var z:Number = Number(words[int(at + 2)]);
             if (x - x + y - y + z - z != 0)
             {
                 readUnusualVertex();
@@ -221,74 +132,54 @@ package starlogo.models
             }
             _vertices.push(x, y, z);
             _vertexCount++;
-            _word += 3;
-            if (_words[_word] != END)
+            at += 3;
+            _tokens.next = at;
+            if (words[at] != ObjTokens.END)
             {
-                skipStatement();
+                _tokens.skipStatement();
             }
         }
 
         private function readUnusualVertex():void
         {
-            var line:int = _line;
-            var words:Array = restOfStatement();
+            var line:int = _tokens.line;
+            var words:Array = _tokens.restOfStatement();
             for (var i:int = 0; i < 3; i++)
             {
-                var coordinate:Number = i < words.length ? Words.toNumber(words[i]) : NaN;
+                var coordinate:Number = i < words.length ? TextTokens.toNumber(words[i]) : NaN;
                 if (coordinate - coordinate != 0)
                 {
                     throw error("expected a vertex, three finite numbers, but found \"v " +
-                            Words.shorten(words.join(" ")) + "\"", line);
+                            TextTokens.shorten(words.join(" ")) + "\"", line);
                 }
                 _vertices.push(coordinate);
             }
             _vertexCount++;
         }
 
-        /** The words to the end of a statement, over all lines that it is continued in, without a comment. */
-        private function restOfStatement():Array
-        {
-            var words:Array = [];
-            for (var word:String = _words[_word]; word != END; word = _words[++_word])
-            {
-                if (word == CONTINUED)
-                {
-                    _line++;
-                }
-                else if (word.charAt(0) == "#")
-                {
-                    skipStatement();
-                    break;
-                }
-                else
-                {
-                    words.push(word);
-                }
-            }
-            return words;
-        }
-
         private function readFace():void
         {
+            var tokens:ObjTokens = _tokens;
+            var words:Array = tokens.words;
             var count:int = 0;
-            var word:String = _words[_word];
-            while (word != END)
+            var word:String = words[tokens.next];
+            while (word != ObjTokens.END)
             {
-                var index:int = word == CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
+                var index:int = word == ObjTokens.CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
                 if (index >= 0)
                 {
                     _corners[count++] = index;
                 }
-                else if (word == CONTINUED)
+                else if (word == ObjTokens.CONTINUED)
                 {
-                    _line++;
+                    tokens.line++;
                 }
                 else
                 {
-                    skipStatement();
+                    tokens.skipStatement();
                     break;
                 }
-                word = _words[++_word];
+                word = words[++tokens.next];
             }
             addFace(count);
         }
@@ -314,18 +205,18 @@ package starlogo.models
             if (index != value || index == 0)
             {
                 throw error("expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
-                        Words.shorten(word) + "\"", _line);
+                        TextTokens.shorten(word) + "\"", _tokens.line);
             }
             index = index > 0 ? index - 1 : _vertexCount + index;
             if (index < 0)
             {
-                throw error("the corner \"" + Words.shorten(word) + "\" counts back beyond the first vertex: there are " +
-                        _vertexCount + " before it", _line);
+                throw error("the corner \"" + TextTokens.shorten(word) + "\" counts back beyond the first vertex: there are " +
+                        _vertexCount + " before it", _tokens.line);
             }
             if (index > _highestIndex)
             {
                 _highestIndex = index;
-                _highestLine = _line;
+                _highestLine = _tokens.line;
             }
             return index;
         }
@@ -342,9 +233,10 @@ package starlogo.models
             }
         }
 
-        private function cutPolygons(end:int):void
+        /** A step through the polygons; whether there are more. */
+        private function cutPolygons():Boolean
         {
-            end = Math.min(end, _polygons.length);
+            var end:int = Math.min(_polygon + POLYGONS_PER_STEP, _polygons.length);
             while (_polygon < end)
             {
                 var polygon:Vector.<uint> = _polygons[_polygon++];
@@ -357,21 +249,17 @@ package starlogo.models
                     _triangulator.addPolygon(new <Vector.<uint>>[polygon]);
                 }
             }
-            if (_polygon == _polygons.length)
-            {
-                _stage = RESULT;
-            }
+            return _polygon < _polygons.length;
         }
 
-        private function finish():void
+        private function conclude():void
         {
             if (_highestIndex >= 0)
             {
                 dropUnusedVertices();
             }
             UpAxis.turn(_vertices, _upAxis);
-            _words = null;
-            _stage = DONE;
+            _isDone = true;
         }
 
         /** Where there are faces, only what they use is part of the model's surface. */

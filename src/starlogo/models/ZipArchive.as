@@ -12,6 +12,9 @@ package starlogo.models
         /** How large a file may be when it is unpacked, in bytes. */
         internal static const MAX_SIZE:uint = 67108864;
 
+        // in front of every key: a file may be called "hasOwnProperty"
+        private static const PREFIX:String = ":";
+
         private static const LOCAL_HEADER:uint = 0x04034B50;
         private static const CENTRAL_HEADER:uint = 0x02014B50;
         private static const END_OF_DIRECTORY:uint = 0x06054B50;
@@ -55,13 +58,17 @@ package starlogo.models
         /** Whether there is a file. */
         public function has(path:String):Boolean
         {
-            return _headers.hasOwnProperty(path);
+            return _headers.hasOwnProperty(PREFIX + path);
         }
 
-        /** Unpacks a file. */
-        public function read(path:String):ByteArray
+        /**
+         * Begins to unpack a file that there is.
+         *
+         * @throws ModelError if it is not where the archive says, too large, or packed in a way that is not known
+         */
+        public function unpack(path:String):ZipEntry
         {
-            var header:int = _headers[path];
+            var header:int = _headers[PREFIX + path];
             var isEncrypted:Boolean = (shortAt(header + 8) & 1) == 1;
             var method:int = shortAt(header + 10);
             var packedSize:uint = wordAt(header + 20);
@@ -69,53 +76,33 @@ package starlogo.models
             var local:uint = wordAt(header + 42);
             if (isEncrypted || method != STORED && method != DEFLATED)
             {
-                throw error(path + " is encrypted or packed in a way other than \"deflate\"");
+                throw problem(path + " is encrypted or packed in a way other than \"deflate\"");
             }
             if (size > MAX_SIZE)
             {
-                throw error(path + " has " + size + " bytes unpacked: expected at most " + MAX_SIZE);
+                throw problem(path + " has " + size + " bytes unpacked: expected at most " + MAX_SIZE);
             }
             if (!isWithin(local, LOCAL_LENGTH) || wordAt(local) != LOCAL_HEADER)
             {
-                throw error(path + " is not where the archive says");
+                throw problem(path + " is not where the archive says");
             }
             var start:Number = local + LOCAL_LENGTH + shortAt(local + 26) + shortAt(local + 28);
             if (!isWithin(start, packedSize))
             {
-                throw error(path + " is cut off");
+                throw problem(path + " is cut off");
             }
-            return unpack(path, start, packedSize, size, method);
-        }
-
-        private function unpack(path:String, start:uint, packedSize:uint, size:uint, method:int):ByteArray
-        {
-            var content:ByteArray = new ByteArray();
+            var packed:ByteArray = new ByteArray();
             if (packedSize > 0)
             {
-                content.writeBytes(_bytes, start, packedSize);
+                packed.writeBytes(_bytes, start, packedSize);
             }
-            if (method == DEFLATED)
-            {
-                inflate(path, content);
-            }
-            if (content.length != size)
-            {
-                throw error(path + " should have " + size + " bytes unpacked, but has " + content.length);
-            }
-            content.position = 0;
-            return content;
+            return new ZipEntry(_name, path, packed, method == DEFLATED, size);
         }
 
-        private function inflate(path:String, content:ByteArray):void
+        /** What is wrong with a model's archive. */
+        internal static function error(name:String, problem:String):ModelError
         {
-            try
-            {
-                content.inflate();
-            }
-            catch (failure:Error)
-            {
-                throw error(path + " can't be unpacked: " + failure.message);
-            }
+            return new ModelError(name, "", "the zip archive can't be read: " + problem);
         }
 
         /** Where the record is that ends the archive: before a comment, so it is searched for backwards. */
@@ -129,7 +116,7 @@ package starlogo.models
                     return i;
                 }
             }
-            throw error("it is cut off: its directory is missing");
+            throw problem("it is cut off: its directory is missing");
         }
 
         private function readDirectory(end:int):void
@@ -140,18 +127,18 @@ package starlogo.models
             {
                 if (!isWithin(header, CENTRAL_LENGTH) || wordAt(header) != CENTRAL_HEADER)
                 {
-                    throw error("its directory is damaged at file " + (i + 1) + " of " + count);
+                    throw problem("its directory is damaged at file " + (i + 1) + " of " + count);
                 }
                 var pathLength:int = shortAt(header + 28);
                 var length:int = CENTRAL_LENGTH + pathLength + shortAt(header + 30) + shortAt(header + 32);
                 if (!isWithin(header, length))
                 {
-                    throw error("its directory is cut off at file " + (i + 1) + " of " + count);
+                    throw problem("its directory is cut off at file " + (i + 1) + " of " + count);
                 }
                 _bytes.position = header + CENTRAL_LENGTH;
                 var path:String = _bytes.readUTFBytes(pathLength);
                 _files.push(path);
-                _headers[path] = int(header);
+                _headers[PREFIX + path] = int(header);
                 header += length;
             }
         }
@@ -173,9 +160,9 @@ package starlogo.models
             return _bytes.readUnsignedInt();
         }
 
-        private function error(problem:String):ModelError
+        private function problem(what:String):ModelError
         {
-            return new ModelError(_name, "", "the zip archive can't be read: " + problem);
+            return error(_name, what);
         }
     }
 }

@@ -184,8 +184,6 @@ package starlogo.agents
                 agent[trait] = values[trait];
                 assertEquals(trait, revisions, agent.revision + " " + agent.placement.extentsRevision);
             }
-            agent.moveTo(1, 2, 3);
-            assertEquals("moveTo", revisions, agent.revision + " " + agent.placement.extentsRevision);
             assertTrue("breed", record.breedToken === record);
         }
 

@@ -1,5 +1,6 @@
 package starlogo.broadphase
 {
+    import flash.utils.Dictionary;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -98,21 +99,51 @@ package starlogo.broadphase
         public function whoHasLeftIsLetGo():void
         {
             var stay:AgentProxy = proxyAt(0, 0, 0.5, 0.5);
+            var aside:AgentProxy = proxyAt(0.2, 0.2, 0.5, 0.5);
             var leave:Vector.<AgentProxy> = new Vector.<AgentProxy>();
             for (var i:int = 0; i < 40; i++)
             {
                 leave.push(proxyAt(i % 7 * 0.3, i % 5 * 0.3, i % 3 + 0.1, 0.4));
             }
-            search(leave.concat(new <AgentProxy>[stay]));
-            assertTrue(_bins.isHolding(leave[7]));
+            search(leave.concat(new <AgentProxy>[stay, aside]));
+            assertTrue("the last search may be held", reach(new <AgentProxy>[stay], leave));
             search(new <AgentProxy>[stay]);
-            for each (var gone:AgentProxy in leave)
-            {
-                assertFalse(_bins.isHolding(gone));
-            }
-            assertTrue(_bins.isHolding(stay));
+            assertFalse("neither by who stays nor by who just isn't there", reach(new <AgentProxy>[stay, aside], leave));
             search(new Vector.<AgentProxy>());
-            assertFalse(_bins.isHolding(stay));
+            assertFalse(reach(new <AgentProxy>[leave[3]], new <AgentProxy>[stay]));
+        }
+
+        [Test]
+        public function aSearchThatWasNotFinishedHoldsNobody():void
+        {
+            var stay:AgentProxy = proxyAt(0, 0, 0.5, 0.5);
+            var leave:AgentProxy = proxyAt(0.1, 0, 0.5, 0.5);
+            search(new <AgentProxy>[leave, stay]);
+            fill(new <AgentProxy>[leave, stay]);
+            search(new <AgentProxy>[stay]);
+            assertFalse(reach(new <AgentProxy>[stay], new <AgentProxy>[leave]));
+        }
+
+        [Test]
+        public function proxiesMayChangeLevelsWhileOthersLeave():void
+        {
+            var random:SeededRandom = new SeededRandom(503);
+            var proxies:Vector.<AgentProxy> = new Vector.<AgentProxy>();
+            for (var i:int = 0; i < 50; i++)
+            {
+                proxies.push(proxyAt(random.between(0, 8), random.between(0, 8), 0.5, 0.5));
+            }
+            var overlapping:int = 0;
+            for (var k:int = 0; k < 30; k++)
+            {
+                proxies.splice(random.integer(0, proxies.length - 1), 1);
+                for each (var proxy:AgentProxy in proxies)
+                {
+                    proxy.halfX = random.pick([0.2, 0.5, 1, 3]);
+                }
+                overlapping += assertLikeBruteForce("search " + k, proxies);
+            }
+            assertTrue(overlapping > 500);
         }
 
         [Test]
@@ -158,6 +189,41 @@ package starlogo.broadphase
             fill(proxies);
             _sink.clear();
             _bins.findPairs(_sink);
+        }
+
+        // Whether some of the targets are reachable from the roots, through bins and lists.
+        private static function reach(roots:Vector.<AgentProxy>, targets:Vector.<AgentProxy>):Boolean
+        {
+            var todo:Vector.<AgentProxy> = roots.concat();
+            var seen:Dictionary = new Dictionary();
+            while (todo.length > 0)
+            {
+                var proxy:AgentProxy = todo.pop();
+                if (proxy == null || seen[proxy])
+                {
+                    continue;
+                }
+                seen[proxy] = true;
+                if (targets.indexOf(proxy) >= 0)
+                {
+                    return true;
+                }
+                if (proxy.level != null)
+                {
+                    todo = todo.concat(proxy.level.proxies, proxy.level.previous);
+                    for each (var head:BinEntry in proxy.level.heads)
+                    {
+                        todo.push(head == null ? null : head.proxy);
+                    }
+                }
+                var entry:BinEntry = proxy.entry;
+                for (var i:int = 0; i < 4; i++)
+                {
+                    todo.push(entry.next == null ? null : entry.next.proxy);
+                    entry = entry.sibling;
+                }
+            }
+            return false;
         }
 
         // How many overlap. A pair a hair's breadth apart may be found or not.

@@ -1,20 +1,24 @@
 package starlogo.fitting
 {
     import evaluation.literal.LiteralOrientedBoxFit;
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import flash.utils.getQualifiedClassName;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.steps.finish;
     import support.Effort;
     import support.FitChecks;
     import support.PointSets;
     import evaluation.pairs.SeededRandom;
     import support.SmallestSphereReference;
+    import support.assertThrows;
 
     public class FitterTest
     {
@@ -49,22 +53,22 @@ package starlogo.fitting
         [Test]
         public function minimalFitsEncloseEveryVertexOfHardSets():void
         {
-            encloseHardSets(1, minimalFitters(), Effort.choose(3, 1));
+            encloseHardSets(1, minimalFitters(), Effort.choose(5, 1));
         }
 
         [Test]
         public function minimalFitsAreTheSmallest():void
         {
             var sets:Array = PointSets.hard(new SeededRandom(2));
-            for (var i:int = 0; i < sets.length; i += 4)
+            for (var i:int = 0; i < sets.length; i += 2 * Effort.choose(6, 2))
             {
                 var session:FitSession = new FitSession(sets[i + 1]);
                 var rounding:Number = 1e-9 * Math.pow(session.hull.extent, 3);
-                var sphere:Number = session.fit(new MinimalSphereFitter()).volume;
-                var box:Number = session.fit(new MinimalBoxFitter()).volume;
+                var sphere:Number = new MinimalSphereFitter().fitOnce(session).volume;
+                var box:Number = new MinimalBoxFitter().fitOnce(session).volume;
                 for each (var fitter:Fitter in thesisFitters())
                 {
-                    var found:BoundingStructure = session.fit(fitter);
+                    var found:BoundingStructure = fitter.fitOnce(session);
                     var least:Number = found is Sphere ? sphere : (found is Box ? box : 0);
                     assertTrue(sets[i] + ", " + fitter + ": " + found.volume + " below " + least,
                             found.volume >= least * (1 - 1e-5) - rounding);
@@ -96,9 +100,11 @@ package starlogo.fitting
             for (var i:int = 0; i < sets.length; i += 2)
             {
                 var session:FitSession = new FitSession(sets[i + 1]);
-                var box:Box = Enclosing.box(session.vertices, new SingleRotationSearch(session.hull).smallestBox(15, 15, 15));
+                var search:RotationSearch = new SingleRotationSearch(session, 15, 15, 15);
+                finish(search);
+                var box:Box = search.smallestBox(session);
                 assertEquals(sets[i], "", FitChecks.outside(box, session.vertices));
-                var expected:Number = session.fit(new OrientedBoxFitter(15)).volume;
+                var expected:Number = new OrientedBoxFitter(15).fitOnce(session).volume;
                 var far:Number = 1e-6 * Math.pow(new Vector3D(session.vertices[0], session.vertices[1], session.vertices[2]).length
                         + session.hull.extent, 3);
                 assertTrue(sets[i] + ": " + box.volume + " instead of " + expected, Math.abs(box.volume - expected) <= far);
@@ -128,7 +134,7 @@ package starlogo.fitting
             var session:FitSession = new FitSession(cloud);
             for each (var fitter:Fitter in allFitters())
             {
-                assertHoldsAll("a cloud of " + count, fitter, session.fit(fitter), cloud);
+                assertHoldsAll("a cloud of " + count, fitter, fitter.fitOnce(session), cloud);
             }
         }
 
@@ -152,9 +158,9 @@ package starlogo.fitting
             for (var i:int = 0; i < 20; i++)
             {
                 var session:FitSession = new FitSession(PointSets.turned(PointSets.cloud(random, 40, 1, 0.5, 0.2), random));
-                var aligned:Number = session.fit(new AxisAlignedBoxFitter()).volume;
-                var zAligned:Number = session.fit(new ZAlignedBoxFitter(10)).volume;
-                var oriented:Number = session.fit(new OrientedBoxFitter(10)).volume;
+                var aligned:Number = new AxisAlignedBoxFitter().fitOnce(session).volume;
+                var zAligned:Number = new ZAlignedBoxFitter(10).fitOnce(session).volume;
+                var oriented:Number = new OrientedBoxFitter(10).fitOnce(session).volume;
                 assertTrue(zAligned <= aligned * (1 + 1e-6));
                 assertTrue(oriented <= zAligned * (1 + 1e-6));
             }
@@ -215,12 +221,85 @@ package starlogo.fitting
         {
             var counting:CountingFitter = new CountingFitter();
             var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
-            session.fit(counting);
-            session.fit(new CapsuleFitter(counting));
-            session.fit(new CylinderFitter(counting));
+            counting.fitOnce(session);
+            new CapsuleFitter(counting).fitOnce(session);
+            new CylinderFitter(counting).fitOnce(session);
             assertEquals(1, counting.count);
             new CapsuleFitter(counting).fit(PointSets.box(1, 1, 1));
             assertEquals(2, counting.count);
+        }
+
+        // Whoever comes first, and however far the other has got.
+        [Test]
+        public function twoThatNeedTheSameFitShareIt():void
+        {
+            for (var ahead:int = 0; ahead < 4; ahead++)
+            {
+                var counting:CountingFitter = new CountingFitter();
+                var session:FitSession = new FitSession(PointSets.box(1, 1, 1));
+                var capsule:Fit = new CapsuleFitter(counting).begin(session);
+                var box:Fit = counting.beginOnce(session);
+                assertEquals(0, counting.count);
+                for (var i:int = 0; i < ahead; i++)
+                {
+                    capsule.step();
+                }
+                finish(box);
+                finish(capsule);
+                assertEquals(ahead + " steps ahead", 1, counting.count);
+                assertTrue(counting.fitOnce(session) === box.structure && box.structure is Box);
+                assertTrue(capsule.structure is Capsule);
+            }
+        }
+
+        [Test]
+        public function whatHasToBeDoneFirstIsDoneInSteps():void
+        {
+            var before:CountedSteps = new CountedSteps(3);
+            var cube:Vector.<Number> = PointSets.box(1, 1, 1);
+            var fit:Fit = new Fit(new FitSession(cube), before.boxOfThem, before);
+            for (var i:int = 0; i < 3; i++)
+            {
+                assertTrue(fit.step());
+                assertEquals(null, fit.structure);
+            }
+            assertFalse(fit.step());
+            assertEquals(3, Box(fit.structure).halfX);
+            assertFalse("done", fit.step());
+            assertEquals(3, before.done);
+        }
+
+        [Test]
+        public function settingsCountAsTheyWereAtTheBeginning():void
+        {
+            var random:SeededRandom = new SeededRandom(59);
+            var points:Vector.<Number> = PointSets.turned(PointSets.cloud(random, 40, 1, 0.5, 0.2), random);
+            for each (var fitter:* in [new OrientedBoxFitter(10), new ZAlignedBoxFitter(10)])
+            {
+                var expected:Number = fitter.fit(points).volume;
+                var session:FitSession = new FitSession(points, false);
+                var work:Fit = fitter.begin(session);
+                fitter.degIncrement = 90;
+                finish(session);
+                finish(work);
+                assertEquals(expected, work.structure.volume);
+                assertTrue(fitter.fit(points).volume > expected);
+            }
+        }
+
+        [Test]
+        public function theBaseClassFindsNothing():void
+        {
+            assertThrows(IllegalOperationError, /begin/, new Fitter().fit, PointSets.box(1, 1, 1));
+        }
+
+        [Test]
+        public function aSessionInStepsRefusesInThem():void
+        {
+            for each (var vertices:Vector.<Number> in [null, new Vector.<Number>(), new <Number>[1, 2], new <Number>[1, 2, NaN]])
+            {
+                assertThrows(ArgumentError, /./, finish, new FitSession(vertices, false));
+            }
         }
 
         [Test]
@@ -285,7 +364,7 @@ package starlogo.fitting
 
         private static function assertEncloses(name:String, fitter:Fitter, session:FitSession):void
         {
-            assertHoldsAll(name, fitter, session.fit(fitter), session.vertices);
+            assertHoldsAll(name, fitter, fitter.fitOnce(session), session.vertices);
         }
 
         private static function assertHoldsAll(name:String, fitter:Fitter, structure:BoundingStructure,
@@ -296,45 +375,34 @@ package starlogo.fitting
     }
 }
 
-import flash.geom.Matrix3D;
-import flash.utils.ByteArray;
+import flash.geom.Vector3D;
 import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Box;
 import starlogo.fitting.AxisAlignedBoxFitter;
+import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
-import starlogo.fitting.RotationSearch;
-import starlogo.geometry.ConvexHull;
+import starlogo.steps.Steps;
 
-class SingleRotationSearch extends RotationSearch
+class CountedSteps implements Steps
 {
-    private var _bytes:ByteArray = new ByteArray();
+    public var done:int = 0;
+    private var _count:int;
 
-    public function SingleRotationSearch(hull:ConvexHull)
+    public function CountedSteps(count:int)
     {
-        super(hull);
+        _count = count;
     }
 
-    override protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
+    public function step():Boolean
     {
-        matrix.rawData = rounded(matrix.rawData, new Vector.<Number>(16));
-        matrix.transformVectors(points, out);
-        rounded(out, out);
+        done++;
+        return done < _count;
     }
 
-    private function rounded(numbers:Vector.<Number>, out:Vector.<Number>):Vector.<Number>
+    public function boxOfThem(session:FitSession):BoundingStructure
     {
-        _bytes.position = 0;
-        var i:int;
-        for (i = 0; i < numbers.length; i++)
-        {
-            _bytes.writeFloat(numbers[i]);
-        }
-        _bytes.position = 0;
-        for (i = 0; i < numbers.length; i++)
-        {
-            out[i] = _bytes.readFloat();
-        }
-        return out;
+        return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, done, done, done);
     }
 }
 
@@ -342,9 +410,14 @@ class CountingFitter extends Fitter
 {
     public var count:int = 0;
 
-    override public function fitTo(session:FitSession):BoundingStructure
+    override public function begin(session:FitSession):Fit
+    {
+        return new Fit(session, find);
+    }
+
+    private function find(session:FitSession):BoundingStructure
     {
         count++;
-        return session.fit(new AxisAlignedBoxFitter());
+        return new AxisAlignedBoxFitter().fitOnce(session);
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -13,22 +14,39 @@ package starlogo.hierarchy
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import flash.geom.Vector3D;
+    import starlogo.models.ObjModel;
+    import support.Fixtures;
 
     use namespace engine;
 
-    /** Models of any size: nothing overflows. */
+    /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
     public class HierarchyTraversalTest
     {
+        public static const FIXTURES:Array = ["/assets/bear.obj"];
+
         private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
 
+        private static var sHierarchies:Object;
+
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+
+        [BeforeClass]
+        public static function begin():void
+        {
+            sHierarchies = {};
+        }
+
+        [AfterClass]
+        public static function forget():void
+        {
+            sHierarchies = null;
+        }
 
         [Test]
         public function specksBesideGiants():void
         {
             var random:SeededRandom = new SeededRandom(171);
-            for each (var size:Number in [1e-6, 1e-12, 1e-50, 1e-100])
+            for each (var size:Number in [1e-6, 1e-12, 1e-50, 1e-100, 1e-200])
             {
                 for each (var giant:Number in [1, 1e6, 1e60, 1e100])
                 {
@@ -38,6 +56,48 @@ package starlogo.hierarchy
                     }
                 }
             }
+        }
+
+        [Test]
+        public function deeperNeverFindsMoreWhateverTheDepthsAndStructures():void
+        {
+            var random:SeededRandom = new SeededRandom(172);
+            var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
+            var changes:int = 0;
+            for (var i:int = 0; i < 240; i++)
+            {
+                var a:Hierarchy = hierarchyOf(random.pick([bear, BuiltInModel.cylinder()]), KINDS[i % 3]);
+                var b:Hierarchy = hierarchyOf(random.pick([bear, BuiltInModel.sphere()]), KINDS[int(i / 3) % 3]);
+                var placementA:Placement = placed(random.logBetween(0.5, 2), 0, 0, 0);
+                placementA.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
+                var placementB:Placement = placed(random.logBetween(0.5, 2), random.normal(), random.normal(), random.normal());
+                placementB.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
+                changes += checkDepths("pair " + i, a, placementA, b, placementB);
+            }
+            assertTrue("changes: " + changes, changes > 60);
+        }
+
+        // How many answers differ from the one of the roots.
+        private function checkDepths(pair:String, a:Hierarchy, placementA:Placement, b:Hierarchy, placementB:Placement):int
+        {
+            var answers:Array = [];
+            var changes:int = 0;
+            for (var i:int = 0; i < 7; i++)
+            {
+                answers.push([]);
+                for (var k:int = 0; k < 7; k++)
+                {
+                    var isHit:Boolean = _traversal.hierarchiesOverlap(a, placementA, i + 1, b, placementB, k + 1, false);
+                    answers[i].push(isHit);
+                    changes += isHit == answers[0][0] ? 0 : 1;
+                    if (isHit)
+                    {
+                        assertTrue(pair + " at " + i + ", " + k, i == 0 || answers[i - 1][k]);
+                        assertTrue(pair + " at " + i + ", " + k, k == 0 || answers[i][k - 1]);
+                    }
+                }
+            }
+            return changes;
         }
 
         [Test]
@@ -120,6 +180,13 @@ package starlogo.hierarchy
         }
 
         private static function hierarchyOf(model:Model, kind:int):Hierarchy
+        {
+            var key:String = model.name + " " + kind;
+            sHierarchies[key] ||= built(model, kind);
+            return sHierarchies[key];
+        }
+
+        private static function built(model:Model, kind:int):Hierarchy
         {
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.boundsKind = kind;

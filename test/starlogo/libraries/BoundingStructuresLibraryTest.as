@@ -11,7 +11,6 @@ package starlogo.libraries
     import starlogo.fitting.AxisAlignedBoxFitter;
     import starlogo.fitting.CapsuleFitter;
     import starlogo.fitting.CylinderFitter;
-    import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
@@ -212,12 +211,18 @@ package starlogo.libraries
 }
 
 import starlogo.bounding.BoundingStructure;
+import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
 
 class FailingFitter extends Fitter
 {
-    override public function fitTo(session:FitSession):BoundingStructure
+    override public function begin(session:FitSession):Fit
+    {
+        return new Fit(session, find);
+    }
+
+    private function find(session:FitSession):BoundingStructure
     {
         throw new ArgumentError("failed");
     }

@@ -130,7 +130,9 @@ package starlogo.models
         public function keepsToItsBudgetWithRealFiles():void
         {
             Fixtures.assume("/assimp/OBJ/spider.obj", "the package assimp-testmodels is not installed");
-            _loader.budget = 10;
+            var loader:TestedLoader = new TestedLoader(_receiver, 10);
+            loader.fetches = null;
+            _loader = loader;
             for each (var file:String in FILES)
             {
                 _loader.load(file, "/assimp/" + file);
@@ -138,7 +140,9 @@ package starlogo.models
             whenComplete(function():void
                 {
                     assertEquals(12, _receiver.received.length);
-                    trace("  12 files: the longest frame takes " + _loader.longestFrame + " ms of " + _loader.budget);
+                    assertEquals("steps begun when the budget was spent", 0, loader.lateStepCount);
+                    assertTrue("in many frames: " + loader.frameCount, loader.frameCount > 12);
+                    assertTrue("in many steps: " + loader.stepCount, loader.stepCount > 12 * 12);
                 });
         }
 

@@ -1,11 +1,10 @@
 package starlogo.models
 {
-    import flash.geom.Matrix3D;
-    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import evaluation.pairs.SeededRandom;
     import support.Surfaces;
+    import support.TurnedPlane;
 
     public class TriangulatorTest
     {
@@ -43,8 +42,8 @@ package starlogo.models
             check("a line", 0, [[[0, 0], [1, 0], [2, 0], [3, 0], [2, 0]]]);
             check("a point", 0, [[[1, 1], [1, 1], [1, 1], [1, 1], [1, 1]]]);
             check("two corners", 0, [[[1, 1], [2, 1]]]);
-            run([[[0, 0], [4, 4], [4, 0], [0, 4], [2, 7]]], new Matrix3D());
-            run([[[0, 3], [2, -3], [4, 3], [-1, -1], [5, -1]]], new Matrix3D());
+            run([[[0, 0], [4, 4], [4, 0], [0, 4], [2, 7]]], new TurnedPlane());
+            run([[[0, 3], [2, -3], [4, 3], [-1, -1], [5, -1]]], new TurnedPlane());
         }
 
         [Test]
@@ -119,7 +118,52 @@ package starlogo.models
             {
                 tangle.push([random.next(), random.next()]);
             }
-            run([tangle], new Matrix3D());
+            run([tangle], new TurnedPlane());
+        }
+
+        [Test]
+        public function endsOnAnyOutline():void
+        {
+            const SCALES:Array = [1, 1, 1, 1e-320, 1e-300, 1e150, 1e307];
+            var random:SeededRandom = new SeededRandom(8);
+            var empty:int = 0;
+            for (var i:int = 0; i < 1500; i++)
+            {
+                var placement:TurnedPlane = new TurnedPlane();
+                placement.precision = random.chance() ? 1e-7 : 0;
+                placement.turnOn();
+                var scale:Number = random.pick(SCALES);
+                var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+                var flat:Vector.<Number> = new Vector.<Number>();
+                for (var loop:int = random.integer(1, 3); loop > 0; loop--)
+                {
+                    loops.push(addTangle(flat, random));
+                }
+                var vertices:Vector.<Number> = placement.place(flat);
+                for (var j:int = 0; j < vertices.length; j++)
+                {
+                    vertices[j] *= scale;
+                }
+                var triangles:Vector.<uint> = new Vector.<uint>();
+                new Triangulator(vertices, triangles).addPolygon(loops);
+                assertEquals(0, triangles.length % 3);
+                assertTrue("outline " + i, triangles.length / 3 <= vertices.length / 3 + 2 * loops.length);
+                empty += triangles.length == 0 ? 1 : 0;
+            }
+            assertTrue("some have no area: " + empty, empty > 50 && empty < 750);
+        }
+
+        /** Corners on few places: they meet, lie in line, and go back the way they came. */
+        private static function addTangle(flat:Vector.<Number>, random:SeededRandom):Vector.<uint>
+        {
+            var corners:Vector.<uint> = new Vector.<uint>();
+            var places:int = random.integer(0, 3);
+            for (var i:int = random.integer(5, 14); i > 0; i--)
+            {
+                corners.push(flat.length / 3);
+                flat.push(random.integer(0, places), random.integer(0, places), 0);
+            }
+            return corners;
         }
 
         private static function hole(x:Number, y:Number):Array
@@ -127,24 +171,27 @@ package starlogo.models
             return [[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]];
         }
 
-        /** Cuts the polygon as it lies, from every corner and in several places in space. */
+        /** Cuts the polygon as it lies, from every corner and in several places in space, with exact and rounded corners. */
         private static function check(what:String, expected:Number, loops:Array, fromEveryCorner:Boolean = true):void
         {
-            var placement:Matrix3D = new Matrix3D();
+            var placement:TurnedPlane = new TurnedPlane();
             var turns:int = fromEveryCorner ? Math.min(loops[0].length, 8) : 1;
             for (var i:int = 0; i < turns; i++)
             {
-                var found:Number = run(loops, placement);
-                assertTrue(what + ", turn " + i + ": area " + found + ", not " + expected,
-                        Math.abs(found - expected) < 1e-5);
-                placement.appendRotation(77, new Vector3D(1, 2, 3));
-                placement.appendTranslation(1, -2, 0.5);
+                for each (var precision:Number in [0, 1e-7])
+                {
+                    placement.precision = precision;
+                    var found:Number = run(loops, placement);
+                    assertTrue(what + ", turn " + i + ": area " + found + ", not " + expected,
+                            Math.abs(found - expected) < 1e-5 + 1000 * precision);
+                }
+                placement.turnOn();
                 loops[0].push(loops[0].shift());
             }
         }
 
         /** The sum of the triangles' areas, all of which have to turn like the outline. */
-        private static function run(loops:Array, placement:Matrix3D):Number
+        private static function run(loops:Array, placement:TurnedPlane):Number
         {
             var flat:Vector.<Number> = new Vector.<Number>();
             var indices:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
@@ -158,8 +205,7 @@ package starlogo.models
                 }
                 indices.push(corners);
             }
-            var vertices:Vector.<Number> = new Vector.<Number>(flat.length);
-            placement.transformVectors(flat, vertices);
+            var vertices:Vector.<Number> = placement.place(flat);
             var triangles:Vector.<uint> = new Vector.<uint>();
             new Triangulator(vertices, triangles).addPolygon(indices);
             assertEquals(0, triangles.length % 3);

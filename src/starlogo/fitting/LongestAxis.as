@@ -4,7 +4,7 @@ package starlogo.fitting
     import starlogo.bounding.Box;
 
     /** The longest axis of the box that a fitter finds: what capsules and cylinders are built around (thesis §3.4.3). */
-    public final class BoxSpine
+    internal final class LongestAxis
     {
         /** The box's centre. */
         public var center:Vector3D;
@@ -20,9 +20,9 @@ package starlogo.fitting
          * @param boxFitter finds the box
          * @throws ArgumentError if it finds something else
          */
-        public function BoxSpine(session:FitSession, boxFitter:Fitter)
+        public function LongestAxis(session:FitSession, boxFitter:Fitter)
         {
-            var box:Box = session.fit(boxFitter) as Box;
+            var box:Box = boxFitter.fitOnce(session) as Box;
             if (box == null)
             {
                 throw new ArgumentError("the fitter must find a box: " + boxFitter);

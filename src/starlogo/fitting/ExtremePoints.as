@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     /** The least and the greatest coordinates of a set of points, and which points have them. */
-    public final class Extents
+    internal final class ExtremePoints
     {
         /** The least x; the others alike. */
         public var lowX:Number = Infinity;
@@ -42,7 +42,7 @@ package starlogo.fitting
         /**
          * @param points x, y, z each
          */
-        public function Extents(points:Vector.<Number>)
+        public function ExtremePoints(points:Vector.<Number>)
         {
             for (var i:int = 0; i < points.length; i += 3)
             {

@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     /** Directions without regard to sign, at most one of those that are close to each other. */
-    public final class DirectionNet
+    internal final class DistinctDirections
     {
         private var _directions:Vector.<Number> = new Vector.<Number>();
         private var _cells:Object = {};
@@ -10,7 +10,7 @@ package starlogo.fitting
         /**
          * @param spacing how close, about, in radians
          */
-        public function DirectionNet(spacing:Number)
+        public function DistinctDirections(spacing:Number)
         {
             _cellsPerUnit = 1 / spacing;
         }

@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /** Which of a COLLADA mesh's points come from one of its sources. */
-    internal final class ColladaPositions
+    internal final class ColladaPointRange
     {
         /** The first one's index. */
         public var first:int;
@@ -13,7 +13,7 @@ package starlogo.models
          * @param first the first one's index
          * @param count how many there are
          */
-        public function ColladaPositions(first:int, count:int)
+        public function ColladaPointRange(first:int, count:int)
         {
             this.first = first;
             this.count = count;

@@ -12,7 +12,7 @@ package starlogo.fitting
      * degenerate position of the points can lead astray. The ball only grows, so it ends; usually after five to fifteen
      * passes over the points. With z = 0 throughout it finds the smallest circle.</p>
      */
-    public final class SmallestBall
+    internal final class SmallestEnclosingBall
     {
         // Everything below is seen from the first point: far from the origin nothing is lost to rounding.
         private var _originX:Number;
@@ -34,7 +34,7 @@ package starlogo.fitting
         /**
          * @param points x, y, z each, at least one
          */
-        public function SmallestBall(points:Vector.<Number>)
+        public function SmallestEnclosingBall(points:Vector.<Number>)
         {
             _originX = points[0];
             _originY = points[1];

@@ -10,10 +10,10 @@ package starlogo.fitting
      * The last step of every fit: the tightest structure of a given position or direction around all vertices, in double
      * precision. One or two passes over the vertices.
      */
-    public final class Enclosing
+    internal final class EnclosingStructures
     {
         /** There are no instances. */
-        public function Enclosing()
+        public function EnclosingStructures()
         {
         }
 

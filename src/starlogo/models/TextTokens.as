@@ -1,10 +1,10 @@
 package starlogo.models
 {
     /** Splits text by means of what is native in the player: there a character at a time is slow. */
-    internal final class Words
+    internal final class TextTokens
     {
         /** All is static. */
-        public function Words()
+        public function TextTokens()
         {
         }
 

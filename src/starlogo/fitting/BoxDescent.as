@@ -10,7 +10,7 @@ package starlogo.fitting
      * on and along the creases of the edges at the two corners that hold the box; and the directions of the box's other sides,
      * which the volume depends on just as well.</p>
      */
-    public final class BoxSlide
+    internal final class BoxDescent
     {
         private static const FIRST_STEP:Number = 0.05;
         private static const LAST_STEP:Number = 1e-10;
@@ -35,7 +35,7 @@ package starlogo.fitting
         /**
          * @param hull of the vertices
          */
-        public function BoxSlide(hull:ConvexHull)
+        public function BoxDescent(hull:ConvexHull)
         {
             _hull = hull;
             _box = new BoxAlongAxis(hull);

@@ -1,0 +1,344 @@
+package starlogo.geometry
+{
+    import starlogo.steps.Steps;
+
+    /**
+     * Up to four vertices of a set that are far from each other, how many dimensions they span, and axes along them. Every
+     * other vertex lies in the point, on the line or in the plane of fewer than four, up to Tolerances.HULL_FLAT and
+     * HULL_ROUNDING. A step is a pass over the vertices.
+     */
+    internal final class InitialSimplex implements Steps
+    {
+        // Beyond it the cubes and squares of coordinates overflow.
+        private static const LARGEST:Number = 1e100;
+
+        private var _vertices:Vector.<Number>;
+        private var _box:Vector.<Number> = null;
+        private var _extent:Number = 0;
+        private var _flat:Number;
+        private var _dimension:int = 0;
+        private var _axes:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+        private var _corners:Vector.<int> = new Vector.<int>();
+
+        /**
+         * @param vertices x, y, z each
+         */
+        public function InitialSimplex(vertices:Vector.<Number>)
+        {
+            _vertices = vertices;
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not
+         *         finite or beyond 1e100
+         */
+        public function step():Boolean
+        {
+            if (_box == null)
+            {
+                measureBox();
+                return true;
+            }
+            var isHigher:Boolean = true;
+            switch (_corners.length)
+            {
+                case 0:
+                    _corners.push(farthestFrom((_box[0] + _box[3]) / 2, (_box[1] + _box[4]) / 2, (_box[2] + _box[5]) / 2));
+                    return true;
+                case 1:
+                    isHigher = spanLine(_corners[0]);
+                    break;
+                case 2:
+                    isHigher = spanPlane(_corners[0]);
+                    break;
+                default:
+                    isHigher = spanVolume(_corners[0]);
+            }
+            if (isHigher)
+            {
+                _dimension++;
+            }
+            return isHigher && _dimension < 3;
+        }
+
+        /** The longest side of the axis-aligned box around the vertices. */
+        public function get extent():Number
+        {
+            return _extent;
+        }
+
+        /** 3 for a set that spans a volume, 2 for one in a plane, 1 on a line, 0 in a point. */
+        public function get dimension():int
+        {
+            return _dimension;
+        }
+
+        /** Three perpendicular unit vectors: see ConvexHull. */
+        public function get axes():Vector.<Number>
+        {
+            return _axes;
+        }
+
+        /** The vertices, by their numbers: at least one more than dimensions. */
+        public function get corners():Vector.<int>
+        {
+            return _corners;
+        }
+
+        /**
+         * Whether a set of three dimensions is thin across the coordinate axes, so that on a grid along those it would lose
+         * precision.
+         */
+        public function get isThin():Boolean
+        {
+            var extents:Number = (_box[3] - _box[0]) * (_box[4] - _box[1]) * (_box[5] - _box[2]);
+            var spanned:Number = 1;
+            for (var i:int = 0; i < 3; i++)
+            {
+                spanned *= Math.abs(along(i, _corners[i + 1]) - along(i, _corners[0]));
+            }
+            return spanned < Tolerances.HULL_THIN * extents;
+        }
+
+        // The least x, y, z and the greatest; and the check of the vertices, without a pass of its own.
+        private function measureBox():void
+        {
+            if (_vertices == null || _vertices.length == 0 || _vertices.length % 3 != 0)
+            {
+                refuseIfWrong();
+            }
+            var lowX:Number = _vertices[0];
+            var lowY:Number = _vertices[1];
+            var lowZ:Number = _vertices[2];
+            var highX:Number = lowX;
+            var highY:Number = lowY;
+            var highZ:Number = lowZ;
+            var sum:Number = 0;
+            var length:int = _vertices.length;
+            for (var i:int = 0; i < length; i += 3)
+            {
+                var x:Number = _vertices[i];
+                var y:Number = _vertices[i + 1];
+                var z:Number = _vertices[i + 2];
+                sum += x + y + z;
+                if (x < lowX)
+                {
+                    lowX = x;
+                }
+                else if (x > highX)
+                {
+                    highX = x;
+                }
+                if (y < lowY)
+                {
+                    lowY = y;
+                }
+                else if (y > highY)
+                {
+                    highY = y;
+                }
+                if (z < lowZ)
+                {
+                    lowZ = z;
+                }
+                else if (z > highZ)
+                {
+                    highZ = z;
+                }
+            }
+            // the sum of numbers that are not all finite is not either, nor that of numbers too large
+            if (sum - sum != 0)
+            {
+                refuseIfWrong();
+            }
+            _extent = Math.max(highX - lowX, highY - lowY, highZ - lowZ);
+            var largest:Number = Math.max(-lowX, -lowY, -lowZ, highX, highY, highZ);
+            if (largest > LARGEST)
+            {
+                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
+            }
+            _flat = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
+            _box = new <Number>[lowX, lowY, lowZ, highX, highY, highZ];
+        }
+
+        private function refuseIfWrong():void
+        {
+            var problem:String = VertexData.vertexProblem(_vertices);
+            if (problem != null)
+            {
+                throw new ArgumentError(problem);
+            }
+        }
+
+        private function spanLine(a:int):Boolean
+        {
+            var b:int = farthestFrom(_vertices[3 * a], _vertices[3 * a + 1], _vertices[3 * a + 2]);
+            _corners.push(b);
+            return alignFirst(a, b);
+        }
+
+        private function spanPlane(a:int):Boolean
+        {
+            var c:int = farthestFromLine(a);
+            _corners.push(c);
+            return alignSecond(a, c);
+        }
+
+        private function spanVolume(a:int):Boolean
+        {
+            var d:int = farthestFromPlane(a);
+            _corners.push(d);
+            return Math.abs(along(2, d) - along(2, a)) > _flat;
+        }
+
+        private function farthestFrom(x:Number, y:Number, z:Number):int
+        {
+            var farthest:int = 0;
+            var most:Number = -1;
+            var length:int = _vertices.length;
+            for (var i:int = 0; i < length; i += 3)
+            {
+                var toX:Number = _vertices[i] - x;
+                var toY:Number = _vertices[i + 1] - y;
+                var toZ:Number = _vertices[i + 2] - z;
+                var square:Number = toX * toX + toY * toY + toZ * toZ;
+                if (square > most)
+                {
+                    most = square;
+                    farthest = i;
+                }
+            }
+            return farthest / 3;
+        }
+
+        private function farthestFromLine(from:int):int
+        {
+            var x:Number = _vertices[3 * from];
+            var y:Number = _vertices[3 * from + 1];
+            var z:Number = _vertices[3 * from + 2];
+            var axisX:Number = _axes[0];
+            var axisY:Number = _axes[1];
+            var axisZ:Number = _axes[2];
+            var farthest:int = 0;
+            var most:Number = -1;
+            var length:int = _vertices.length;
+            for (var i:int = 0; i < length; i += 3)
+            {
+                var toX:Number = _vertices[i] - x;
+                var toY:Number = _vertices[i + 1] - y;
+                var toZ:Number = _vertices[i + 2] - z;
+                var crossX:Number = toY * axisZ - toZ * axisY;
+                var crossY:Number = toZ * axisX - toX * axisZ;
+                var crossZ:Number = toX * axisY - toY * axisX;
+                var square:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
+                if (square > most)
+                {
+                    most = square;
+                    farthest = i;
+                }
+            }
+            return farthest / 3;
+        }
+
+        private function farthestFromPlane(from:int):int
+        {
+            var axisX:Number = _axes[6];
+            var axisY:Number = _axes[7];
+            var axisZ:Number = _axes[8];
+            var offset:Number = along(2, from);
+            var farthest:int = 0;
+            var most:Number = -1;
+            var length:int = _vertices.length;
+            for (var i:int = 0; i < length; i += 3)
+            {
+                var distance:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ - offset;
+                if (distance < 0)
+                {
+                    distance = -distance;
+                }
+                if (distance > most)
+                {
+                    most = distance;
+                    farthest = i;
+                }
+            }
+            return farthest / 3;
+        }
+
+        private function along(axis:int, vertex:int):Number
+        {
+            return _vertices[3 * vertex] * _axes[3 * axis] + _vertices[3 * vertex + 1] * _axes[3 * axis + 1]
+                + _vertices[3 * vertex + 2] * _axes[3 * axis + 2];
+        }
+
+        // Turns the first axis from vertex a to vertex b, the others perpendicular to it; false if the two coincide.
+        private function alignFirst(a:int, b:int):Boolean
+        {
+            var x:Number = _vertices[3 * b] - _vertices[3 * a];
+            var y:Number = _vertices[3 * b + 1] - _vertices[3 * a + 1];
+            var z:Number = _vertices[3 * b + 2] - _vertices[3 * a + 2];
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            if (!(length > _flat))
+            {
+                return false;
+            }
+            x /= length;
+            y /= length;
+            z /= length;
+            setAxis(0, x, y, z);
+            // across the coordinate axis that it is farthest from
+            if (Math.abs(x) <= Math.abs(y) && Math.abs(x) <= Math.abs(z))
+            {
+                setAxis(1, 0, z, -y);
+            }
+            else if (Math.abs(y) <= Math.abs(z))
+            {
+                setAxis(1, -z, 0, x);
+            }
+            else
+            {
+                setAxis(1, y, -x, 0);
+            }
+            setThirdAxis();
+            return true;
+        }
+
+        // Turns the second axis towards vertex c; false if that lies on the line through vertex a along the first.
+        private function alignSecond(a:int, c:int):Boolean
+        {
+            var x:Number = _vertices[3 * c] - _vertices[3 * a];
+            var y:Number = _vertices[3 * c + 1] - _vertices[3 * a + 1];
+            var z:Number = _vertices[3 * c + 2] - _vertices[3 * a + 2];
+            var t:Number = x * _axes[0] + y * _axes[1] + z * _axes[2];
+            x -= t * _axes[0];
+            y -= t * _axes[1];
+            z -= t * _axes[2];
+            if (!(Math.sqrt(x * x + y * y + z * z) > _flat))
+            {
+                return false;
+            }
+            setAxis(1, x, y, z);
+            // once more: what was left along the first axis counts when c is close to the line
+            t = _axes[3] * _axes[0] + _axes[4] * _axes[1] + _axes[5] * _axes[2];
+            setAxis(1, _axes[3] - t * _axes[0], _axes[4] - t * _axes[1], _axes[5] - t * _axes[2]);
+            setThirdAxis();
+            return true;
+        }
+
+        private function setAxis(axis:int, x:Number, y:Number, z:Number):void
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            _axes[3 * axis] = x / length;
+            _axes[3 * axis + 1] = y / length;
+            _axes[3 * axis + 2] = z / length;
+        }
+
+        private function setThirdAxis():void
+        {
+            setAxis(2, _axes[1] * _axes[5] - _axes[2] * _axes[4], _axes[2] * _axes[3] - _axes[0] * _axes[5],
+                    _axes[0] * _axes[4] - _axes[1] * _axes[3]);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package starlogo.models
+{
+    /**
+     * Cuts a ring of corners into triangles, an ear at a time. Corners in a straight line, and rings that cross or cover
+     * themselves, leave no triangle without area behind.
+     *
+     * <p>It ends for every ring: a corner is cut off after two rounds at most.</p>
+     */
+    internal final class EarClipper
+    {
+        private var _rings:PolygonRings;
+        private var _work:WorkLimit;
+        private var _triangles:Vector.<uint>;
+
+        /**
+         * @param rings where the ring is
+         * @param work counts the corners that are looked at; when it is used up, corners are cut off unseen
+         * @param triangles where the triangles go
+         */
+        public function EarClipper(rings:PolygonRings, work:WorkLimit, triangles:Vector.<uint>)
+        {
+            _rings = rings;
+            _work = work;
+            _triangles = triangles;
+        }
+
+        /** Cuts the ring of a node, which turns left; two corners are left of it. */
+        internal function cut(start:int):void
+        {
+            var next:Vector.<int> = _rings.next;
+            var previous:Vector.<int> = _rings.previous;
+            var count:int = countOf(start);
+            var node:int = start;
+            // an outline that crosses itself may have no ear left: after a round without one any left turn is cut,
+            // after two any corner
+            var misses:int = 0;
+            while (count > 2)
+            {
+                var before:int = previous[node];
+                var after:int = next[node];
+                var area:Number = _rings.turn(before, node, after);
+                var isCut:Boolean = area == 0 || misses > 2 * count || ++_work.done > _work.most;
+                if (isCut || area > 0 && (misses > count || isEar(before, node, after)))
+                {
+                    if (area > 0)
+                    {
+                        addTriangle(before, node, after);
+                    }
+                    _rings.remove(node);
+                    count--;
+                    misses = misses > 2 * count ? misses : 0;
+                    node = next[after];
+                }
+                else
+                {
+                    misses++;
+                    node = after;
+                }
+            }
+        }
+
+        private function countOf(start:int):int
+        {
+            var count:int = 1;
+            for (var node:int = _rings.next[start]; node != start; node = _rings.next[node])
+            {
+                count++;
+            }
+            return count;
+        }
+
+        private function addTriangle(a:int, b:int, c:int):void
+        {
+            var first:uint = _rings.vertex[a];
+            var second:uint = _rings.vertex[b];
+            var third:uint = _rings.vertex[c];
+            if (first != second && second != third && third != first)
+            {
+                _triangles.push(first, second, third);
+            }
+        }
+
+        /** Whether no other corner lies in a left turn's triangle. */
+        private function isEar(before:int, tip:int, after:int):Boolean
+        {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var next:Vector.<int> = _rings.next;
+            var ax:Number = xs[before];
+            var ay:Number = ys[before];
+            var bx:Number = xs[tip];
+            var by:Number = ys[tip];
+            var cx:Number = xs[after];
+            var cy:Number = ys[after];
+            var minX:Number = Math.min(ax, bx, cx);
+            var maxX:Number = Math.max(ax, bx, cx);
+            var minY:Number = Math.min(ay, by, cy);
+            var maxY:Number = Math.max(ay, by, cy);
+            var seen:int = 0;
+            var isClear:Boolean = true;
+            for (var node:int = next[after]; node != before && isClear; node = next[node])
+            {
+                seen++;
+                var x:Number = xs[node];
+                if (x < minX || x > maxX)
+                {
+                    continue;
+                }
+                var y:Number = ys[node];
+                if (y < minY || y > maxY || x == ax && y == ay || x == bx && y == by || x == cx && y == cy)
+                {
+                    continue;
+                }
+                isClear = !_rings.isInside(node, before, tip, after);
+            }
+            _work.done += seen;
+            return isClear;
+        }
+    }
+}

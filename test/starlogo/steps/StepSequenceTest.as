@@ -1,0 +1,123 @@
+package starlogo.steps
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import support.assertThrows;
+
+    public class StepSequenceTest
+    {
+        private var _log:Array;
+        private var _left:int;
+
+        [Before]
+        public function setUp():void
+        {
+            _log = [];
+            _left = 3;
+        }
+
+        [Test]
+        public function doesItsPartsInOrder():void
+        {
+            var inner:StepSequence = new StepSequence().call(note("b")).call(note("c"));
+            var work:StepSequence = new StepSequence().call(note("a")).add(inner).repeat(countDown).call(note("d"));
+            assertEquals("a|b|c|2|1|0|d.", trail(work));
+        }
+
+        [Test]
+        public function makesWorkWhenItsTurnHasCome():void
+        {
+            var work:StepSequence = new StepSequence().call(note("a")).begin(makeTwo).call(note("b"));
+            assertEquals("a|made|one|two|b.", trail(work));
+        }
+
+        [Test]
+        public function nothingMadeIsNothingToDo():void
+        {
+            var work:StepSequence = new StepSequence().begin(makeNothing).call(note("a"));
+            assertEquals("nothing|a.", trail(work));
+        }
+
+        [Test]
+        public function partsMayAddOthers():void
+        {
+            var work:StepSequence = new StepSequence();
+            work.call(function():void
+                {
+                    _log.push("a");
+                    work.call(note("b"));
+                });
+            assertEquals("a|b.", trail(work));
+        }
+
+        [Test]
+        public function nothingIsDoneAtOnce():void
+        {
+            assertFalse(new StepSequence().step());
+            assertFalse(new StepSequence().add(new StepSequence()).step());
+            new StepSequence().call(note("a")).begin(makeTwo).repeat(countDown);
+            assertEquals(0, _log.length);
+        }
+
+        [Test]
+        public function anErrorComesOut():void
+        {
+            var work:StepSequence = new StepSequence().call(note("a")).call(function():void
+                {
+                    throw new ArgumentError("broken");
+                });
+            assertTrue(work.step());
+            assertThrows(ArgumentError, /broken/, work.step);
+        }
+
+        [Test]
+        public function finishDoesAllThatIsLeft():void
+        {
+            var work:StepSequence = new StepSequence().call(note("a")).repeat(countDown).begin(makeTwo);
+            work.step();
+            finish(work);
+            assertEquals("a,2,1,0,made,one,two", _log.join());
+        }
+
+        private function countDown():Boolean
+        {
+            _log.push(--_left);
+            return _left > 0;
+        }
+
+        private function makeTwo():Steps
+        {
+            _log.push("made");
+            return new StepSequence().call(note("one")).call(note("two"));
+        }
+
+        private function makeNothing():Steps
+        {
+            _log.push("nothing");
+            return null;
+        }
+
+        private function note(what:String):Function
+        {
+            return function():void
+            {
+                _log.push(what);
+            };
+        }
+
+        /** What was done, a bar between steps and a dot after the last one. */
+        private function trail(work:Steps):String
+        {
+            var steps:Array = [];
+            var hasMore:Boolean = true;
+            while (hasMore)
+            {
+                _log = [];
+                hasMore = work.step();
+                steps.push(_log.join());
+            }
+            return steps.join("|") + ".";
+        }
+    }
+}

@@ -39,9 +39,11 @@ package starlogo.hierarchy
             }
             var solidA:Solid = a.solid;
             var solidB:Solid = b.solid;
+            var rootA:HierarchyNode = a.root;
+            var rootB:HierarchyNode = b.root;
             var size:Number = _pose.placement.size;
-            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * a.root.radius && isSecondInside(a.root, solidA, solidB))
-                || (solidB.isClosed && solidA.leastPartExtent <= 2 * b.root.radius * size && isFirstInside(solidA, b.root, solidB));
+            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && isSecondInside(rootA, solidA, solidB))
+                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && isFirstInside(solidA, rootB, solidB));
         }
 
         /**

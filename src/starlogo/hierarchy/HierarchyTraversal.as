@@ -104,20 +104,33 @@ package starlogo.hierarchy
                 decider = _exact;
                 depthA = depthB = int.MAX_VALUE;
             }
+            // roots that do not overlap, as of most that are close and do not collide, take one visit
+            var areApart:Boolean;
             var overlap:Boolean;
+            var visits:int;
             if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
+                visits = _structures.nodeVisits;
                 overlap = _structures.overlap(a.root, depthA, b.root, depthB, decider);
+                areApart = _structures.nodeVisits == visits + 1;
             }
             else if (_pose.isYawOnly)
             {
+                visits = _uprightBoxes.nodeVisits;
                 overlap = _uprightBoxes.overlap(a.root, depthA, b.root, depthB, decider);
+                areApart = _uprightBoxes.nodeVisits == visits + 1;
             }
             else
             {
+                visits = _boxes.nodeVisits;
                 overlap = _boxes.overlap(a.root, depthA, b.root, depthB, decider);
+                areApart = _boxes.nodeVisits == visits + 1;
             }
-            return overlap || _containment.isOneInside(a, b);
+            if (overlap || (areApart && decider == null))
+            {
+                return overlap;
+            }
+            return _containment.isOneInside(a, b);
         }
 
         /**

@@ -59,14 +59,29 @@ package starlogo.hierarchy
             while (true)
             {
                 nodeVisits++;
-                var structureA:BoundingStructure = a.cover != null && b.level > a.level ? a.cover : structureOf(a);
-                var structureB:BoundingStructure = b.cover != null && a.level > b.level + 1 ? b.cover : b.bounds;
+                var structureA:BoundingStructure = a.structure;
+                var structureB:BoundingStructure = b.structure;
+                if (b.level > a.level && a.cover != null)
+                {
+                    structureA = a.cover;
+                }
+                else if (structureA == null)
+                {
+                    structureA = boxOf(a);
+                }
+                if (a.level > b.level + 1 && b.cover != null)
+                {
+                    structureB = b.cover;
+                }
+                else if (structureB == null)
+                {
+                    structureB = b.bounds;
+                }
                 var moved:BoundingStructure = structureB.place(relative, _moved[structureB.kind]);
                 if (intersects(structureA, moved))
                 {
                     var aEnds:Boolean = a.cutoffLevel >= depthA;
                     var bEnds:Boolean = b.cutoffLevel >= depthB;
-                    var next:HierarchyNode;
                     if (aEnds && bEnds)
                     {
                         if (exact == null || exact.leavesTouch(a, b))
@@ -76,7 +91,7 @@ package starlogo.hierarchy
                     }
                     else if (bEnds || (!aEnds && a.level <= b.level))
                     {
-                        next = nearerChild(a, moved);
+                        var next:HierarchyNode = nearerChild(a, moved);
                         stack[top++] = next === a.left ? a.right : a.left;
                         stack[top++] = b;
                         a = next;
@@ -84,10 +99,9 @@ package starlogo.hierarchy
                     }
                     else
                     {
-                        next = childNearerTo(a, b);
                         stack[top++] = a;
-                        stack[top++] = next === b.left ? b.right : b.left;
-                        b = next;
+                        stack[top++] = b.right;
+                        b = b.left;
                         continue;
                     }
                 }
@@ -117,7 +131,7 @@ package starlogo.hierarchy
             while (true)
             {
                 nodeVisits++;
-                if (intersects(structureOf(node), moved))
+                if (intersects(node.structure != null ? node.structure : boxOf(node), moved))
                 {
                     if (node.cutoffLevel >= depth)
                     {
@@ -139,12 +153,8 @@ package starlogo.hierarchy
             return false;
         }
 
-        private function structureOf(node:HierarchyNode):BoundingStructure
+        private function boxOf(node:HierarchyNode):BoundingStructure
         {
-            if (node.structure != null)
-            {
-                return node.structure;
-            }
             var box:Box = _box;
             var center:Vector3D = box.center;
             center.x = node.x;
@@ -154,29 +164,6 @@ package starlogo.hierarchy
             box.halfY = node.halfY;
             box.halfZ = node.halfZ;
             return box;
-        }
-
-        // The child of a node of the second model on the side where a node of the first is.
-        private function childNearerTo(a:HierarchyNode, b:HierarchyNode):HierarchyNode
-        {
-            var relative:Placement = _pose.placement;
-            var x:Number = a.x - relative.x;
-            var y:Number = a.y - relative.y;
-            var z:Number = a.z - relative.z;
-            var beyond:Number;
-            if (b.splitAxis == 0)
-            {
-                beyond = -b.x * relative.size + relative.r00 * x + relative.r10 * y + relative.r20 * z;
-            }
-            else if (b.splitAxis == 1)
-            {
-                beyond = -b.y * relative.size + relative.r01 * x + relative.r11 * y + relative.r21 * z;
-            }
-            else
-            {
-                beyond = -b.z * relative.size + relative.r02 * x + relative.r12 * y + relative.r22 * z;
-            }
-            return beyond > 0 ? b.right : b.left;
         }
 
         // On the side of the node's middle where the middle of a structure is.

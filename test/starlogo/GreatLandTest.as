@@ -186,7 +186,7 @@ package starlogo
 
         private function isPrepared(name:String):Boolean
         {
-            return _greatLand.hierarchies.hierarchy(name).surface != null;
+            return _greatLand.hierarchies.hierarchy(name).isPrepared;
         }
     }
 }

@@ -31,10 +31,10 @@ package starlogo.geometry
 
         /**
          * A factor on the distance at which structures touch: the rounding error that a test through several steps may
-         * make, 1e-14 relative. 1: structures that touch may, turned, be told apart by the last bit. Larger: structures
-         * with a gap between them collide. Two spheres are compared directly and do not need it.
+         * make, 1e-14 relative, and what SURFACES asks for. 1: structures that touch may, turned, be told apart by the last
+         * bit. Larger: structures with a gap between them collide. Two spheres are compared directly and do not need it.
          */
-        public static const TOUCHING:Number = 1 + 1e-14;
+        public static const TOUCHING:Number = 1 + 4e-14;
 
         /**
          * The squared sine of the angle below which two directions are nearly parallel, and what depends on their cross
@@ -126,10 +126,26 @@ package starlogo.geometry
 
         /**
          * The gap across which the surfaces of two models still touch, as a fraction of the sum of the radii of spheres
-         * around both. Smaller than 1e-14: surfaces that touch may, turned, be told apart by rounding. Larger: surfaces
-         * with a gap between them collide.
+         * around both. What stands for a model, the nodes of its hierarchy and fitted boxes and capsules alike, is wider than
+         * the model by as much, so that it touches what the surface touches; spheres are given it by TOUCHING, which must be
+         * 1 + 4 times this at least. Smaller than 2e-15: surfaces that touch may, turned, be told apart by rounding. Larger:
+         * surfaces with a gap between them collide.
          */
-        public static const SURFACES:Number = 1e-12;
+        public static const SURFACES:Number = 1e-14;
+
+        /**
+         * How much wider the nodes of a hierarchy's level are than those of the next, as a fraction of the model's radius, down
+         * to level 64. Smaller than 1e-15: rounding may let children meet what their parents do not, so that a greater depth
+         * finds more than a smaller one. Larger: as for SURFACES, 64 times.
+         */
+        public static const NESTING:Number = 2e-15;
+
+        /**
+         * How close corners of triangles are taken for one when a surface is looked at as a whole, as a fraction of the
+         * model's largest coordinate. Smaller than 2.1e-7: seams between corners that were rounded to single precision may
+         * stay open, and the model has no inside. Larger: features as small as that are closed over.
+         */
+        public static const WELDING:Number = 2.5e-7;
 
         /**
          * The squared height of a triangle, as a fraction of its squared longest edge, below which it is a segment: its
@@ -140,7 +156,7 @@ package starlogo.geometry
         /**
          * How near to an edge of a triangle a ray may pass before its crossing is not trusted and another ray is tried, as
          * a fraction of the model's radius. Smaller than 1e-14: rounding may count a crossing twice, or not at all.
-         * Larger: more rays are tried, with the same answers.
+         * Larger: more rays are tried, with the same answers. Where seams were welded it is no less than their gaps.
          */
         public static const GRAZING:Number = 1e-10;
 

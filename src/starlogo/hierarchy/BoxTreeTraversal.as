@@ -7,7 +7,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of boxes meet, whichever way their models are turned, or a tree and a single box.
+     * Decides whether two trees of boxes overlap, whichever way their models are turned, or a tree and a single box.
      *
      * <p>In the space of the first model the first's boxes are axis-aligned and the second's all turned alike: a pair of
      * boxes takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision
@@ -26,7 +26,7 @@ package starlogo.hierarchy
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are to meet
+         * @param pose where the second model is in the space of the first, whenever two are asked about
          */
         public function BoxTreeTraversal(pose:RelativePose)
         {
@@ -42,7 +42,7 @@ package starlogo.hierarchy
          * @param depthB how many levels of that are visited
          * @param exact decides in place of such nodes that overlap, or null
          */
-        public function meet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
+        public function overlap(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
         {
             // the inner loop of every frame: all is in locals, and nothing is called but where boxes decide
             var relative:Placement = _pose.placement;
@@ -60,15 +60,15 @@ package starlogo.hierarchy
             var m20:Number = relative.r20 * scale;
             var m21:Number = relative.r21 * scale;
             var m22:Number = relative.r22 * scale;
-            var abs00:Number = (m00 < 0 ? -m00 : m00) + widened;
-            var abs01:Number = (m01 < 0 ? -m01 : m01) + widened;
-            var abs02:Number = (m02 < 0 ? -m02 : m02) + widened;
-            var abs10:Number = (m10 < 0 ? -m10 : m10) + widened;
-            var abs11:Number = (m11 < 0 ? -m11 : m11) + widened;
-            var abs12:Number = (m12 < 0 ? -m12 : m12) + widened;
-            var abs20:Number = (m20 < 0 ? -m20 : m20) + widened;
-            var abs21:Number = (m21 < 0 ? -m21 : m21) + widened;
-            var abs22:Number = (m22 < 0 ? -m22 : m22) + widened;
+            var abs00:Number = m00 < 0 ? widened - m00 : widened + m00;
+            var abs01:Number = m01 < 0 ? widened - m01 : widened + m01;
+            var abs02:Number = m02 < 0 ? widened - m02 : widened + m02;
+            var abs10:Number = m10 < 0 ? widened - m10 : widened + m10;
+            var abs11:Number = m11 < 0 ? widened - m11 : widened + m11;
+            var abs12:Number = m12 < 0 ? widened - m12 : widened + m12;
+            var abs20:Number = m20 < 0 ? widened - m20 : widened + m20;
+            var abs21:Number = m21 < 0 ? widened - m21 : widened + m21;
+            var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
             var scaleSquared:Number = scale * scale;
             var edgesAreReady:Boolean = false;
             var stack:Vector.<HierarchyNode> = _stack;
@@ -91,17 +91,20 @@ package starlogo.hierarchy
                 var halfY:Number = a.halfY;
                 var halfZ:Number = a.halfZ;
                 var gapSquared:Number = 0;
-                var gap:Number = (x < 0 ? -x : x) - halfX;
+                var gap:Number = x < 0 ? -x : x;
+                gap -= halfX;
                 if (gap > 0)
                 {
                     gapSquared = gap * gap;
                 }
-                gap = (y < 0 ? -y : y) - halfY;
+                gap = y < 0 ? -y : y;
+                gap -= halfY;
                 if (gap > 0)
                 {
                     gapSquared += gap * gap;
                 }
-                gap = (z < 0 ? -z : z) - halfZ;
+                gap = z < 0 ? -z : z;
+                gap -= halfZ;
                 if (gap > 0)
                 {
                     gapSquared += gap * gap;
@@ -151,14 +154,14 @@ package starlogo.hierarchy
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.endLevel >= depthA;
-                    var bEnds:Boolean = b.endLevel >= depthB;
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
                     var axis:int;
                     if (aEnds && bEnds)
                     {
                         if (exact != null)
                         {
-                            if (exact.leavesMeet(a, b))
+                            if (exact.leavesTouch(a, b))
                             {
                                 nodeVisits += visits;
                                 return true;
@@ -189,7 +192,16 @@ package starlogo.hierarchy
                         axis = a.splitAxis;
                         var near:HierarchyNode = a.left;
                         stack[top] = a.right;
-                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        var side:Number = z;
+                        if (axis == 0)
+                        {
+                            side = x;
+                        }
+                        else if (axis == 1)
+                        {
+                            side = y;
+                        }
+                        if (side > 0)
                         {
                             stack[top] = near;
                             near = a.right;
@@ -201,8 +213,19 @@ package starlogo.hierarchy
                         a = near;
                         axis = b.splitAxis;
                         stack[int(top + 2)] = a;
-                        if ((axis == 0 ? m00 * x + m10 * y + m20 * z
-                                    : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
+                        if (axis == 0)
+                        {
+                            side = m00 * x + m10 * y + m20 * z;
+                        }
+                        else if (axis == 1)
+                        {
+                            side = m01 * x + m11 * y + m21 * z;
+                        }
+                        else
+                        {
+                            side = m02 * x + m12 * y + m22 * z;
+                        }
+                        if (side < 0)
                         {
                             stack[int(top + 3)] = b.left;
                             b = b.right;
@@ -219,7 +242,16 @@ package starlogo.hierarchy
                     {
                         // the child on the side where b is
                         axis = a.splitAxis;
-                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        side = z;
+                        if (axis == 0)
+                        {
+                            side = x;
+                        }
+                        else if (axis == 1)
+                        {
+                            side = y;
+                        }
+                        if (side > 0)
                         {
                             stack[top] = a.left;
                             a = a.right;
@@ -237,8 +269,19 @@ package starlogo.hierarchy
                     {
                         axis = b.splitAxis;
                         stack[top] = a;
-                        if ((axis == 0 ? m00 * x + m10 * y + m20 * z
-                                    : (axis == 1 ? m01 * x + m11 * y + m21 * z : m02 * x + m12 * y + m22 * z)) < 0)
+                        if (axis == 0)
+                        {
+                            side = m00 * x + m10 * y + m20 * z;
+                        }
+                        else if (axis == 1)
+                        {
+                            side = m01 * x + m11 * y + m21 * z;
+                        }
+                        else
+                        {
+                            side = m02 * x + m12 * y + m22 * z;
+                        }
+                        if (side < 0)
                         {
                             stack[int(top + 1)] = b.left;
                             b = b.right;

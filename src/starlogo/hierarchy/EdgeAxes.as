@@ -62,15 +62,15 @@ package starlogo.hierarchy
             _m20 = relative.r20 * scale;
             _m21 = relative.r21 * scale;
             _m22 = relative.r22 * scale;
-            _abs00 = (_m00 < 0 ? -_m00 : _m00) + widened;
-            _abs01 = (_m01 < 0 ? -_m01 : _m01) + widened;
-            _abs02 = (_m02 < 0 ? -_m02 : _m02) + widened;
-            _abs10 = (_m10 < 0 ? -_m10 : _m10) + widened;
-            _abs11 = (_m11 < 0 ? -_m11 : _m11) + widened;
-            _abs12 = (_m12 < 0 ? -_m12 : _m12) + widened;
-            _abs20 = (_m20 < 0 ? -_m20 : _m20) + widened;
-            _abs21 = (_m21 < 0 ? -_m21 : _m21) + widened;
-            _abs22 = (_m22 < 0 ? -_m22 : _m22) + widened;
+            _abs00 = _m00 < 0 ? widened - _m00 : widened + _m00;
+            _abs01 = _m01 < 0 ? widened - _m01 : widened + _m01;
+            _abs02 = _m02 < 0 ? widened - _m02 : widened + _m02;
+            _abs10 = _m10 < 0 ? widened - _m10 : widened + _m10;
+            _abs11 = _m11 < 0 ? widened - _m11 : widened + _m11;
+            _abs12 = _m12 < 0 ? widened - _m12 : widened + _m12;
+            _abs20 = _m20 < 0 ? widened - _m20 : widened + _m20;
+            _abs21 = _m21 < 0 ? widened - _m21 : widened + _m21;
+            _abs22 = _m22 < 0 ? widened - _m22 : widened + _m22;
         }
 
         /**

@@ -8,8 +8,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides by the models themselves where their hierarchies leave it open: whether triangles of two leaves touch, and
-     * whether a piece of one model is inside of the other.
+     * Decides by the models' triangles where their hierarchies leave it open: whether those of two leaves touch.
      */
     internal final class ExactPairTest
     {
@@ -17,6 +16,9 @@ package starlogo.hierarchy
         public var triangleTests:int = 0;
 
         private var _pose:RelativePose;
+
+        private var _solidA:Solid;
+        private var _solidB:Solid;
 
         // How close triangles of these models touch.
         private var _touching:Number;
@@ -26,7 +28,7 @@ package starlogo.hierarchy
         private var _cornersOf:HierarchyNode;
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are to meet
+         * @param pose where the second model is in the space of the first, whenever two are asked about
          */
         public function ExactPairTest(pose:RelativePose)
         {
@@ -44,23 +46,23 @@ package starlogo.hierarchy
             {
                 return false;
             }
-            a.prepareTriangles();
-            b.prepareTriangles();
+            _solidA = a.solid;
+            _solidB = b.solid;
             _cornersOf = null;
             _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _pose.placement.size);
             return true;
         }
 
         /** Whether a triangle of a leaf of the first model touches one of a leaf of the second. */
-        public function leavesMeet(a:HierarchyNode, b:HierarchyNode):Boolean
+        public function leavesTouch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             if (b !== _cornersOf)
             {
-                _pose.movePoints(b.hierarchy.corners, 9 * b.first, 9 * b.end, _corners);
+                _pose.movePoints(_solidB.corners, 9 * b.first, 9 * b.end, _corners);
                 _cornersOf = b;
             }
-            var cornersA:Vector.<Number> = a.hierarchy.corners;
-            var extents:Vector.<Number> = a.hierarchy.extents;
+            var cornersA:Vector.<Number> = _solidA.corners;
+            var extents:Vector.<Number> = _solidA.extents;
             var corners:Vector.<Number> = _corners;
             var touching:Number = _touching;
             var lowX:Number = a.x - a.halfX;
@@ -79,8 +81,12 @@ package starlogo.hierarchy
                 var p:Number = corners[at];
                 var q:Number = corners[int(at + 3)];
                 var r:Number = corners[int(at + 6)];
-                var minX:Number = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - touching;
-                var maxX:Number = (p > q ? (p > r ? p : r) : (q > r ? q : r)) + touching;
+                var minX:Number = p < q ? p : q;
+                minX = minX < r ? minX : r;
+                minX -= touching;
+                var maxX:Number = p > q ? p : q;
+                maxX = maxX > r ? maxX : r;
+                maxX += touching;
                 if (minX > highX || maxX < lowX)
                 {
                     continue;
@@ -88,8 +94,12 @@ package starlogo.hierarchy
                 p = corners[int(at + 1)];
                 q = corners[int(at + 4)];
                 r = corners[int(at + 7)];
-                var minY:Number = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - touching;
-                var maxY:Number = (p > q ? (p > r ? p : r) : (q > r ? q : r)) + touching;
+                var minY:Number = p < q ? p : q;
+                minY = minY < r ? minY : r;
+                minY -= touching;
+                var maxY:Number = p > q ? p : q;
+                maxY = maxY > r ? maxY : r;
+                maxY += touching;
                 if (minY > highY || maxY < lowY)
                 {
                     continue;
@@ -97,8 +107,12 @@ package starlogo.hierarchy
                 p = corners[int(at + 2)];
                 q = corners[int(at + 5)];
                 r = corners[int(at + 8)];
-                var minZ:Number = (p < q ? (p < r ? p : r) : (q < r ? q : r)) - touching;
-                var maxZ:Number = (p > q ? (p > r ? p : r) : (q > r ? q : r)) + touching;
+                var minZ:Number = p < q ? p : q;
+                minZ = minZ < r ? minZ : r;
+                minZ -= touching;
+                var maxZ:Number = p > q ? p : q;
+                maxZ = maxZ > r ? maxZ : r;
+                maxZ += touching;
                 if (minZ > highZ || maxZ < lowZ)
                 {
                     continue;
@@ -116,52 +130,6 @@ package starlogo.hierarchy
                     {
                         return true;
                     }
-                }
-            }
-            return false;
-        }
-
-        /** Whether a piece of one model is inside of the other, where their surfaces do not meet. */
-        public function isOneInside(a:Hierarchy, b:Hierarchy):Boolean
-        {
-            return secondIsInside(b, a) || firstIsInside(a, b);
-        }
-
-        // Whether a piece of the second model is inside of the first.
-        private function secondIsInside(inner:Hierarchy, outer:Hierarchy):Boolean
-        {
-            var seeds:Vector.<Number> = inner.surface.seeds;
-            var relative:Placement = _pose.placement;
-            for (var i:int = 0; outer.surface.isClosed && i < seeds.length; i += 3)
-            {
-                var x:Number = seeds[i] * relative.size;
-                var y:Number = seeds[i + 1] * relative.size;
-                var z:Number = seeds[i + 2] * relative.size;
-                if (outer.isInside(relative.r00 * x + relative.r01 * y + relative.r02 * z + relative.x,
-                            relative.r10 * x + relative.r11 * y + relative.r12 * z + relative.y,
-                            relative.r20 * x + relative.r21 * y + relative.r22 * z + relative.z))
-                {
-                    return true;
-                }
-            }
-            return false;
-        }
-
-        // Whether a piece of the first model is inside of the second.
-        private function firstIsInside(inner:Hierarchy, outer:Hierarchy):Boolean
-        {
-            var seeds:Vector.<Number> = inner.surface.seeds;
-            var relative:Placement = _pose.placement;
-            for (var i:int = 0; outer.surface.isClosed && i < seeds.length; i += 3)
-            {
-                var x:Number = (seeds[i] - relative.x) / relative.size;
-                var y:Number = (seeds[i + 1] - relative.y) / relative.size;
-                var z:Number = (seeds[i + 2] - relative.z) / relative.size;
-                if (outer.isInside(relative.r00 * x + relative.r10 * y + relative.r20 * z,
-                            relative.r01 * x + relative.r11 * y + relative.r21 * z,
-                            relative.r02 * x + relative.r12 * y + relative.r22 * z))
-                {
-                    return true;
                 }
             }
             return false;

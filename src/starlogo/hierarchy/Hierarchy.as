@@ -1,21 +1,17 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
-    import starlogo.geometry.Surface;
-    import starlogo.geometry.Tolerances;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
     /**
      * A model's hierarchy with what its nodes share. For the engine; a client has its root.
+     *
+     * @private
      */
     public final class Hierarchy
     {
-        // Directions without a relation to the axes that models are built along.
-        private static const RAYS:Vector.<Number> = new <Number>[
-                0.5391, 0.2718, 0.7972, -0.3473, 0.8651, 0.3618, 0.7113, -0.5897, -0.3826, -0.1937, -0.6329, 0.7496,
-                0.8839, 0.4421, -0.1527, -0.6681, 0.1172, -0.7348, 0.0931, -0.9217, -0.3765, -0.8263, -0.4402, 0.3511];
-
         /** The node around the whole model. */
         engine var root:HierarchyNode;
 
@@ -28,20 +24,11 @@ package starlogo.hierarchy
         /** The numbers of the triangles or vertices, those of a leaf side by side. */
         engine var order:Vector.<int>;
 
-        /** Three corners a triangle, x, y, z each, in that order; null until prepareTriangles. */
-        engine var corners:Vector.<Number>;
-
-        /** Each triangle's extents in that order: minX, minY, minZ, maxX, maxY, maxZ; null until prepareTriangles. */
-        engine var extents:Vector.<Number>;
-
-        /** The surface that the triangles make; null until prepareTriangles. */
-        engine var surface:Surface;
-
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
-        private var _stack:Vector.<HierarchyNode>;
+        private var _solid:Solid = null;
 
-        /** Made by the HierarchiesLibrary. */
+        /** Made by a HierarchyBuilder. */
         public function Hierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
             _vertices = vertices;
@@ -73,182 +60,36 @@ package starlogo.hierarchy
             return count;
         }
 
-        /** Computes once what exact tests need beyond the boxes. */
-        engine function prepareTriangles():void
-        {
-            if (!hasTriangles || surface != null)
-            {
-                return;
-            }
-            var count:int = order.length;
-            corners = new Vector.<Number>(9 * count, true);
-            extents = new Vector.<Number>(6 * count, true);
-            for (var i:int = 0; i < count; i++)
-            {
-                for (var axis:int = 0; axis < 3; axis++)
-                {
-                    prepareAxis(i, 3 * order[i], axis);
-                }
-            }
-            _stack = new Vector.<HierarchyNode>();
-            surface = new Surface(_vertices, _triangles);
-        }
-
         /**
-         * Whether a point that is not on the surface is inside of it: the crossings of a ray that passes all edges at a
-         * distance; should every ray that is tried come close to one, the solid angles of all triangles added up. False
-         * where the surface is not closed.
+         * The triangles as exact tests and tests for insides need them. Where the builder has not prepared them, the first call
+         * does: that takes tens of milliseconds for thousands of triangles. Only where there are triangles.
          */
-        engine function isInside(x:Number, y:Number, z:Number):Boolean
+        internal function get solid():Solid
         {
-            var isOutOfReach:Boolean = Math.abs(x - root.x) > root.halfX || Math.abs(y - root.y) > root.halfY
-                || Math.abs(z - root.z) > root.halfZ;
-            if (isOutOfReach || !surface.isClosed)
+            if (_solid == null)
             {
-                return false;
+                var builder:SolidBuilder = beginSolid();
+                finish(builder);
+                _solid = builder.solid;
             }
-            for (var i:int = 0; i < RAYS.length; i += 3)
-            {
-                var crossings:Number = crossingsOf(x, y, z, RAYS[i], RAYS[i + 1], RAYS[i + 2]);
-                // NaN for a ray that comes close to an edge
-                if (crossings == crossings)
-                {
-                    return crossings != 0;
-                }
-            }
-            return Math.abs(windingAround(x, y, z)) > 0.5;
+            return _solid;
         }
 
-        private function prepareAxis(triangle:int, corner:int, axis:int):void
+        /** Whether what exact tests need of the triangles is there. */
+        engine function get isPrepared():Boolean
         {
-            var a:Number = _vertices[3 * _triangles[corner] + axis];
-            var b:Number = _vertices[3 * _triangles[corner + 1] + axis];
-            var c:Number = _vertices[3 * _triangles[corner + 2] + axis];
-            corners[9 * triangle + axis] = a;
-            corners[9 * triangle + 3 + axis] = b;
-            corners[9 * triangle + 6 + axis] = c;
-            extents[6 * triangle + axis] = Math.min(a, b, c);
-            extents[6 * triangle + 3 + axis] = Math.max(a, b, c);
+            return _solid != null;
         }
 
-        // How often the surface winds around the point, or the parity of the crossings where it is not oriented.
-        private function crossingsOf(x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
+        internal function set solid(value:Solid):void
         {
-            var winding:int = 0;
-            var parity:int = 0;
-            var top:int = 0;
-            var node:HierarchyNode = root;
-            while (true)
-            {
-                if (isOnRay(node, x, y, z, dx, dy, dz))
-                {
-                    if (!node.isLeaf)
-                    {
-                        _stack[top++] = node.right;
-                        node = node.left;
-                        continue;
-                    }
-                    for (var i:int = node.first; i < node.end; i++)
-                    {
-                        var crossing:Number = crossingOf(9 * i, x, y, z, dx, dy, dz);
-                        if (crossing != crossing)
-                        {
-                            return NaN;
-                        }
-                        winding += crossing;
-                        parity ^= crossing & 1;
-                    }
-                }
-                if (top == 0)
-                {
-                    return surface.isOriented ? winding : parity;
-                }
-                node = _stack[--top];
-            }
-            return NaN;
+            _solid = value;
         }
 
-        // Separating axes: the ray's extents, and the three directions at right angles to the ray and an edge of the box.
-        private static function isOnRay(node:HierarchyNode, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Boolean
+        /** Begins to prepare the solid. */
+        internal function beginSolid():SolidBuilder
         {
-            x -= node.x;
-            y -= node.y;
-            z -= node.z;
-            var halfX:Number = node.halfX;
-            var halfY:Number = node.halfY;
-            var halfZ:Number = node.halfZ;
-            if ((dx > 0 ? x : -x) > halfX || (dy > 0 ? y : -y) > halfY || (dz > 0 ? z : -z) > halfZ)
-            {
-                return false;
-            }
-            var widthX:Number = dx < 0 ? -dx : dx;
-            var widthY:Number = dy < 0 ? -dy : dy;
-            var widthZ:Number = dz < 0 ? -dz : dz;
-            return Math.abs(y * dz - z * dy) <= halfY * widthZ + halfZ * widthY
-                && Math.abs(z * dx - x * dz) <= halfZ * widthX + halfX * widthZ
-                && Math.abs(x * dy - y * dx) <= halfX * widthY + halfY * widthX;
-        }
-
-        // 1 where the ray leaves through the triangle's front, -1 where it enters; NaN where it comes close to an edge, or
-        // begins close to the triangle. The triple products have the signs of the sides on which the ray passes the edges.
-        private function crossingOf(at:int, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
-        {
-            var px:Number = corners[at] - x;
-            var py:Number = corners[at + 1] - y;
-            var pz:Number = corners[at + 2] - z;
-            var qx:Number = corners[at + 3] - x;
-            var qy:Number = corners[at + 4] - y;
-            var qz:Number = corners[at + 5] - z;
-            var rx:Number = corners[at + 6] - x;
-            var ry:Number = corners[at + 7] - y;
-            var rz:Number = corners[at + 8] - z;
-            var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
-            var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
-            var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);
-            var near:Number = Tolerances.GRAZING * root.radius * root.radius;
-            if ((u > near || v > near || w > near) && (u < -near || v < -near || w < -near))
-            {
-                return 0;
-            }
-            if (!(u > near && v > near && w > near || u < -near && v < -near && w < -near))
-            {
-                return NaN;
-            }
-            var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
-            if (Math.abs(volume) <= near * root.radius)
-            {
-                return NaN;
-            }
-            if (volume > 0 != u > 0)
-            {
-                return 0;
-            }
-            return u > 0 ? 1 : -1;
-        }
-
-        // Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30(2), 1983.
-        private function windingAround(x:Number, y:Number, z:Number):Number
-        {
-            var sum:Number = 0;
-            for (var at:int = 0; at < corners.length; at += 9)
-            {
-                var px:Number = corners[at] - x;
-                var py:Number = corners[at + 1] - y;
-                var pz:Number = corners[at + 2] - z;
-                var qx:Number = corners[at + 3] - x;
-                var qy:Number = corners[at + 4] - y;
-                var qz:Number = corners[at + 5] - z;
-                var rx:Number = corners[at + 6] - x;
-                var ry:Number = corners[at + 7] - y;
-                var rz:Number = corners[at + 8] - z;
-                var p:Number = Math.sqrt(px * px + py * py + pz * pz);
-                var q:Number = Math.sqrt(qx * qx + qy * qy + qz * qz);
-                var r:Number = Math.sqrt(rx * rx + ry * ry + rz * rz);
-                var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
-                sum += Math.atan2(volume, p * q * r + (px * qx + py * qy + pz * qz) * r + (qx * rx + qy * ry + qz * rz) * p
-                        + (rx * px + ry * py + rz * pz) * q);
-            }
-            return sum / (2 * Math.PI);
+            return new SolidBuilder(root, _vertices, _triangles, order);
         }
     }
 }

@@ -33,7 +33,7 @@ package starlogo.hierarchy
         engine var level:int;
 
         /** The largest depth limit at which a visit ends here: its level, or for a leaf any. */
-        engine var endLevel:int = int.MAX_VALUE;
+        engine var cutoffLevel:int = int.MAX_VALUE;
 
         /** The node's items are those from first up to, and not including, end in the hierarchy's order. */
         engine var first:int;
@@ -71,6 +71,11 @@ package starlogo.hierarchy
         /** The sphere or capsule; null where the box is the node's structure, until somebody asks for it. */
         engine var structure:BoundingStructure;
 
+        /**
+         * The structure made thick enough for those of all the node's descendants; null where its own is: for a box and a leaf.
+         */
+        engine var cover:BoundingStructure = null;
+
         private var _vertexCount:int = 0;
 
         /** Made by the HierarchiesLibrary. */
@@ -93,8 +98,8 @@ package starlogo.hierarchy
 
         /**
          * The structure around the node's part: an axis-aligned box, or what the library's boundsKind was when the model
-         * was added. A box is wider than the part by a rounding error (Tolerances.ROUNDING) on every side. The node's
-         * own: clone it before changing it.
+         * was added. It is a little wider than the part (Tolerances.SURFACES and NESTING). The node's own: clone it before
+         * changing it.
          */
         public function get bounds():BoundingStructure
         {
@@ -133,6 +138,16 @@ package starlogo.hierarchy
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
         {
             return hierarchy.hasTriangles ? emptied(out) : itemsInto(out);
+        }
+
+        /** The axis along which the box is longest: 0, 1 or 2. */
+        internal function longestAxis():int
+        {
+            if (halfX >= halfY && halfX >= halfZ)
+            {
+                return 0;
+            }
+            return halfY >= halfZ ? 1 : 2;
         }
 
         private function itemsInto(out:Vector.<int>):Vector.<int>

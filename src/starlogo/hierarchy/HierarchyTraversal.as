@@ -3,33 +3,50 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.intersects;
 
     use namespace engine;
 
     /**
-     * Decides whether two hierarchies meet, or one and a structure (thesis §4.6): depth-first, until two nodes that are
-     * leaves or at their depth limit overlap.
+     * Decides whether two hierarchies collide, or one and a structure (thesis §4.6): depth-first, until two nodes that are
+     * leaves or at their depth limit overlap; and if none do, whether a part of one is inside of the other.
      *
      * <p>The thesis puts both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of
      * agents takes the second model into the space of the first, and the traversal for what the hierarchies are made of does
      * the rest: UprightBoxTreeTraversal, BoxTreeTraversal or StructureTreeTraversal, with an ExactPairTest where triangles
      * decide.</p>
      *
-     * <p>Scratch objects are reused: nothing is allocated once the stacks have grown.</p>
+     * <p>Answers are nested: what triangles find, nodes find at any depth, and a greater depth finds no more than a smaller one.
+     * Nodes alone would not do for solids: the leaves hug the surface, and a model well inside of a closed one meets none of
+     * them. Hence the ContainmentTest, whose answer no depth changes.</p>
+     *
+     * <p>Models may differ in size by a factor of up to 1e200, and are then placed in the space of the larger one. Scratch
+     * objects are reused: nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
+     *
+     * @private
      */
     public final class HierarchyTraversal
     {
+        // By how much the second model may be larger than the first: its sixth power does not overflow. One that is
+        // larger by more is, for a structure, like a point to rounding anyway.
+        private static const MUCH_LARGER:Number = 1e40;
+
         private var _pose:RelativePose = new RelativePose();
         private var _uprightBoxes:UprightBoxTreeTraversal;
         private var _boxes:BoxTreeTraversal;
         private var _structures:StructureTreeTraversal;
         private var _exact:ExactPairTest;
+        private var _containment:ContainmentTest;
 
         // A box that stands for a model, with its own axes.
         private var _leaf:HierarchyNode = new HierarchyNode();
+
+        // A model that is far smaller than the other.
+        private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** Nothing counted yet. */
         public function HierarchyTraversal()
@@ -38,6 +55,7 @@ package starlogo.hierarchy
             _boxes = new BoxTreeTraversal(_pose);
             _structures = new StructureTreeTraversal(_pose);
             _exact = new ExactPairTest(_pose);
+            _containment = new ContainmentTest(_pose);
             _leaf.level = 1;
             _leaf.x = _leaf.y = _leaf.z = 0;
         }
@@ -62,7 +80,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * Whether two models' hierarchies overlap.
+         * Whether two models collide by their hierarchies.
          *
          * @param a the first model's hierarchy
          * @param placementA where the first model stands
@@ -70,12 +88,15 @@ package starlogo.hierarchy
          * @param b the second model's hierarchy
          * @param placementB where the second model stands
          * @param depthB how many levels of that are visited
-         * @param exact whether, for two hierarchies of triangles, depths do not count, triangles decide, and a model inside
-         *     of a closed one meets it
+         * @param exact whether, for two hierarchies of triangles, depths do not count and triangles decide
          */
         public function hierarchiesOverlap(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
                 exact:Boolean):Boolean
         {
+            if (placementB.size > MUCH_LARGER * placementA.size)
+            {
+                return hierarchiesOverlap(b, placementB, depthB, a, placementA, depthA, exact);
+            }
             _pose.relate(placementA, placementB);
             var decider:ExactPairTest = null;
             if (exact && _exact.prepare(a, b))
@@ -83,24 +104,37 @@ package starlogo.hierarchy
                 decider = _exact;
                 depthA = depthB = int.MAX_VALUE;
             }
+            // roots that do not overlap, as of most that are close and do not collide, take one visit
+            var areApart:Boolean;
             var overlap:Boolean;
+            var visits:int;
             if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
-                overlap = _structures.meet(a.root, depthA, b.root, depthB, decider);
+                visits = _structures.nodeVisits;
+                overlap = _structures.overlap(a.root, depthA, b.root, depthB, decider);
+                areApart = _structures.nodeVisits == visits + 1;
             }
-            else if (_pose.isUpright)
+            else if (_pose.isYawOnly)
             {
-                overlap = _uprightBoxes.meet(a.root, depthA, b.root, depthB, decider);
+                visits = _uprightBoxes.nodeVisits;
+                overlap = _uprightBoxes.overlap(a.root, depthA, b.root, depthB, decider);
+                areApart = _uprightBoxes.nodeVisits == visits + 1;
             }
             else
             {
-                overlap = _boxes.meet(a.root, depthA, b.root, depthB, decider);
+                visits = _boxes.nodeVisits;
+                overlap = _boxes.overlap(a.root, depthA, b.root, depthB, decider);
+                areApart = _boxes.nodeVisits == visits + 1;
             }
-            return overlap || (decider != null && decider.isOneInside(a, b));
+            if (overlap || (areApart && decider == null))
+            {
+                return overlap;
+            }
+            return _containment.isOneInside(a, b);
         }
 
         /**
-         * Whether a model's hierarchy overlaps a structure.
+         * Whether a model's hierarchy collides with a structure.
          *
          * @param a the model's hierarchy
          * @param placementA where the model stands
@@ -111,14 +145,30 @@ package starlogo.hierarchy
         public function structureOverlaps(a:Hierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
                 placementB:Placement):Boolean
         {
-            _pose.relate(placementA, placementB);
-            if (structure.kind == BoundingStructure.BOX && a.boundsKind == BoundingStructure.BOX)
+            if (placementB.size > MUCH_LARGER * placementA.size)
             {
-                var box:Box = structure as Box;
-                _pose.relateToAxesOf(box);
-                return _boxes.meet(a.root, depth, leafOf(box), 1, null);
+                return isPointInStructure(a.root, placementA, structure, placementB);
             }
-            return _structures.structureMeets(a.root, depth, structure);
+            _pose.relate(placementA, placementB);
+            if (structure.kind != BoundingStructure.BOX || a.boundsKind != BoundingStructure.BOX)
+            {
+                return _structures.structureOverlaps(a.root, depth, structure) || _containment.isStructureInside(a, structure);
+            }
+            var box:Box = structure as Box;
+            _pose.relateToAxesOf(box);
+            var leaf:HierarchyNode = leafOf(box);
+            return _boxes.overlap(a.root, depth, leaf, 1, null) || _containment.isLeafInside(a, leaf);
+        }
+
+        // The first model is so small that it is a point of the second's space.
+        private function isPointInStructure(root:HierarchyNode, placementA:Placement, structure:BoundingStructure,
+                placementB:Placement):Boolean
+        {
+            _pose.relate(placementB, placementA);
+            var relative:Placement = _pose.placement;
+            _point.center.setTo(relative.x, relative.y, relative.z);
+            _point.radius = relative.size * root.radius;
+            return intersects(_point, structure);
         }
 
         // The box, as wide as a node's would be, in the space of its axes.

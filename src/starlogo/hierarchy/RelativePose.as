@@ -13,8 +13,8 @@ package starlogo.hierarchy
         /** Takes the second model into the space of the first. Its own isUpright is always false. */
         public var placement:Placement = new Placement();
 
-        /** Whether both models are turned about z only, as almost always. */
-        public var isUpright:Boolean;
+        /** Whether both models are turned about z at most, as almost always. */
+        public var isYawOnly:Boolean;
 
         /** Until relate is called, both are in one place. */
         public function RelativePose()
@@ -44,8 +44,8 @@ package starlogo.hierarchy
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = placement;
             relative.size = scale;
-            isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
-            if (isUpright)
+            isYawOnly = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
+            if (isYawOnly)
             {
                 // the other entries are exactly 0
                 relative.x = a00 * x + a10 * y;
@@ -130,7 +130,7 @@ package starlogo.hierarchy
             relative.r02 = r00 * x + r01 * y + r02 * z;
             relative.r12 = r10 * x + r11 * y + r12 * z;
             relative.r22 = r20 * x + r21 * y + r22 * z;
-            isUpright = false;
+            isYawOnly = false;
         }
 
         /**

@@ -12,8 +12,13 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether trees of spheres or capsules meet, trees of different structures, or a tree and a single structure: by
+     * Decides whether trees of spheres or capsules overlap, trees of different structures, or a tree and a single structure: by
      * the pair tests of their kinds.
+     *
+     * <p>A child's sphere may reach out of its parent's, so that what meets the child need not meet the parent. Still a greater
+     * depth never finds more: whatever the depths, nodes are reached in one order, a level of the first tree and then one of the
+     * second (thesis §4.6), only by way of ancestors that overlap. Below the last level of one tree, the cover of its node
+     * there stands for all its descendants.</p>
      */
     internal final class StructureTreeTraversal
     {
@@ -30,7 +35,7 @@ package starlogo.hierarchy
                 new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)];
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are to meet
+         * @param pose where the second model is in the space of the first, whenever two are asked about
          */
         public function StructureTreeTraversal(pose:RelativePose)
         {
@@ -46,29 +51,45 @@ package starlogo.hierarchy
          * @param depthB how many levels of that are visited
          * @param exact decides in place of such nodes that overlap, or null
          */
-        public function meet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
+        public function overlap(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
         {
             var relative:Placement = _pose.placement;
-            var scale:Number = relative.size;
             var stack:Vector.<HierarchyNode> = _stack;
             var top:int = 0;
             while (true)
             {
                 nodeVisits++;
-                var structure:BoundingStructure = b.bounds;
-                var moved:BoundingStructure = structure.place(relative, _moved[structure.kind]);
-                if (intersects(structureOf(a), moved))
+                var structureA:BoundingStructure = a.structure;
+                var structureB:BoundingStructure = b.structure;
+                if (b.level > a.level && a.cover != null)
                 {
-                    var aEnds:Boolean = a.endLevel >= depthA;
-                    var bEnds:Boolean = b.endLevel >= depthB;
+                    structureA = a.cover;
+                }
+                else if (structureA == null)
+                {
+                    structureA = boxOf(a);
+                }
+                if (a.level > b.level + 1 && b.cover != null)
+                {
+                    structureB = b.cover;
+                }
+                else if (structureB == null)
+                {
+                    structureB = b.bounds;
+                }
+                var moved:BoundingStructure = structureB.place(relative, _moved[structureB.kind]);
+                if (intersects(structureA, moved))
+                {
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (exact == null || exact.leavesMeet(a, b))
+                        if (exact == null || exact.leavesTouch(a, b))
                         {
                             return true;
                         }
                     }
-                    else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
+                    else if (bEnds || (!aEnds && a.level <= b.level))
                     {
                         var next:HierarchyNode = nearerChild(a, moved);
                         stack[top++] = next === a.left ? a.right : a.left;
@@ -101,7 +122,7 @@ package starlogo.hierarchy
          * @param depth how many levels of it are visited
          * @param structure of the second model, in its space
          */
-        public function structureMeets(root:HierarchyNode, depth:int, structure:BoundingStructure):Boolean
+        public function structureOverlaps(root:HierarchyNode, depth:int, structure:BoundingStructure):Boolean
         {
             var moved:BoundingStructure = structure.place(_pose.placement, _moved[structure.kind]);
             var stack:Vector.<HierarchyNode> = _stack;
@@ -110,9 +131,9 @@ package starlogo.hierarchy
             while (true)
             {
                 nodeVisits++;
-                if (intersects(structureOf(node), moved))
+                if (intersects(node.structure != null ? node.structure : boxOf(node), moved))
                 {
-                    if (node.endLevel >= depth)
+                    if (node.cutoffLevel >= depth)
                     {
                         return true;
                     }
@@ -132,12 +153,8 @@ package starlogo.hierarchy
             return false;
         }
 
-        private function structureOf(node:HierarchyNode):BoundingStructure
+        private function boxOf(node:HierarchyNode):BoundingStructure
         {
-            if (node.structure != null)
-            {
-                return node.structure;
-            }
             var box:Box = _box;
             var center:Vector3D = box.center;
             center.x = node.x;

@@ -7,7 +7,7 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether two trees of boxes meet whose models are turned about z only, as almost always.
+     * Decides whether two trees of boxes overlap whose models are turned about z only, as almost always.
      *
      * <p>Like BoxTreeTraversal, but five axes are all there are, and three of them are settled by few products. A frame of
      * such agents takes a fifth to a third longer with the other's loop, and about a tenth longer if the two loops share
@@ -22,7 +22,7 @@ package starlogo.hierarchy
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
         /**
-         * @param pose where the second model is in the space of the first, whenever two are to meet
+         * @param pose where the second model is in the space of the first, whenever two are asked about
          */
         public function UprightBoxTreeTraversal(pose:RelativePose)
         {
@@ -38,7 +38,7 @@ package starlogo.hierarchy
          * @param depthB how many levels of that are visited
          * @param exact decides in place of such nodes that overlap, or null
          */
-        public function meet(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
+        public function overlap(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, exact:ExactPairTest):Boolean
         {
             var relative:Placement = _pose.placement;
             var scale:Number = relative.size;
@@ -48,8 +48,8 @@ package starlogo.hierarchy
             var cos:Number = relative.r00 * scale;
             var sin:Number = relative.r10 * scale;
             var widened:Number = Tolerances.ROUNDING * scale;
-            var absCos:Number = (cos < 0 ? -cos : cos) + widened;
-            var absSin:Number = (sin < 0 ? -sin : sin) + widened;
+            var absCos:Number = cos < 0 ? widened - cos : widened + cos;
+            var absSin:Number = sin < 0 ? widened - sin : widened + sin;
             var scaleSquared:Number = scale * scale;
             var stack:Vector.<HierarchyNode> = _stack;
             var top:int = 0;
@@ -60,7 +60,7 @@ package starlogo.hierarchy
                 var overlap:Boolean = false;
                 var z:Number = scale * b.z + moveZ - a.z;
                 var reach:Number = a.halfZ + scale * b.halfZ;
-                if ((z < 0 ? -z : z) <= reach)
+                if (z <= reach && z >= -reach)
                 {
                     var bX:Number = b.x;
                     var bY:Number = b.y;
@@ -78,14 +78,23 @@ package starlogo.hierarchy
                     if (isDeep)
                     {
                         // b's middle is over a: a child of a most likely overlaps b too, and both are divided at once
-                        if (a.endLevel < depthA)
+                        if (a.cutoffLevel < depthA)
                         {
-                            if (b.endLevel < depthB)
+                            if (b.cutoffLevel < depthB)
                             {
                                 var axis:int = a.splitAxis;
                                 var near:HierarchyNode = a.left;
                                 var far:HierarchyNode = a.right;
-                                if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                                var side:Number = z;
+                                if (axis == 0)
+                                {
+                                    side = x;
+                                }
+                                else if (axis == 1)
+                                {
+                                    side = y;
+                                }
+                                if (side > 0)
                                 {
                                     near = far;
                                     far = a.left;
@@ -96,7 +105,16 @@ package starlogo.hierarchy
                                 x += a.x - near.x;
                                 y += a.y - near.y;
                                 axis = b.splitAxis;
-                                if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z + a.z - near.z)) < 0)
+                                side = z + a.z - near.z;
+                                if (axis == 0)
+                                {
+                                    side = cos * x + sin * y;
+                                }
+                                else if (axis == 1)
+                                {
+                                    side = cos * y - sin * x;
+                                }
+                                if (side < 0)
                                 {
                                     stack[int(top + 3)] = b.left;
                                     b = b.right;
@@ -123,11 +141,11 @@ package starlogo.hierarchy
                             {
                                 var along:Number = cos * x + sin * y;
                                 reach = scaleSquared * bX + absCos * halfX + absSin * halfY;
-                                if ((along < 0 ? -along : along) <= reach)
+                                if (along <= reach && along >= -reach)
                                 {
                                     along = cos * y - sin * x;
                                     reach = scaleSquared * bY + absSin * halfX + absCos * halfY;
-                                    overlap = (along < 0 ? -along : along) <= reach;
+                                    overlap = along <= reach && along >= -reach;
                                 }
                             }
                         }
@@ -135,11 +153,11 @@ package starlogo.hierarchy
                 }
                 if (overlap)
                 {
-                    var aEnds:Boolean = a.endLevel >= depthA;
-                    var bEnds:Boolean = b.endLevel >= depthB;
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
                     if (aEnds && bEnds)
                     {
-                        if (exact == null || exact.leavesMeet(a, b))
+                        if (exact == null || exact.leavesTouch(a, b))
                         {
                             nodeVisits += visits;
                             return true;
@@ -148,7 +166,16 @@ package starlogo.hierarchy
                     else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
                     {
                         axis = a.splitAxis;
-                        if ((axis == 0 ? x : (axis == 1 ? y : z)) > 0)
+                        side = z;
+                        if (axis == 0)
+                        {
+                            side = x;
+                        }
+                        else if (axis == 1)
+                        {
+                            side = y;
+                        }
+                        if (side > 0)
                         {
                             stack[top] = a.left;
                             a = a.right;
@@ -166,7 +193,16 @@ package starlogo.hierarchy
                     {
                         axis = b.splitAxis;
                         stack[top] = a;
-                        if ((axis == 0 ? cos * x + sin * y : (axis == 1 ? cos * y - sin * x : z)) < 0)
+                        side = z;
+                        if (axis == 0)
+                        {
+                            side = cos * x + sin * y;
+                        }
+                        else if (axis == 1)
+                        {
+                            side = cos * y - sin * x;
+                        }
+                        if (side < 0)
                         {
                             stack[int(top + 1)] = b.left;
                             b = b.right;

@@ -2,6 +2,7 @@ package starlogo.libraries
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
+    import starlogo.geometry.VertexData;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
@@ -25,8 +26,8 @@ package starlogo.libraries
         private static const PREFIX:String = ":";
 
         /**
-         * A node of no more vertices than this is a leaf (§4.4), and so is a single triangle. The vertices of a node's
-         * triangles count once each. At least 1.
+         * A node of no more vertices than this is a leaf (§4.4; §4.8 would split one of just as many), and so is a single
+         * triangle. The vertices of a node's triangles count once each. At least 1.
          */
         public var minVerticesToSplit:int = 5;
 
@@ -46,10 +47,13 @@ package starlogo.libraries
          */
         public var boundsKind:int = BoundingStructure.BOX;
 
-        /** Whether what exact tests need is prepared when a model is added. */
+        /**
+         * Whether what exact colliders need of a model's triangles is prepared when the model is added, rather than when an
+         * exact collider, or one of models that are close, first meets the model. Then a load takes longer, and no frame does.
+         */
         public var prepareExact:Boolean = false;
 
-        /** Another number whenever the hierarchy under a name has been replaced or removed. */
+        /** Changes whenever what is stored under a name is replaced or removed: what was kept of it is void. */
         engine var revision:int = 0;
 
         private var _hierarchies:Object = {};
@@ -102,16 +106,16 @@ package starlogo.libraries
                 throw new ArgumentError("a shape must have a name: " + name);
             }
             checkSettings();
-            checkVertices(name, vertices);
+            refuse(name, VertexData.vertexProblem(vertices));
             if (triangles != null && triangles.length == 0)
             {
                 triangles = null;
             }
             if (triangles != null)
             {
-                checkTriangles(name, triangles, vertices.length / 3);
+                refuse(name, VertexData.triangleProblem(triangles, vertices.length / 3));
             }
-            var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind);
+            var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
             builder.begin(vertices.concat(), triangles == null ? null : triangles.concat());
             return builder;
         }
@@ -126,7 +130,11 @@ package starlogo.libraries
             }
         }
 
-        /** Forgets a shape; returns whether it was there. */
+        /**
+         * Forgets the hierarchy of a shape.
+         *
+         * @return whether there was one
+         */
         engine function remove(name:String):Boolean
         {
             if (!has(name))
@@ -164,41 +172,11 @@ package starlogo.libraries
             }
         }
 
-        private static function checkVertices(name:String, vertices:Vector.<Number>):void
+        private static function refuse(name:String, problem:String):void
         {
-            if (vertices == null || vertices.length == 0 || vertices.length % 3 != 0)
+            if (problem != null)
             {
-                throw new ArgumentError("shape \"" + name + "\": three coordinates for each of at least one vertex are needed,"
-                        + " not " + (vertices == null ? "null" : vertices.length + " numbers"));
-            }
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i++)
-            {
-                var coordinate:Number = vertices[i];
-                // infinite and NaN alike
-                if (coordinate - coordinate != 0)
-                {
-                    throw new ArgumentError("shape \"" + name + "\": the " + "xyz".charAt(i % 3) + " coordinate of vertex "
-                            + int(i / 3) + " must be a finite number, not " + coordinate);
-                }
-            }
-        }
-
-        private static function checkTriangles(name:String, triangles:Vector.<uint>, vertexCount:int):void
-        {
-            if (triangles.length % 3 != 0)
-            {
-                throw new ArgumentError("shape \"" + name + "\": triangles have three vertices each, but there are "
-                        + triangles.length + " indices in all");
-            }
-            var length:int = triangles.length;
-            for (var i:int = 0; i < length; i++)
-            {
-                if (triangles[i] >= vertexCount)
-                {
-                    throw new ArgumentError("shape \"" + name + "\": triangle " + int(i / 3) + " names vertex " + triangles[i]
-                            + ", the last one is " + (vertexCount - 1));
-                }
+                throw new ArgumentError("shape \"" + name + "\": " + problem);
             }
         }
     }

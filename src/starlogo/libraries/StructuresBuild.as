@@ -102,7 +102,7 @@ package starlogo.libraries
                     throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + _fitters[i]
                             + " found " + structure);
                 }
-                all.push(structure);
+                all.push(widened(structure));
             }
             return all;
         }

@@ -115,6 +115,48 @@ package starlogo.collision
         }
 
         [Test(order="8")]
+        public function allFindWhatExactOnesFind():void
+        {
+            RealModels.assume();
+            var greatLand:GreatLand = load(true, FULL, BoundingStructure.BOX, true);
+            var exact:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            var tightest:TightestFitCollider = new TightestFitCollider(greatLand);
+            var hierarchical:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            var combination:CombinationCollider = new CombinationCollider(greatLand);
+            exact.exact = combination.exact = true;
+            var found:int = 0;
+            var inside:int = 0;
+            var stride:int = Effort.choose(5, 1);
+            for (var i:int = 0; i < sVectors.count; i += stride)
+            {
+                sVectors.read(i);
+                var isHit:Boolean = exact.areColliding(sVectors.a, sVectors.b);
+                assertTrue(i + ", tightest fit", !isHit || tightest.areColliding(sVectors.a, sVectors.b));
+                var before:Array = [true, true, true];
+                for each (var depth:int in DEPTHS.concat(FULL))
+                {
+                    hierarchical.maxDepth = combination.maxDepth = depth;
+                    var answers:Array = [hierarchical.areColliding(sVectors.a, sVectors.b)];
+                    sVectors.a.hierarchical = true;
+                    answers.push(combination.areColliding(sVectors.a, sVectors.b));
+                    sVectors.a.hierarchical = false;
+                    sVectors.b.hierarchical = true;
+                    answers.push(combination.areColliding(sVectors.a, sVectors.b));
+                    sVectors.b.hierarchical = false;
+                    for (var way:int = 0; way < 3; way++)
+                    {
+                        assertTrue(i + ", missed at depth " + depth + ", way " + way, answers[way] || !isHit);
+                        assertTrue(i + ", more at depth " + depth + ", way " + way, before[way] || !answers[way]);
+                    }
+                    before = answers;
+                }
+                found += isHit ? 1 : 0;
+                inside += isHit && sVectors.isInside ? 1 : 0;
+            }
+            assertTrue("found: " + found + ", inside: " + inside, found > 0.4 * sVectors.count / stride && inside > 0.08 * sVectors.count / stride);
+        }
+
+        [Test(order="9")]
         public function forgetsTheModels():void
         {
             sModels = null;
@@ -132,10 +174,12 @@ package starlogo.collision
             }
         }
 
-        private static function load(triangles:Boolean, maxDepth:int, kind:int = BoundingStructure.BOX):GreatLand
+        private static function load(triangles:Boolean, maxDepth:int, kind:int = BoundingStructure.BOX,
+                loadTightestFit:Boolean = false):GreatLand
         {
             var greatLand:GreatLand = new GreatLand();
-            greatLand.loadTightestFit = false;
+            greatLand.loadTightestFit = loadTightestFit;
+            greatLand.orientedBoxDegIncrement = 45;
             greatLand.hierarchies.boundsKind = kind;
             greatLand.hierarchies.maxDepth = maxDepth;
             for each (var model:Model in sModels)

@@ -10,6 +10,8 @@ package starlogo.hierarchy
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import support.Fixtures;
+    import support.SolidAngles;
+    import support.SolidModels;
     import support.assertWellFormed;
 
     use namespace engine;
@@ -68,30 +70,116 @@ package starlogo.hierarchy
                 triangles[i + 1] = first;
             }
             var hierarchy:Hierarchy = hierarchyOf(cube.vertices, triangles);
-            assertTrue(hierarchy.isInside(0.1, 0.2, 0.3));
-            assertTrue(hierarchy.isInside(0, 0, 0.5));
-            assertTrue(!hierarchy.isInside(0.51, 0, 0.5));
+            assertTrue(hierarchy.solid.isInside(0.1, 0.2, 0.3));
+            assertTrue(hierarchy.solid.isInside(0, 0, 0.5));
+            assertTrue(!hierarchy.solid.isInside(0.51, 0, 0.5));
         }
 
         [Test]
         public function aHollowSolidHasAnOutsideInside():void
         {
-            // a cube within a cube, its faces turned inwards
-            var cube:Model = BuiltInModel.cube();
-            var vertices:Vector.<Number> = cube.vertices.slice();
-            var triangles:Vector.<uint> = cube.triangles.slice();
-            vertices.fixed = triangles.fixed = false;
-            for (var i:int = 0; i < cube.vertices.length; i++)
+            var model:Model = SolidModels.hollow();
+            var hierarchy:Hierarchy = hierarchyOf(model.vertices, model.triangles);
+            assertTrue("in the wall", hierarchy.solid.isInside(0.4, 0, 0.5));
+            assertTrue("in the hollow", !hierarchy.solid.isInside(0, 0, 0.5));
+        }
+
+        [Test]
+        public function piecesThatCrossAreSolidWhereBothAreAndHoweverTheyAreTurned():void
+        {
+            var model:Model = SolidModels.crossed();
+            var triangles:Vector.<uint> = model.triangles.slice();
+            var first:uint = triangles[0];
+            triangles[0] = triangles[1];
+            triangles[1] = first;
+            var hierarchy:Hierarchy = hierarchyOf(model.vertices, triangles);
+            var random:SeededRandom = new SeededRandom(154);
+            var inside:int = 0;
+            for (var i:int = 0; i < 300; i++)
             {
-                vertices.push(i % 3 == 2 ? 0.25 + cube.vertices[i] / 2 : cube.vertices[i] / 2);
+                var x:Number = random.between(-0.6, 0.6);
+                var y:Number = random.between(-0.6, 0.6);
+                var z:Number = random.between(-0.2, 1.2);
+                var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
+                inside += expected ? 1 : 0;
+                assertEquals(expected, hierarchy.solid.isInside(x, y, z));
             }
-            for (i = 0; i < cube.triangles.length; i += 3)
+            assertTrue("inside: " + inside, inside > 50 && inside < 250);
+        }
+
+        [Test]
+        public function piecesThatTouchAreOnePart():void
+        {
+            var points:int = 3 * Solid.POINTS_A_PART;
+            for each (var expected:Array in [[SolidModels.crossed(), 2], [SolidModels.hollow(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
             {
-                triangles.push(cube.triangles[i] + 24, cube.triangles[i + 2] + 24, cube.triangles[i + 1] + 24);
+                var hierarchy:Hierarchy = hierarchyOf(expected[0].vertices, expected[0].triangles);
+                assertEquals(expected[0].name, expected[1] * points, hierarchy.solid.partPoints.length);
             }
-            var hierarchy:Hierarchy = hierarchyOf(vertices, triangles);
-            assertTrue("in the wall", hierarchy.isInside(0.4, 0, 0.5));
-            assertTrue("in the hollow", !hierarchy.isInside(0, 0, 0.5));
+            var apart:Model = SolidModels.apart();
+            var least:Number = hierarchyOf(apart.vertices, apart.triangles).solid.leastPartExtent;
+            assertTrue("the least one: " + least, Math.abs(least - 0.2 / 1.15) < 1e-9);
+            // a bear's limbs run into its body
+            var bear:Model = read("/assets/bear.obj");
+            hierarchy = hierarchyOf(bear.vertices, bear.triangles);
+            assertTrue("parts: " + hierarchy.solid.partPoints.length / points, hierarchy.solid.partPoints.length <= 4 * points);
+        }
+
+        [Test]
+        public function insideBehindSeamsThatAreOpenByARounding():void
+        {
+            var random:SeededRandom = new SeededRandom(155);
+            var model:Model = BuiltInModel.sphere();
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < model.triangles.length; i++)
+            {
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    // drawn in a little: along each edge there is a gap
+                    var corner:Number = model.vertices[3 * model.triangles[i] + axis];
+                    var middle:Number = model.vertices[3 * model.triangles[i - i % 3] + axis] / 3 + model.vertices[3 * model.triangles[i - i % 3 + 1] + axis] / 3
+                        + model.vertices[3 * model.triangles[i - i % 3 + 2] + axis] / 3;
+                    vertices.push(corner + 4e-7 * (middle - corner));
+                }
+                triangles.push(i);
+            }
+            checkAlongRays(hierarchyOf(vertices, triangles), model, random);
+        }
+
+        [Test]
+        public function raysThroughEdgesAreNotTrusted():void
+        {
+            var random:SeededRandom = new SeededRandom(156);
+            for each (var address:String in ["/assets/bear.obj", "/assets/fortress.obj"])
+            {
+                var model:Model = read(address);
+                checkAlongRays(hierarchyOf(model.vertices, model.triangles), model, random);
+            }
+            model = BuiltInModel.sphere();
+            checkAlongRays(hierarchyOf(model.vertices, model.triangles), model, random);
+        }
+
+        // Points from which the first ray passes through an edge or a corner.
+        private static function checkAlongRays(hierarchy:Hierarchy, model:Model, random:SeededRandom):void
+        {
+            var inside:int = 0;
+            assertTrue("closed", hierarchy.solid.isClosed);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var corner:int = random.integer(0, model.triangles.length - 1);
+                var a:int = 3 * model.triangles[corner];
+                var b:int = 3 * model.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                var t:Number = random.pick([0, random.between(0, 1)]);
+                var back:Number = random.between(0.02, 0.6);
+                var x:Number = model.vertices[a] + t * (model.vertices[b] - model.vertices[a]) - back * Solid.RAYS[0];
+                var y:Number = model.vertices[a + 1] + t * (model.vertices[b + 1] - model.vertices[a + 1]) - back * Solid.RAYS[1];
+                var z:Number = model.vertices[a + 2] + t * (model.vertices[b + 2] - model.vertices[a + 2]) - back * Solid.RAYS[2];
+                var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
+                inside += expected ? 1 : 0;
+                assertEquals(model.name + ", point " + i, expected, hierarchy.solid.isInside(x, y, z));
+            }
+            assertTrue("inside: " + inside, inside > 10 && inside < 190);
         }
 
         private static function checkModel(address:String, index:int, all:Array):void
@@ -110,7 +198,7 @@ package starlogo.hierarchy
         {
             var model:Model = read(address);
             var hierarchy:Hierarchy = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("closed", hierarchy.surface.isClosed);
+            assertTrue("closed", hierarchy.solid.isClosed);
             var random:SeededRandom = new SeededRandom(seed);
             var inside:int = 0;
             for (var i:int = 0; i < 150; i++)
@@ -120,42 +208,11 @@ package starlogo.hierarchy
                 var x:Number = model.vertices[near] + spread * random.normal();
                 var y:Number = model.vertices[near + 1] + spread * random.normal();
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
-                var expected:Boolean = Math.abs(windingAround(model, x, y, z)) > 0.5;
+                var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.isInside(x, y, z));
+                assertEquals("point " + i, expected, hierarchy.solid.isInside(x, y, z));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
-        }
-
-        private static function windingAround(model:Model, x:Number, y:Number, z:Number):Number
-        {
-            var sum:Number = 0;
-            for (var i:int = 0; i < model.triangles.length; i += 3)
-            {
-                sum += solidAngle(arm(model, i, x, y, z), arm(model, i + 1, x, y, z), arm(model, i + 2, x, y, z));
-            }
-            return sum / (4 * Math.PI);
-        }
-
-        private static function arm(model:Model, corner:int, x:Number, y:Number, z:Number):Array
-        {
-            var at:int = 3 * model.triangles[corner];
-            return [model.vertices[at] - x, model.vertices[at + 1] - y, model.vertices[at + 2] - z];
-        }
-
-        // Van Oosterom and Strackee.
-        private static function solidAngle(a:Array, b:Array, c:Array):Number
-        {
-            var volume:Number = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-            var lengthA:Number = Math.sqrt(dot(a, a));
-            var lengthB:Number = Math.sqrt(dot(b, b));
-            var lengthC:Number = Math.sqrt(dot(c, c));
-            return 2 * Math.atan2(volume, lengthA * lengthB * lengthC + dot(a, b) * lengthC + dot(b, c) * lengthA + dot(c, a) * lengthB);
-        }
-
-        private static function dot(a:Array, b:Array):Number
-        {
-            return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         }
 
         private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Hierarchy
@@ -163,9 +220,7 @@ package starlogo.hierarchy
             var library:HierarchiesLibrary = new HierarchiesLibrary();
             library.add("model", vertices, triangles);
             assertWellFormed(library, "model", vertices, triangles);
-            var hierarchy:Hierarchy = library.hierarchy("model");
-            hierarchy.prepareTriangles();
-            return hierarchy;
+            return library.hierarchy("model");
         }
 
         private static function read(address:String):Model

@@ -44,7 +44,7 @@ package starlogo.libraries
             assertTrue(_library.tightestFit("cube") is Box);
             assertTrue(_library.tightestFit("ball") is Sphere);
             assertTrue(_library.tightestFit("stick") is Capsule);
-            assertEquals(1, _library.tightestFit("cube").volume);
+            assertNear(1, _library.tightestFit("cube").volume);
         }
 
         [Test]
@@ -75,7 +75,7 @@ package starlogo.libraries
             _library.keepAll = true;
             _library.add("cube", _cube);
             assertTrue(_library.hasAll("cube"));
-            assertEquals(1, _library.box("cube").volume);
+            assertNear(1, _library.box("cube").volume);
             assertTrue(Math.abs(_library.sphere("cube").volume - 2.721) < 0.001);
             assertTrue(Math.abs(_library.capsule("cube").volume - 3.052) < 0.001);
             _library.keepAll = false;
@@ -129,7 +129,7 @@ package starlogo.libraries
                 assertRefused(_library.sphere, [name], name);
                 _library.add(name, _cube);
                 assertTrue(name, _library.has(name));
-                assertEquals(name, 1, _library.tightestFit(name).volume);
+                assertNear(1, _library.tightestFit(name).volume);
             }
         }
 
@@ -176,6 +176,12 @@ package starlogo.libraries
             assertRefused(_library.add, ["", _cube], "name");
             assertEquals(1, _library.cheaperTestsFactor);
             assertEquals(10, _library.orientedBoxDegIncrement);
+        }
+
+        // what is stored is wider than the fit by what surfaces that touch may be apart
+        private static function assertNear(expected:Number, actual:Number):void
+        {
+            assertTrue(String(actual), actual >= expected && actual <= expected * (1 + 3e-13));
         }
 
         private function setFactor(value:Number):void

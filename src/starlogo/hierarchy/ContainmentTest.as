@@ -1,0 +1,189 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
+
+    /**
+     * Decides whether a part of one model is inside of another one's closed surface, where their surfaces do not meet: then a
+     * point of the part decides. A model that is not closed has no inside.
+     *
+     * <p>It is asked whenever two agents are close and do not meet, so it must mostly be done after a few products: a part
+     * that is inside has its outermost points inside of the box around the other model. A ray is cast for what is left.</p>
+     */
+    internal final class ContainmentTest
+    {
+        private var _pose:RelativePose;
+        private var _middle:Vector3D = new Vector3D();
+
+        /**
+         * @param pose where the second model is in the space of the first, whenever two are asked about
+         */
+        public function ContainmentTest(pose:RelativePose)
+        {
+            _pose = pose;
+        }
+
+        /** Whether a part of one model is inside of the other; false if one has no triangles. */
+        public function isOneInside(a:Hierarchy, b:Hierarchy):Boolean
+        {
+            if (!a.hasTriangles || !b.hasTriangles)
+            {
+                return false;
+            }
+            var solidA:Solid = a.solid;
+            var solidB:Solid = b.solid;
+            var rootA:HierarchyNode = a.root;
+            var rootB:HierarchyNode = b.root;
+            var size:Number = _pose.placement.size;
+            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && isSecondInside(rootA, solidA, solidB))
+                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && isFirstInside(solidA, rootB, solidB));
+        }
+
+        /**
+         * Whether a structure is inside of the first model.
+         *
+         * @param outer the first model's hierarchy
+         * @param structure of the second model, in its space; it meets no surface of the first
+         */
+        public function isStructureInside(outer:Hierarchy, structure:BoundingStructure):Boolean
+        {
+            if (!outer.hasTriangles)
+            {
+                return false;
+            }
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                return isBallInside(outer, Sphere(structure).center, Sphere(structure).radius);
+            }
+            if (structure.kind == BoundingStructure.CAPSULE)
+            {
+                return isBallInside(outer, Capsule(structure).start, Capsule(structure).radius);
+            }
+            return isBallInside(outer, Box(structure).center, 0);
+        }
+
+        /**
+         * Whether a node is inside of the first model.
+         *
+         * @param outer the first model's hierarchy
+         * @param node of the second model, in its space; its box meets no surface of the first
+         */
+        public function isLeafInside(outer:Hierarchy, node:HierarchyNode):Boolean
+        {
+            _middle.setTo(node.x, node.y, node.z);
+            return outer.hasTriangles && isBallInside(outer, _middle, node.innerRadius);
+        }
+
+        // Of a ball in the second model's space, the middle decides.
+        private function isBallInside(outer:Hierarchy, middle:Vector3D, radius:Number):Boolean
+        {
+            var relative:Placement = _pose.placement;
+            var root:HierarchyNode = outer.root;
+            var px:Number = middle.x * relative.size;
+            var py:Number = middle.y * relative.size;
+            var pz:Number = middle.z * relative.size;
+            var x:Number = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
+            var y:Number = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
+            var z:Number = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
+            radius *= relative.size;
+            if (Math.abs(x - root.x) + radius > root.halfX || Math.abs(y - root.y) + radius > root.halfY
+                    || Math.abs(z - root.z) + radius > root.halfZ)
+            {
+                return false;
+            }
+            return outer.solid.isInside(x, y, z);
+        }
+
+        // Whether a part of the second model is inside of the first.
+        private function isSecondInside(root:HierarchyNode, outer:Solid, inner:Solid):Boolean
+        {
+            var relative:Placement = _pose.placement;
+            var scale:Number = relative.size;
+            var m00:Number = relative.r00 * scale;
+            var m01:Number = relative.r01 * scale;
+            var m02:Number = relative.r02 * scale;
+            var m10:Number = relative.r10 * scale;
+            var m11:Number = relative.r11 * scale;
+            var m12:Number = relative.r12 * scale;
+            var m20:Number = relative.r20 * scale;
+            var m21:Number = relative.r21 * scale;
+            var m22:Number = relative.r22 * scale;
+            var moveX:Number = relative.x - root.x;
+            var moveY:Number = relative.y - root.y;
+            var moveZ:Number = relative.z - root.z;
+            return hasPartInside(root, outer, inner, m00, m01, m02, m10, m11, m12, m20, m21, m22, moveX, moveY, moveZ);
+        }
+
+        // Whether a part of the first model is inside of the second.
+        private function isFirstInside(inner:Solid, root:HierarchyNode, outer:Solid):Boolean
+        {
+            var relative:Placement = _pose.placement;
+            var scale:Number = 1 / relative.size;
+            var m00:Number = relative.r00 * scale;
+            var m01:Number = relative.r10 * scale;
+            var m02:Number = relative.r20 * scale;
+            var m10:Number = relative.r01 * scale;
+            var m11:Number = relative.r11 * scale;
+            var m12:Number = relative.r21 * scale;
+            var m20:Number = relative.r02 * scale;
+            var m21:Number = relative.r12 * scale;
+            var m22:Number = relative.r22 * scale;
+            var moveX:Number = -m00 * relative.x - m01 * relative.y - m02 * relative.z - root.x;
+            var moveY:Number = -m10 * relative.x - m11 * relative.y - m12 * relative.z - root.y;
+            var moveZ:Number = -m20 * relative.x - m21 * relative.y - m22 * relative.z - root.z;
+            return hasPartInside(root, outer, inner, m00, m01, m02, m10, m11, m12, m20, m21, m22, moveX, moveY, moveZ);
+        }
+
+        // The numbers take a point of the inner model into the space of the outer one, relative to the middle of its root's box.
+        private static function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, m00:Number, m01:Number, m02:Number,
+                m10:Number, m11:Number, m12:Number, m20:Number, m21:Number, m22:Number, moveX:Number, moveY:Number,
+                moveZ:Number):Boolean
+        {
+            var points:Vector.<Number> = inner.partPoints;
+            var length:int = points.length;
+            var stride:int = 3 * Solid.POINTS_A_PART;
+            var halfX:Number = root.halfX;
+            var halfY:Number = root.halfY;
+            var halfZ:Number = root.halfZ;
+            for (var first:int = 0; first < length; first += stride)
+            {
+                var end:int = first + stride;
+                var at:int = first;
+                while (at < end)
+                {
+                    var px:Number = points[at];
+                    var py:Number = points[int(at + 1)];
+                    var pz:Number = points[int(at + 2)];
+                    var x:Number = m00 * px + m01 * py + m02 * pz + moveX;
+                    if (x > halfX || x < -halfX)
+                    {
+                        break;
+                    }
+                    var y:Number = m10 * px + m11 * py + m12 * pz + moveY;
+                    if (y > halfY || y < -halfY)
+                    {
+                        break;
+                    }
+                    var z:Number = m20 * px + m21 * py + m22 * pz + moveZ;
+                    if (z > halfZ || z < -halfZ)
+                    {
+                        break;
+                    }
+                    at += 3;
+                }
+                if (at == end && outer.isInside(x + root.x, y + root.y, z + root.z))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

@@ -1,0 +1,290 @@
+package starlogo.hierarchy
+{
+    /**
+     * What a hierarchy is made of, triangles or vertices: their extents, and the order in which those of a node are side by
+     * side. Divides the items of a node in two.
+     */
+    internal final class Items
+    {
+        /** The numbers of the items. */
+        public var order:Vector.<int>;
+
+        /** How many there are. */
+        public var count:int;
+
+        /** The extents of those that the last division put first: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        /** The same of those that it put last. */
+        public var rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
+
+        // An item's least coordinates are at item * _stride, the largest _high further on.
+        private var _extents:Vector.<Number>;
+        private var _stride:int;
+        private var _high:int;
+
+        /**
+         * @param vertices x, y, z each
+         * @param triangles three vertex indices each, or null if the vertices are the items
+         */
+        public function Items(vertices:Vector.<Number>, triangles:Vector.<uint>)
+        {
+            _vertices = vertices;
+            _triangles = triangles;
+            count = (triangles == null ? vertices.length : triangles.length) / 3;
+            order = new Vector.<int>(count, true);
+            _stride = triangles == null ? 3 : 6;
+            _high = triangles == null ? 0 : 3;
+            _extents = triangles == null ? vertices : new Vector.<Number>(6 * count, true);
+        }
+
+        /** Measures some items and puts them into the order; to be done for all before anything else. */
+        public function measure(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                order[i] = i;
+                if (_triangles != null)
+                {
+                    writeExtents(3 * i, 6 * i);
+                }
+            }
+        }
+
+        /** The extents of all: minX, minY, minZ, maxX, maxY, maxZ. */
+        public function extentsOfAll():Vector.<Number>
+        {
+            var all:Vector.<Number> = new Vector.<Number>(6, true);
+            var length:int = count * _stride;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var least:Number = Infinity;
+                var largest:Number = -Infinity;
+                for (var i:int = axis; i < length; i += _stride)
+                {
+                    var coordinate:Number = _extents[i];
+                    if (coordinate < least)
+                    {
+                        least = coordinate;
+                    }
+                    coordinate = _extents[int(i + _high)];
+                    if (coordinate > largest)
+                    {
+                        largest = coordinate;
+                    }
+                }
+                all[axis] = least;
+                all[axis + 3] = largest;
+            }
+            return all;
+        }
+
+        /** The corners of some items, x, y, z each. */
+        public function cornersOf(first:int, end:int):Vector.<Number>
+        {
+            var points:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = first; i < end; i++)
+            {
+                var item:int = order[i];
+                if (_triangles == null)
+                {
+                    addPoint(points, item);
+                    continue;
+                }
+                addPoint(points, _triangles[3 * item]);
+                addPoint(points, _triangles[3 * item + 1]);
+                addPoint(points, _triangles[3 * item + 2]);
+            }
+            return points;
+        }
+
+        /** The mean along an axis of some items' least and largest coordinates, added. */
+        public function meanOf(first:int, end:int, axis:int):Number
+        {
+            var sum:Number = 0;
+            var high:int = axis + _high;
+            for (var i:int = first; i < end; i++)
+            {
+                var at:int = order[i] * _stride;
+                sum += _extents[int(at + axis)] + _extents[int(at + high)];
+            }
+            return sum / (end - first);
+        }
+
+        /**
+         * How some items' centres spread along an axis.
+         *
+         * @return the least and the largest, doubled: two numbers
+         */
+        public function centresOf(first:int, end:int, axis:int):Vector.<Number>
+        {
+            var least:Number = Infinity;
+            var largest:Number = -Infinity;
+            for (var i:int = first; i < end; i++)
+            {
+                var at:int = order[i] * _stride + axis;
+                var sum:Number = _extents[at] + _extents[int(at + _high)];
+                least = sum < least ? sum : least;
+                largest = sum > largest ? sum : largest;
+            }
+            return new <Number>[least, largest];
+        }
+
+        /**
+         * Puts the items whose centre is below a splitting point before the others. The extents of both are found on the way,
+         * so that an item is looked at once a level.
+         *
+         * @param first the first item in the order
+         * @param end the one after the last
+         * @param axis 0, 1 or 2
+         * @param split twice the coordinate of the splitting point
+         * @return where the others begin
+         */
+        public function divide(first:int, end:int, axis:int, split:Number):int
+        {
+            var items:Vector.<int> = order;
+            var extents:Vector.<Number> = _extents;
+            var stride:int = _stride;
+            var high:int = _high;
+            var leftMinX:Number = Infinity;
+            var leftMinY:Number = Infinity;
+            var leftMinZ:Number = Infinity;
+            var leftMaxX:Number = -Infinity;
+            var leftMaxY:Number = -Infinity;
+            var leftMaxZ:Number = -Infinity;
+            var rightMinX:Number = Infinity;
+            var rightMinY:Number = Infinity;
+            var rightMinZ:Number = Infinity;
+            var rightMaxX:Number = -Infinity;
+            var rightMaxY:Number = -Infinity;
+            var rightMaxZ:Number = -Infinity;
+            var i:int = first;
+            var last:int = end - 1;
+            while (i <= last)
+            {
+                var item:int = items[i];
+                var at:int = item * stride;
+                var minX:Number = extents[at];
+                var minY:Number = extents[int(at + 1)];
+                var minZ:Number = extents[int(at + 2)];
+                at += high;
+                var maxX:Number = extents[at];
+                var maxY:Number = extents[int(at + 1)];
+                var maxZ:Number = extents[int(at + 2)];
+                var sum:Number = axis == 0 ? minX + maxX : (axis == 1 ? minY + maxY : minZ + maxZ);
+                if (sum < split)
+                {
+                    i++;
+                    if (minX < leftMinX)
+                    {
+                        leftMinX = minX;
+                    }
+                    if (maxX > leftMaxX)
+                    {
+                        leftMaxX = maxX;
+                    }
+                    if (minY < leftMinY)
+                    {
+                        leftMinY = minY;
+                    }
+                    if (maxY > leftMaxY)
+                    {
+                        leftMaxY = maxY;
+                    }
+                    if (minZ < leftMinZ)
+                    {
+                        leftMinZ = minZ;
+                    }
+                    if (maxZ > leftMaxZ)
+                    {
+                        leftMaxZ = maxZ;
+                    }
+                }
+                else
+                {
+                    items[i] = items[last];
+                    items[last] = item;
+                    last--;
+                    if (minX < rightMinX)
+                    {
+                        rightMinX = minX;
+                    }
+                    if (maxX > rightMaxX)
+                    {
+                        rightMaxX = maxX;
+                    }
+                    if (minY < rightMinY)
+                    {
+                        rightMinY = minY;
+                    }
+                    if (maxY > rightMaxY)
+                    {
+                        rightMaxY = maxY;
+                    }
+                    if (minZ < rightMinZ)
+                    {
+                        rightMinZ = minZ;
+                    }
+                    if (maxZ > rightMaxZ)
+                    {
+                        rightMaxZ = maxZ;
+                    }
+                }
+            }
+            write(leftExtents, leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
+            write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
+            return i;
+        }
+
+        private static function write(extents:Vector.<Number>, minX:Number, minY:Number, minZ:Number,
+                maxX:Number, maxY:Number, maxZ:Number):void
+        {
+            extents[0] = minX;
+            extents[1] = minY;
+            extents[2] = minZ;
+            extents[3] = maxX;
+            extents[4] = maxY;
+            extents[5] = maxZ;
+        }
+
+        private function writeExtents(corner:int, at:int):void
+        {
+            var a:int = 3 * _triangles[corner];
+            var b:int = 3 * _triangles[int(corner + 1)];
+            var c:int = 3 * _triangles[int(corner + 2)];
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var low:Number = _vertices[int(a + axis)];
+                var high:Number = low;
+                var coordinate:Number = _vertices[int(b + axis)];
+                if (coordinate < low)
+                {
+                    low = coordinate;
+                }
+                else
+                {
+                    high = coordinate;
+                }
+                coordinate = _vertices[int(c + axis)];
+                if (coordinate < low)
+                {
+                    low = coordinate;
+                }
+                else if (coordinate > high)
+                {
+                    high = coordinate;
+                }
+                _extents[int(at + axis)] = low;
+                _extents[int(at + axis + 3)] = high;
+            }
+        }
+
+        private function addPoint(points:Vector.<Number>, vertex:int):void
+        {
+            points.push(_vertices[3 * vertex], _vertices[3 * vertex + 1], _vertices[3 * vertex + 2]);
+        }
+    }
+}

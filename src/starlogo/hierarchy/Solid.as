@@ -1,0 +1,205 @@
+package starlogo.hierarchy
+{
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * A model's triangles where boxes do not suffice: their corners, and what is inside of the surface that they make. Made by
+     * a SolidBuilder. The triangles are in the order of the hierarchy.
+     */
+    internal final class Solid
+    {
+        /** How many points of each part there are in partPoints. */
+        public static const POINTS_A_PART:int = 6;
+
+        /** Directions without a relation to the axes that models are built along: rays are cast along them, one after the other. */
+        public static const RAYS:Vector.<Number> = new <Number>[
+                0.5391, 0.2718, 0.7972, -0.3473, 0.8651, 0.3618, 0.7113, -0.5897, -0.3826, -0.1937, -0.6329, 0.7496,
+                0.8839, 0.4421, -0.1527, -0.6681, 0.1172, -0.7348, 0.0931, -0.9217, -0.3765, -0.8263, -0.4402, 0.3511];
+
+        /** Three corners a triangle, x, y, z each. */
+        public var corners:Vector.<Number>;
+
+        /** Each triangle's extents: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var extents:Vector.<Number>;
+
+        /** Whether the surface closes, so that there is an inside. */
+        public var isClosed:Boolean = false;
+
+        /** Whether the triangles are all turned one way, to front or back. */
+        public var isOriented:Boolean = false;
+
+        /**
+         * Of each part of the surface the vertices that are farthest down and up x, y and z. A part hangs together, or its
+         * pieces touch each other: away from another surface it is inside or outside as a whole.
+         */
+        public var partPoints:Vector.<Number> = new Vector.<Number>();
+
+        /** The longest extent along an axis of that part where it is least. */
+        public var leastPartExtent:Number = Infinity;
+
+        /** How wide the gaps of the surface's seams are at most. */
+        public var widestSeam:Number = 0;
+
+        private var _root:HierarchyNode;
+        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+
+        /**
+         * @param root the node around all triangles
+         */
+        public function Solid(root:HierarchyNode)
+        {
+            _root = root;
+        }
+
+        /**
+         * Whether a point that is not on the surface is inside of it: the crossings of a ray that passes all edges at a
+         * distance; should every ray that is tried come close to one, the solid angles of all triangles added up. False
+         * where the surface is not closed.
+         */
+        public function isInside(x:Number, y:Number, z:Number):Boolean
+        {
+            var isOutOfReach:Boolean = Math.abs(x - _root.x) > _root.halfX || Math.abs(y - _root.y) > _root.halfY
+                || Math.abs(z - _root.z) > _root.halfZ;
+            if (isOutOfReach || !isClosed)
+            {
+                return false;
+            }
+            for (var i:int = 0; i < RAYS.length; i += 3)
+            {
+                var crossings:Number = crossingsOf(x, y, z, RAYS[i], RAYS[i + 1], RAYS[i + 2]);
+                // NaN for a ray that comes close to an edge
+                if (crossings == crossings)
+                {
+                    return crossings != 0;
+                }
+            }
+            return Math.abs(windingAround(x, y, z)) > 0.5;
+        }
+
+        // How often the surface winds around the point, or the parity of the crossings where it is not oriented.
+        private function crossingsOf(x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
+        {
+            var winding:int = 0;
+            var parity:int = 0;
+            var top:int = 0;
+            var node:HierarchyNode = _root;
+            while (true)
+            {
+                if (isOnRay(node, x, y, z, dx, dy, dz))
+                {
+                    if (!node.isLeaf)
+                    {
+                        _stack[top++] = node.right;
+                        node = node.left;
+                        continue;
+                    }
+                    for (var i:int = node.first; i < node.end; i++)
+                    {
+                        var crossing:Number = crossingOf(9 * i, x, y, z, dx, dy, dz);
+                        if (crossing != crossing)
+                        {
+                            return NaN;
+                        }
+                        winding += crossing;
+                        parity ^= crossing & 1;
+                    }
+                }
+                if (top == 0)
+                {
+                    return isOriented ? winding : parity;
+                }
+                node = _stack[--top];
+            }
+            return NaN;
+        }
+
+        // Separating axes: the ray's extents, and the three directions at right angles to the ray and an edge of the box.
+        // Boxes are as much wider as a seam: a ray through its gap comes close to an edge.
+        private function isOnRay(node:HierarchyNode, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Boolean
+        {
+            x -= node.x;
+            y -= node.y;
+            z -= node.z;
+            var halfX:Number = node.halfX + widestSeam;
+            var halfY:Number = node.halfY + widestSeam;
+            var halfZ:Number = node.halfZ + widestSeam;
+            if ((dx > 0 ? x : -x) > halfX || (dy > 0 ? y : -y) > halfY || (dz > 0 ? z : -z) > halfZ)
+            {
+                return false;
+            }
+            var widthX:Number = dx < 0 ? -dx : dx;
+            var widthY:Number = dy < 0 ? -dy : dy;
+            var widthZ:Number = dz < 0 ? -dz : dz;
+            return Math.abs(y * dz - z * dy) <= halfY * widthZ + halfZ * widthY
+                && Math.abs(z * dx - x * dz) <= halfZ * widthX + halfX * widthZ
+                && Math.abs(x * dy - y * dx) <= halfX * widthY + halfY * widthX;
+        }
+
+        // 1 where the ray leaves through the triangle's front, -1 where it enters; NaN where it comes close to an edge, or
+        // begins close to the triangle. The triple products have the signs of the sides on which the ray passes the edges.
+        private function crossingOf(at:int, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
+        {
+            var px:Number = corners[at] - x;
+            var py:Number = corners[at + 1] - y;
+            var pz:Number = corners[at + 2] - z;
+            var qx:Number = corners[at + 3] - x;
+            var qy:Number = corners[at + 4] - y;
+            var qz:Number = corners[at + 5] - z;
+            var rx:Number = corners[at + 6] - x;
+            var ry:Number = corners[at + 7] - y;
+            var rz:Number = corners[at + 8] - z;
+            var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
+            var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
+            var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);
+            // a seam's gap is passed by as well
+            var radius:Number = _root.radius;
+            var near:Number = Math.max(Tolerances.GRAZING * radius, 2 * widestSeam) * radius;
+            if ((u > near || v > near || w > near) && (u < -near || v < -near || w < -near))
+            {
+                return 0;
+            }
+            if (!(u > near && v > near && w > near || u < -near && v < -near && w < -near))
+            {
+                return NaN;
+            }
+            var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
+            if (Math.abs(volume) <= Tolerances.GRAZING * radius * radius * radius)
+            {
+                return NaN;
+            }
+            if (volume > 0 != u > 0)
+            {
+                return 0;
+            }
+            return u > 0 ? 1 : -1;
+        }
+
+        // Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30(2), 1983.
+        private function windingAround(x:Number, y:Number, z:Number):Number
+        {
+            var sum:Number = 0;
+            for (var at:int = 0; at < corners.length; at += 9)
+            {
+                var px:Number = corners[at] - x;
+                var py:Number = corners[at + 1] - y;
+                var pz:Number = corners[at + 2] - z;
+                var qx:Number = corners[at + 3] - x;
+                var qy:Number = corners[at + 4] - y;
+                var qz:Number = corners[at + 5] - z;
+                var rx:Number = corners[at + 6] - x;
+                var ry:Number = corners[at + 7] - y;
+                var rz:Number = corners[at + 8] - z;
+                var p:Number = Math.sqrt(px * px + py * py + pz * pz);
+                var q:Number = Math.sqrt(qx * qx + qy * qy + qz * qz);
+                var r:Number = Math.sqrt(rx * rx + ry * ry + rz * rz);
+                var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
+                sum += Math.atan2(volume, p * q * r + (px * qx + py * qy + pz * qz) * r + (qx * rx + qy * ry + qz * rz) * p
+                        + (rx * px + ry * py + rz * pz) * q);
+            }
+            return sum / (2 * Math.PI);
+        }
+    }
+}

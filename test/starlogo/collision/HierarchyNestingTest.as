@@ -1,0 +1,233 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import support.Effort;
+    import support.EveryTriangle;
+    import support.Fixtures;
+    import support.SolidAngles;
+    import support.SolidModels;
+
+    /**
+     * Models in models: whoever the exact collider reports is reported by all others but the BinCollider, and no greater depth
+     * ever reports more. What is exact is found out with every triangle, and the solid angles around every vertex.
+     */
+    public class HierarchyNestingTest
+    {
+        public static const FIXTURES:Array = ["/assets/kelp.obj", "/assets/fortress.obj", "/assets/bear.obj"];
+
+        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
+        private static const FULL:int = 40;
+        private static const DEPTHS:Array = [1, 2, 3, 5, 8, FULL];
+
+        private static var sModels:Object;
+        private static var sGreatLands:Array;
+
+        [BeforeClass]
+        public static function load():void
+        {
+            sModels = {};
+            for each (var model:Model in SolidModels.all().concat(BuiltInModel.cylinder()))
+            {
+                sModels[model.name] = model;
+            }
+            for each (var address:String in FIXTURES)
+            {
+                sModels[address] = new ObjModel(address, Fixtures.text(address));
+            }
+            sGreatLands = [];
+            for (var i:int = 0; i <= KINDS.length; i++)
+            {
+                var greatLand:GreatLand = new GreatLand();
+                greatLand.orientedBoxDegIncrement = 45;
+                greatLand.hierarchies.maxDepth = FULL;
+                // the last one has all kinds
+                var next:int = i;
+                for each (model in sModels)
+                {
+                    greatLand.hierarchies.boundsKind = KINDS[i < KINDS.length ? i : next++ % KINDS.length];
+                    greatLand.addModel(model);
+                }
+                sGreatLands.push(greatLand);
+            }
+        }
+
+        [AfterClass]
+        public static function forget():void
+        {
+            sModels = null;
+            sGreatLands = null;
+        }
+
+        [Test]
+        public function aBallDeepInACubeIsHitAtEveryDepth():void
+        {
+            var cube:Agent = new Agent("cube");
+            var ball:Agent = new Agent("sphere");
+            ball.size = 0.3;
+            ball.moveTo(0.05, 0.02, 0.4);
+            for each (var depth:int in DEPTHS)
+            {
+                var hierarchical:HierarchicalCollider = new HierarchicalCollider(sGreatLands[0]);
+                hierarchical.maxDepth = depth;
+                assertTrue("depth " + depth, hierarchical.areColliding(cube, ball));
+                var combination:CombinationCollider = new CombinationCollider(sGreatLands[0]);
+                combination.maxDepth = depth;
+                cube.hierarchical = true;
+                assertTrue("a plain ball, depth " + depth, combination.areColliding(cube, ball));
+                combination.exact = true;
+                assertTrue("exact, a plain ball, depth " + depth, combination.areColliding(ball, cube));
+            }
+        }
+
+        [Test]
+        public function nestsOfBoxes():void
+        {
+            checkNests(0, 901);
+        }
+
+        [Test]
+        public function nestsOfSpheres():void
+        {
+            checkNests(1, 902);
+        }
+
+        [Test]
+        public function nestsOfCapsules():void
+        {
+            checkNests(2, 903);
+        }
+
+        [Test]
+        public function nestsOfAllKinds():void
+        {
+            checkNests(3, 904);
+        }
+
+        private static function checkNests(land:int, seed:uint):void
+        {
+            var random:SeededRandom = new SeededRandom(seed);
+            var exact:HierarchicalCollider = new HierarchicalCollider(sGreatLands[land]);
+            exact.exact = true;
+            var colliders:Array = [new TightestFitCollider(sGreatLands[land]), new HierarchicalCollider(sGreatLands[land]),
+                    new CombinationCollider(sGreatLands[land])];
+            var inside:int = 0;
+            var meeting:int = 0;
+            var count:int = Effort.choose(45, 150);
+            for (var i:int = 0; i < count; i++)
+            {
+                var a:Agent = outerAgent(random);
+                var b:Agent = innerAgent(random, a);
+                if (random.chance())
+                {
+                    // colliders take the older agent first
+                    a = copyOf(a);
+                }
+                var pair:String = "pair " + i + ", " + a.shape + " and " + b.shape;
+                var doMeet:Boolean = EveryTriangle.meet(a, sModels[a.shape], b, sModels[b.shape]);
+                var isHit:Boolean = doMeet || SolidAngles.isOneInside(a, sModels[a.shape], b, sModels[b.shape]);
+                assertEquals(pair + ", exact", isHit, exact.areColliding(a, b));
+                assertEquals(pair + ", exact, the other way round", isHit, exact.areColliding(b, a));
+                checkDepths(pair, colliders, a, b, isHit);
+                meeting += doMeet ? 1 : 0;
+                inside += isHit && !doMeet ? 1 : 0;
+            }
+            assertTrue("inside: " + inside + ", meeting: " + meeting, inside > count / 8 && meeting > count / 6 && inside + meeting < 0.85 * count);
+        }
+
+        private static function checkDepths(pair:String, colliders:Array, a:Agent, b:Agent, isHit:Boolean):void
+        {
+            assertTrue(pair + ", tightest fit", !isHit || colliders[0].areColliding(a, b));
+            var collider:HierarchicalCollider = colliders[1];
+            var combination:CombinationCollider = colliders[2];
+            var before:Array = [];
+            for each (var depth:int in DEPTHS)
+            {
+                collider.maxDepth = combination.maxDepth = depth;
+                var answers:Array = [collider.areColliding(a, b)];
+                a.traversalDepth = 3;
+                answers.push(collider.areColliding(a, b));
+                a.traversalDepth = 0;
+                b.traversalDepth = 2;
+                answers.push(collider.areColliding(b, a));
+                b.traversalDepth = 0;
+                for (var i:int = 1; i < 4; i++)
+                {
+                    a.hierarchical = (i & 1) != 0;
+                    b.hierarchical = (i & 2) != 0;
+                    combination.exact = false;
+                    answers.push(combination.areColliding(a, b));
+                    combination.exact = true;
+                    answers.push(combination.areColliding(a, b));
+                }
+                for (i = 0; i < answers.length; i++)
+                {
+                    assertTrue(pair + ", missed at depth " + depth + ", way " + i, answers[i] || !isHit);
+                    assertTrue(pair + ", more at depth " + depth + ", way " + i, before.length == 0 || before[i] || !answers[i]);
+                }
+                before = answers;
+            }
+        }
+
+        private static function outerAgent(random:SeededRandom):Agent
+        {
+            var agent:Agent = new Agent(shapeOf(random));
+            agent.size = random.logBetween(1, 4);
+            agent.heading = random.between(0, 360);
+            if (random.chance(0.6))
+            {
+                agent.pitch = random.between(0, 360);
+                agent.roll = random.between(0, 360);
+            }
+            agent.moveTo(random.between(-9, 9), random.between(-9, 9), random.between(-2, 2));
+            return agent;
+        }
+
+        // About where a point of the outer one's model is that is drawn from its middle towards a vertex.
+        private static function innerAgent(random:SeededRandom, outer:Agent):Agent
+        {
+            var model:Model = sModels[outer.shape];
+            var vertex:int = 3 * random.integer(0, model.vertices.length / 3 - 1);
+            var share:Number = random.between(0, 1.2);
+            var at:Vector.<Number> = outer.transform.rawData;
+            var x:Number = share * model.vertices[vertex];
+            var y:Number = share * model.vertices[vertex + 1];
+            var z:Number = 0.5 + share * (model.vertices[vertex + 2] - 0.5);
+            var agent:Agent = new Agent(shapeOf(random));
+            agent.size = outer.size * random.logBetween(0.02, 0.6);
+            agent.heading = random.between(0, 360);
+            if (random.chance(0.6))
+            {
+                agent.pitch = random.between(0, 360);
+                agent.roll = random.between(0, 360);
+            }
+            agent.moveTo(at[0] * x + at[4] * y + at[8] * z + at[12], at[1] * x + at[5] * y + at[9] * z + at[13],
+                    at[2] * x + at[6] * y + at[10] * z + at[14]);
+            return agent;
+        }
+
+        private static function copyOf(agent:Agent):Agent
+        {
+            var copy:Agent = new Agent(agent.shape);
+            copy.size = agent.size;
+            copy.heading = agent.heading;
+            copy.pitch = agent.pitch;
+            copy.roll = agent.roll;
+            copy.moveTo(agent.x, agent.y, agent.z);
+            return copy;
+        }
+
+        private static function shapeOf(random:SeededRandom):String
+        {
+            var names:Array = ["sphere", "cube", "cylinder"].concat(SolidModels.NAMES, FIXTURES);
+            return random.pick(names);
+        }
+    }
+}

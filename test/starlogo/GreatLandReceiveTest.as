@@ -141,7 +141,7 @@ package starlogo
             var intake:Steps = greatLand.receive(turnedBox());
             intake.step();
             greatLand.addModel(new Model("turned", BuiltInModel.cube().vertices));
-            assertEquals(1, greatLand.boundingStructures.tightestFit("turned").volume);
+            assertTrue(Math.abs(greatLand.boundingStructures.tightestFit("turned").volume - 1) < 1e-12);
             finish(intake);
             assertTrue(greatLand.boundingStructures.tightestFit("turned").volume < 0.9);
         }

@@ -94,7 +94,7 @@ package starlogo.collision
                     tighter = found;
                 }
             }
-            assertTrue(fewer + " are false somewhere", fewer > 20 * worlds);
+            assertTrue(fewer + " are false somewhere", fewer > 5 * worlds);
         }
 
         // Where two that approach begin to touch, rounding decides, and must decide the same for (a, b) and (b, a).

@@ -3,7 +3,6 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyTraversal;
 
     use namespace engine;
@@ -11,10 +10,6 @@ package starlogo.collision
     /** Every agent is the hierarchy of its model (thesis §4); two may be a hierarchy and a structure. */
     internal final class HierarchyStrategy extends ShapeStrategy
     {
-        // Beyond this ratio of sizes the larger one's space is computed in: the squares of lengths in the smaller one's
-        // would overflow.
-        private static const EXTREME_RATIO:Number = 1e10;
-
         /** How many levels are visited of the hierarchies of agents without a depth of their own. */
         public var maxDepth:int = 5;
 
@@ -76,15 +71,9 @@ package starlogo.collision
             {
                 return structureOverlaps(a, b);
             }
-            var placementA:Placement = a.agent.placement;
-            var placementB:Placement = b.agent.placement;
             var depthA:int = a.depth == 0 ? maxDepth : a.depth;
             var depthB:int = b.depth == 0 ? maxDepth : b.depth;
-            if (placementB.size > EXTREME_RATIO * placementA.size)
-            {
-                return _traversal.hierarchiesOverlap(b.hierarchy, placementB, depthB, a.hierarchy, placementA, depthA, exact);
-            }
-            return _traversal.hierarchiesOverlap(a.hierarchy, placementA, depthA, b.hierarchy, placementB, depthB, exact);
+            return _traversal.hierarchiesOverlap(a.hierarchy, a.agent.placement, depthA, b.hierarchy, b.agent.placement, depthB, exact);
         }
 
         /** @inheritDoc */

@@ -21,6 +21,9 @@ package starlogo.hierarchy
         /** Pairs of nodes that were visited; HierarchyTraversal sets it to 0. */
         public var nodeVisits:int = 0;
 
+        /** Whether the roots overlapped of two trees that do not. */
+        public var rootsOverlapped:Boolean;
+
         private var _pose:RelativePose;
         private var _edges:EdgeAxes = new EdgeAxes();
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
@@ -298,6 +301,7 @@ package starlogo.hierarchy
                 if (top == 0)
                 {
                     nodeVisits += visits;
+                    rootsOverlapped = visits > 1;
                     return false;
                 }
                 top -= 2;

@@ -104,33 +104,34 @@ package starlogo.hierarchy
                 decider = _exact;
                 depthA = depthB = int.MAX_VALUE;
             }
-            // roots that do not overlap, as of most that are close and do not collide, take one visit
-            var areApart:Boolean;
-            var overlap:Boolean;
-            var visits:int;
+            var rootsOverlapped:Boolean;
             if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
-                visits = _structures.nodeVisits;
-                overlap = _structures.overlap(a.root, depthA, b.root, depthB, decider);
-                areApart = _structures.nodeVisits == visits + 1;
+                var visits:int = _structures.nodeVisits;
+                if (_structures.overlap(a.root, depthA, b.root, depthB, decider))
+                {
+                    return true;
+                }
+                rootsOverlapped = _structures.nodeVisits > visits + 1;
             }
             else if (_pose.isYawOnly)
             {
-                visits = _uprightBoxes.nodeVisits;
-                overlap = _uprightBoxes.overlap(a.root, depthA, b.root, depthB, decider);
-                areApart = _uprightBoxes.nodeVisits == visits + 1;
+                if (_uprightBoxes.overlap(a.root, depthA, b.root, depthB, decider))
+                {
+                    return true;
+                }
+                rootsOverlapped = _uprightBoxes.rootsOverlapped;
             }
             else
             {
-                visits = _boxes.nodeVisits;
-                overlap = _boxes.overlap(a.root, depthA, b.root, depthB, decider);
-                areApart = _boxes.nodeVisits == visits + 1;
+                if (_boxes.overlap(a.root, depthA, b.root, depthB, decider))
+                {
+                    return true;
+                }
+                rootsOverlapped = _boxes.rootsOverlapped;
             }
-            if (overlap || (areApart && decider == null))
-            {
-                return overlap;
-            }
-            return _containment.isOneInside(a, b);
+            // whose roots do not overlap, as of most that are close and do not collide, are not inside of each other
+            return (rootsOverlapped || decider != null) && _containment.isOneInside(a, b);
         }
 
         /**

@@ -18,6 +18,9 @@ package starlogo.hierarchy
         /** Pairs of nodes that were visited; HierarchyTraversal sets it to 0. */
         public var nodeVisits:int = 0;
 
+        /** Whether the roots overlapped of two trees that do not. */
+        public var rootsOverlapped:Boolean;
+
         private var _pose:RelativePose;
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
 
@@ -60,92 +63,108 @@ package starlogo.hierarchy
                 var overlap:Boolean = false;
                 var z:Number = scale * b.z + moveZ - a.z;
                 var reach:Number = a.halfZ + scale * b.halfZ;
-                if (z <= reach && z >= -reach)
+                if (z <= reach)
                 {
-                    var bX:Number = b.x;
-                    var bY:Number = b.y;
-                    var x:Number = cos * bX - sin * bY + moveX - a.x;
-                    var y:Number = sin * bX + cos * bY + moveY - a.y;
-                    var halfX:Number = a.halfX;
-                    var halfY:Number = a.halfY;
-                    var distanceX:Number = x < 0 ? -x : x;
-                    var distanceY:Number = y < 0 ? -y : y;
-                    var isDeep:Boolean = false;
-                    if (distanceX <= halfX)
+                    if (z >= -reach)
                     {
-                        isDeep = distanceY <= halfY;
-                    }
-                    if (isDeep)
-                    {
-                        // b's middle is over a: a child of a most likely overlaps b too, and both are divided at once
-                        if (a.cutoffLevel < depthA)
+                        var bX:Number = b.x;
+                        var bY:Number = b.y;
+                        var x:Number = cos * bX - sin * bY + moveX - a.x;
+                        var y:Number = sin * bX + cos * bY + moveY - a.y;
+                        var halfX:Number = a.halfX;
+                        var halfY:Number = a.halfY;
+                        var distanceX:Number = x < 0 ? -x : x;
+                        var distanceY:Number = y < 0 ? -y : y;
+                        var isDeep:Boolean = false;
+                        if (distanceX <= halfX)
                         {
-                            if (b.cutoffLevel < depthB)
-                            {
-                                var axis:int = a.splitAxis;
-                                var near:HierarchyNode = a.left;
-                                var far:HierarchyNode = a.right;
-                                var side:Number = z;
-                                if (axis == 0)
-                                {
-                                    side = x;
-                                }
-                                else if (axis == 1)
-                                {
-                                    side = y;
-                                }
-                                if (side > 0)
-                                {
-                                    near = far;
-                                    far = a.left;
-                                }
-                                stack[top] = far;
-                                stack[int(top + 1)] = b;
-                                stack[int(top + 2)] = near;
-                                x += a.x - near.x;
-                                y += a.y - near.y;
-                                axis = b.splitAxis;
-                                side = z + a.z - near.z;
-                                if (axis == 0)
-                                {
-                                    side = cos * x + sin * y;
-                                }
-                                else if (axis == 1)
-                                {
-                                    side = cos * y - sin * x;
-                                }
-                                if (side < 0)
-                                {
-                                    stack[int(top + 3)] = b.left;
-                                    b = b.right;
-                                }
-                                else
-                                {
-                                    stack[int(top + 3)] = b.right;
-                                    b = b.left;
-                                }
-                                a = near;
-                                top += 4;
-                                continue;
-                            }
+                            isDeep = distanceY <= halfY;
                         }
-                        overlap = true;
-                    }
-                    else
-                    {
-                        bX = b.halfX;
-                        bY = b.halfY;
-                        if (distanceX <= halfX + absCos * bX + absSin * bY)
+                        if (isDeep)
                         {
-                            if (distanceY <= halfY + absSin * bX + absCos * bY)
+                            // b's middle is over a: a child of a most likely overlaps b too, and both are divided at once
+                            if (a.cutoffLevel < depthA)
                             {
-                                var along:Number = cos * x + sin * y;
-                                reach = scaleSquared * bX + absCos * halfX + absSin * halfY;
-                                if (along <= reach && along >= -reach)
+                                if (b.cutoffLevel < depthB)
                                 {
-                                    along = cos * y - sin * x;
-                                    reach = scaleSquared * bY + absSin * halfX + absCos * halfY;
-                                    overlap = along <= reach && along >= -reach;
+                                    var axis:int = a.splitAxis;
+                                    var near:HierarchyNode = a.left;
+                                    var far:HierarchyNode = a.right;
+                                    var side:Number;
+                                    if (axis == 0)
+                                    {
+                                        side = x;
+                                    }
+                                    else if (axis == 1)
+                                    {
+                                        side = y;
+                                    }
+                                    else
+                                    {
+                                        side = z;
+                                    }
+                                    if (side > 0)
+                                    {
+                                        near = far;
+                                        far = a.left;
+                                    }
+                                    stack[top] = far;
+                                    stack[int(top + 1)] = b;
+                                    stack[int(top + 2)] = near;
+                                    x += a.x - near.x;
+                                    y += a.y - near.y;
+                                    axis = b.splitAxis;
+                                    if (axis == 0)
+                                    {
+                                        side = cos * x + sin * y;
+                                    }
+                                    else if (axis == 1)
+                                    {
+                                        side = cos * y - sin * x;
+                                    }
+                                    else
+                                    {
+                                        side = z + a.z - near.z;
+                                    }
+                                    if (side < 0)
+                                    {
+                                        stack[int(top + 3)] = b.left;
+                                        b = b.right;
+                                    }
+                                    else
+                                    {
+                                        stack[int(top + 3)] = b.right;
+                                        b = b.left;
+                                    }
+                                    a = near;
+                                    top += 4;
+                                    continue;
+                                }
+                            }
+                            overlap = true;
+                        }
+                        else
+                        {
+                            bX = b.halfX;
+                            bY = b.halfY;
+                            if (distanceX <= halfX + absCos * bX + absSin * bY)
+                            {
+                                if (distanceY <= halfY + absSin * bX + absCos * bY)
+                                {
+                                    var along:Number = cos * x + sin * y;
+                                    reach = scaleSquared * bX + absCos * halfX + absSin * halfY;
+                                    if (along <= reach)
+                                    {
+                                        if (along >= -reach)
+                                        {
+                                            along = cos * y - sin * x;
+                                            reach = scaleSquared * bY + absSin * halfX + absCos * halfY;
+                                            if (along <= reach)
+                                            {
+                                                overlap = along >= -reach;
+                                            }
+                                        }
+                                    }
                                 }
                             }
                         }
@@ -166,7 +185,6 @@ package starlogo.hierarchy
                     else if (bEnds || (!aEnds && a.radius >= scale * b.radius))
                     {
                         axis = a.splitAxis;
-                        side = z;
                         if (axis == 0)
                         {
                             side = x;
@@ -174,6 +192,10 @@ package starlogo.hierarchy
                         else if (axis == 1)
                         {
                             side = y;
+                        }
+                        else
+                        {
+                            side = z;
                         }
                         if (side > 0)
                         {
@@ -193,7 +215,6 @@ package starlogo.hierarchy
                     {
                         axis = b.splitAxis;
                         stack[top] = a;
-                        side = z;
                         if (axis == 0)
                         {
                             side = cos * x + sin * y;
@@ -201,6 +222,10 @@ package starlogo.hierarchy
                         else if (axis == 1)
                         {
                             side = cos * y - sin * x;
+                        }
+                        else
+                        {
+                            side = z;
                         }
                         if (side < 0)
                         {
@@ -219,6 +244,7 @@ package starlogo.hierarchy
                 if (top == 0)
                 {
                     nodeVisits += visits;
+                    rootsOverlapped = visits > 1;
                     return false;
                 }
                 top -= 2;

@@ -93,8 +93,18 @@ package starlogo.hierarchy
             var y:Number = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
             var z:Number = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
             radius *= relative.size;
-            if (Math.abs(x - root.x) + radius > root.halfX || Math.abs(y - root.y) + radius > root.halfY
-                    || Math.abs(z - root.z) + radius > root.halfZ)
+            var reach:Number = root.halfX - radius;
+            if (x - root.x > reach || root.x - x > reach)
+            {
+                return false;
+            }
+            reach = root.halfY - radius;
+            if (y - root.y > reach || root.y - y > reach)
+            {
+                return false;
+            }
+            reach = root.halfZ - radius;
+            if (z - root.z > reach || root.z - z > reach)
             {
                 return false;
             }

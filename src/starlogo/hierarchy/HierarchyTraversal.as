@@ -107,12 +107,11 @@ package starlogo.hierarchy
             var rootsOverlapped:Boolean;
             if (a.boundsKind != BoundingStructure.BOX || b.boundsKind != BoundingStructure.BOX)
             {
-                var visits:int = _structures.nodeVisits;
                 if (_structures.overlap(a.root, depthA, b.root, depthB, decider))
                 {
                     return true;
                 }
-                rootsOverlapped = _structures.nodeVisits > visits + 1;
+                rootsOverlapped = _structures.rootsOverlapped;
             }
             else if (_pose.isYawOnly)
             {
@@ -153,12 +152,13 @@ package starlogo.hierarchy
             _pose.relate(placementA, placementB);
             if (structure.kind != BoundingStructure.BOX || a.boundsKind != BoundingStructure.BOX)
             {
-                return _structures.structureOverlaps(a.root, depth, structure) || _containment.isStructureInside(a, structure);
+                return _structures.structureOverlaps(a.root, depth, structure)
+                    || (_structures.rootsOverlapped && _containment.isStructureInside(a, structure));
             }
             var box:Box = structure as Box;
             _pose.relateToAxesOf(box);
             var leaf:HierarchyNode = leafOf(box);
-            return _boxes.overlap(a.root, depth, leaf, 1, null) || _containment.isLeafInside(a, leaf);
+            return _boxes.overlap(a.root, depth, leaf, 1, null) || (_boxes.rootsOverlapped && _containment.isLeafInside(a, leaf));
         }
 
         // The first model is so small that it is a point of the second's space.

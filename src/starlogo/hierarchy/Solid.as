@@ -69,7 +69,17 @@ package starlogo.hierarchy
             }
             for (var i:int = 0; i < RAYS.length; i += 3)
             {
-                var crossings:Number = crossingsOf(x, y, z, RAYS[i], RAYS[i + 1], RAYS[i + 2]);
+                var dx:Number = RAYS[i];
+                var dy:Number = RAYS[i + 1];
+                var dz:Number = RAYS[i + 2];
+                // the shorter way out
+                if ((x - _root.x) * dx + (y - _root.y) * dy + (z - _root.z) * dz < 0)
+                {
+                    dx = -dx;
+                    dy = -dy;
+                    dz = -dz;
+                }
+                var crossings:Number = crossingsOf(x, y, z, dx, dy, dz);
                 // NaN for a ray that comes close to an edge
                 if (crossings == crossings)
                 {
@@ -79,24 +89,65 @@ package starlogo.hierarchy
             return Math.abs(windingAround(x, y, z)) > 0.5;
         }
 
-        // How often the surface winds around the point, or the parity of the crossings where it is not oriented.
+        // How often the surface winds around the point, or the parity of the crossings where it is not oriented; NaN if the ray
+        // comes close to an edge. Boxes are met by separating axes: the ray's extents, and the three directions at right angles to
+        // the ray and an edge of the box. They are as much wider as a seam: a ray through its gap comes close to an edge.
         private function crossingsOf(x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
         {
+            var stack:Vector.<HierarchyNode> = _stack;
+            var widened:Number = widestSeam;
+            var widthX:Number = dx < 0 ? -dx : dx;
+            var widthY:Number = dy < 0 ? -dy : dy;
+            var widthZ:Number = dz < 0 ? -dz : dz;
             var winding:int = 0;
             var parity:int = 0;
             var top:int = 0;
             var node:HierarchyNode = _root;
             while (true)
             {
-                if (isOnRay(node, x, y, z, dx, dy, dz))
+                var isMet:Boolean = false;
+                var fromX:Number = x - node.x;
+                var fromY:Number = y - node.y;
+                var fromZ:Number = z - node.z;
+                var halfX:Number = node.halfX + widened;
+                var halfY:Number = node.halfY + widened;
+                var halfZ:Number = node.halfZ + widened;
+                var ahead:Number = dx > 0 ? fromX : -fromX;
+                if (ahead <= halfX)
+                {
+                    ahead = dy > 0 ? fromY : -fromY;
+                    if (ahead <= halfY)
+                    {
+                        ahead = dz > 0 ? fromZ : -fromZ;
+                        if (ahead <= halfZ)
+                        {
+                            var aside:Number = fromY * dz - fromZ * dy;
+                            var reach:Number = halfY * widthZ + halfZ * widthY;
+                            if (aside <= reach && aside >= -reach)
+                            {
+                                aside = fromZ * dx - fromX * dz;
+                                reach = halfZ * widthX + halfX * widthZ;
+                                if (aside <= reach && aside >= -reach)
+                                {
+                                    aside = fromX * dy - fromY * dx;
+                                    reach = halfX * widthY + halfY * widthX;
+                                    isMet = aside <= reach && aside >= -reach;
+                                }
+                            }
+                        }
+                    }
+                }
+                if (isMet)
                 {
                     if (!node.isLeaf)
                     {
-                        _stack[top++] = node.right;
+                        stack[top] = node.right;
+                        top++;
                         node = node.left;
                         continue;
                     }
-                    for (var i:int = node.first; i < node.end; i++)
+                    var end:int = node.end;
+                    for (var i:int = node.first; i < end; i++)
                     {
                         var crossing:Number = crossingOf(9 * i, x, y, z, dx, dy, dz);
                         if (crossing != crossing)
@@ -111,52 +162,37 @@ package starlogo.hierarchy
                 {
                     return isOriented ? winding : parity;
                 }
-                node = _stack[--top];
+                top--;
+                node = stack[top];
             }
             return NaN;
-        }
-
-        // Separating axes: the ray's extents, and the three directions at right angles to the ray and an edge of the box.
-        // Boxes are as much wider as a seam: a ray through its gap comes close to an edge.
-        private function isOnRay(node:HierarchyNode, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Boolean
-        {
-            x -= node.x;
-            y -= node.y;
-            z -= node.z;
-            var halfX:Number = node.halfX + widestSeam;
-            var halfY:Number = node.halfY + widestSeam;
-            var halfZ:Number = node.halfZ + widestSeam;
-            if ((dx > 0 ? x : -x) > halfX || (dy > 0 ? y : -y) > halfY || (dz > 0 ? z : -z) > halfZ)
-            {
-                return false;
-            }
-            var widthX:Number = dx < 0 ? -dx : dx;
-            var widthY:Number = dy < 0 ? -dy : dy;
-            var widthZ:Number = dz < 0 ? -dz : dz;
-            return Math.abs(y * dz - z * dy) <= halfY * widthZ + halfZ * widthY
-                && Math.abs(z * dx - x * dz) <= halfZ * widthX + halfX * widthZ
-                && Math.abs(x * dy - y * dx) <= halfX * widthY + halfY * widthX;
         }
 
         // 1 where the ray leaves through the triangle's front, -1 where it enters; NaN where it comes close to an edge, or
         // begins close to the triangle. The triple products have the signs of the sides on which the ray passes the edges.
         private function crossingOf(at:int, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
         {
+            var corners:Vector.<Number> = this.corners;
             var px:Number = corners[at] - x;
-            var py:Number = corners[at + 1] - y;
-            var pz:Number = corners[at + 2] - z;
-            var qx:Number = corners[at + 3] - x;
-            var qy:Number = corners[at + 4] - y;
-            var qz:Number = corners[at + 5] - z;
-            var rx:Number = corners[at + 6] - x;
-            var ry:Number = corners[at + 7] - y;
-            var rz:Number = corners[at + 8] - z;
+            var py:Number = corners[int(at + 1)] - y;
+            var pz:Number = corners[int(at + 2)] - z;
+            var qx:Number = corners[int(at + 3)] - x;
+            var qy:Number = corners[int(at + 4)] - y;
+            var qz:Number = corners[int(at + 5)] - z;
+            var rx:Number = corners[int(at + 6)] - x;
+            var ry:Number = corners[int(at + 7)] - y;
+            var rz:Number = corners[int(at + 8)] - z;
             var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
             var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
             var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);
             // a seam's gap is passed by as well
             var radius:Number = _root.radius;
-            var near:Number = Math.max(Tolerances.GRAZING * radius, 2 * widestSeam) * radius;
+            var near:Number = Tolerances.GRAZING * radius;
+            if (near < 2 * widestSeam)
+            {
+                near = 2 * widestSeam;
+            }
+            near *= radius;
             if ((u > near || v > near || w > near) && (u < -near || v < -near || w < -near))
             {
                 return 0;
@@ -166,7 +202,8 @@ package starlogo.hierarchy
                 return NaN;
             }
             var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
-            if (Math.abs(volume) <= Tolerances.GRAZING * radius * radius * radius)
+            var thin:Number = Tolerances.GRAZING * radius * radius * radius;
+            if (volume <= thin && volume >= -thin)
             {
                 return NaN;
             }

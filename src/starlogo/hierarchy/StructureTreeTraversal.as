@@ -25,6 +25,9 @@ package starlogo.hierarchy
         /** Pairs of nodes that were visited; HierarchyTraversal sets it to 0. */
         public var nodeVisits:int = 0;
 
+        /** Whether the roots overlapped of two trees, or of a tree and a structure, that do not. */
+        public var rootsOverlapped:Boolean;
+
         private var _pose:RelativePose;
         private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
@@ -56,6 +59,7 @@ package starlogo.hierarchy
             var relative:Placement = _pose.placement;
             var stack:Vector.<HierarchyNode> = _stack;
             var top:int = 0;
+            var visitsOfRoots:int = nodeVisits + 1;
             while (true)
             {
                 nodeVisits++;
@@ -107,6 +111,7 @@ package starlogo.hierarchy
                 }
                 if (top == 0)
                 {
+                    rootsOverlapped = nodeVisits > visitsOfRoots;
                     return false;
                 }
                 b = stack[--top];
@@ -128,6 +133,7 @@ package starlogo.hierarchy
             var stack:Vector.<HierarchyNode> = _stack;
             var node:HierarchyNode = root;
             var top:int = 0;
+            var visitsOfRoots:int = nodeVisits + 1;
             while (true)
             {
                 nodeVisits++;
@@ -143,6 +149,7 @@ package starlogo.hierarchy
                 }
                 else if (top == 0)
                 {
+                    rootsOverlapped = nodeVisits > visitsOfRoots;
                     return false;
                 }
                 else

@@ -255,7 +255,7 @@ package starlogo.bounding
             var x:Number = point.x * size;
             var y:Number = point.y * size;
             var z:Number = point.z * size;
-            if (placement.isUpright)
+            if (placement.isIdentity)
             {
                 out.x = x + placement.x;
                 out.y = y + placement.y;

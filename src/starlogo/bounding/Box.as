@@ -139,7 +139,7 @@ package starlogo.bounding
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
-            if (placement.isUpright)
+            if (placement.isIdentity)
             {
                 placePoint(center, placement, placed.center);
                 copyVector(axisX, placed.axisX);

@@ -93,7 +93,7 @@ package starlogo.bounding
             var z:Number = center.z * size;
             var middle:Vector3D = placed.center;
             placed.radius = radius * size;
-            if (placement.isUpright)
+            if (placement.isIdentity)
             {
                 middle.x = x + placement.x;
                 middle.y = y + placement.y;

@@ -10,7 +10,6 @@ package starlogo.collision
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
 
     use namespace engine;
 
@@ -20,15 +19,11 @@ package starlogo.collision
      */
     internal final class CollisionSearch extends PairSink
     {
-        private var _greatLand:GreatLand;
         private var _strategy:ShapeStrategy;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _bins:Bins = new Bins();
+        private var _shapes:ShapeCache;
         private var _frame:int = 0;
-
-        // Another one makes the shapes void: when a model was replaced.
-        private var _cacheToken:CacheToken = new CacheToken();
-        private var _greatLandRevision:int = 0;
 
         // The search under way. The pairs of breeds that count are in a square of this width; it is null where all do.
         private var _interests:Vector.<Boolean> = null;
@@ -55,13 +50,8 @@ package starlogo.collision
          */
         public function CollisionSearch(greatLand:GreatLand, strategy:ShapeStrategy)
         {
-            if (greatLand == null)
-            {
-                throw new ArgumentError("greatLand must not be null");
-            }
-            _greatLand = greatLand;
+            _shapes = new ShapeCache(greatLand, strategy, _bins);
             _strategy = strategy;
-            _greatLandRevision = greatLand.revision;
         }
 
         /** What the last search did. */
@@ -81,9 +71,9 @@ package starlogo.collision
             {
                 throw new ArgumentError(a + " is no pair with itself");
             }
-            useCache();
-            var shapeA:WorldShape = shapeOf(a);
-            var shapeB:WorldShape = shapeOf(b);
+            _shapes.noteUse();
+            var shapeA:WorldShape = _shapes.shapeOf(a);
+            var shapeB:WorldShape = _shapes.shapeOf(b);
             if (shapeA.level == null || shapeB.level == null)
             {
                 return false;
@@ -236,8 +226,9 @@ package starlogo.collision
 
         private function enterIntoBins(agents:Vector.<Agent>, interests:BreedInterests):void
         {
-            useCache();
-            var cacheToken:CacheToken = _cacheToken;
+            _shapes.noteUse();
+            var shapes:ShapeCache = _shapes;
+            var cacheToken:CacheToken = shapes.token;
             var breedToken:Object = interests == null ? null : interests.token;
             var bins:Bins = _bins;
             var lastFrame:int = _frame;
@@ -258,7 +249,7 @@ package starlogo.collision
                 var record:AgentRecord = agent.records;
                 if (record == null || record.cacheToken !== cacheToken)
                 {
-                    record = findShape(agent);
+                    record = shapes.find(agent);
                 }
                 // untyped, the cheapest of casts
                 var untyped:* = record;
@@ -273,7 +264,7 @@ package starlogo.collision
                 }
                 shape.frame = frame;
                 shape.listIndex = i;
-                if (shape.revision != agent.revision && !update(shape, agent))
+                if (shape.revision != agent.revision && !shapes.update(shape, agent))
                 {
                     loading++;
                     continue;
@@ -300,87 +291,6 @@ package starlogo.collision
             _listed = count;
             _memberCount = members;
             _loadingCount = loading;
-        }
-
-        private function useCache():void
-        {
-            if (_greatLand.revision != _greatLandRevision)
-            {
-                _greatLandRevision = _greatLand.revision;
-                _cacheToken.revoke();
-                _cacheToken = new CacheToken();
-            }
-            _cacheToken.noteUse();
-        }
-
-        // The agent's shape, up to date; without a level while the model is loading.
-        private function shapeOf(agent:Agent):WorldShape
-        {
-            var shape:WorldShape = findShape(agent);
-            if (shape.revision != agent.revision)
-            {
-                update(shape, agent);
-            }
-            return shape;
-        }
-
-        private function findShape(agent:Agent):WorldShape
-        {
-            var record:AgentRecord = agent.records;
-            while (record != null && record.cacheToken !== _cacheToken)
-            {
-                record = record.next;
-            }
-            if (record != null)
-            {
-                return record as WorldShape;
-            }
-            var shape:WorldShape = new WorldShape(agent, _cacheToken);
-            agent.addRecord(shape);
-            return shape;
-        }
-
-        // Returns false if the agent's model is loading.
-        private function update(shape:WorldShape, agent:Agent):Boolean
-        {
-            var extentsRevision:int = agent.placement.extentsRevision;
-            if (shape.extentsRevision == extentsRevision)
-            {
-                _strategy.updateWorldShape(shape);
-                shape.revision = agent.revision;
-                // as Bins.isBeyondReach says
-                if (shape.x * shape.x + shape.y * shape.y >= shape.level.reachSquared)
-                {
-                    _bins.assignLevel(shape);
-                }
-                return true;
-            }
-            if (shape.model != agent.shape && !bindModel(shape, agent))
-            {
-                return false;
-            }
-            _strategy.updateWorldShape(shape);
-            shape.revision = agent.revision;
-            shape.extentsRevision = extentsRevision;
-            _bins.assignLevel(shape);
-            return true;
-        }
-
-        // Whether the agent's model is there; otherwise it is loading.
-        private function bindModel(shape:WorldShape, agent:Agent):Boolean
-        {
-            shape.unbind();
-            if (!_greatLand.hasModel(agent.shape))
-            {
-                if (_greatLand.isLoading(agent.shape))
-                {
-                    return false;
-                }
-                throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
-            }
-            _strategy.bindModel(shape);
-            shape.model = agent.shape;
-            return true;
         }
     }
 }

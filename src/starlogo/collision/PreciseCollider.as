@@ -49,7 +49,8 @@ package starlogo.collision
          * hierarchy and a structure.
          *
          * <p>The first frame that an exact collider meets a model in takes some time to prepare its triangles, tens of
-         * milliseconds for thousands, unless GreatLand.prepareExact was set when the model was added.</p>
+         * milliseconds for thousands, unless GreatLand.prepareExact was set when the model was added. So does the first frame that
+         * any other meets it in without a hit: whether one is inside of the other is decided by triangles at every depth.</p>
          */
         public function get exact():Boolean
         {

@@ -175,7 +175,11 @@ package starlogo.diagnostics
             onFrame();
         }
 
-        /** Takes in one frame. */
+        /**
+         * Takes in one frame.
+         *
+         * @private
+         */
         engine function onFrame():void
         {
             var start:int = getTimer();

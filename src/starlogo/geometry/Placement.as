@@ -26,7 +26,7 @@ package starlogo.geometry
         public var extentsRevision:int = 0;
 
         /** Whether the rotation is the identity. */
-        public var isUpright:Boolean = true;
+        public var isIdentity:Boolean = true;
 
         /** An entry of the rotation: row 0, column 0; the others alike. */
         public var r00:Number = 1;
@@ -70,7 +70,7 @@ package starlogo.geometry
          */
         public function setRotation(heading:Number, pitch:Number, roll:Number):void
         {
-            isUpright = heading == 0 && pitch == 0 && roll == 0;
+            isIdentity = heading == 0 && pitch == 0 && roll == 0;
             var cosHeading:Number = cosine(heading);
             var sinHeading:Number = sine(heading);
             if (pitch == 0 && roll == 0)

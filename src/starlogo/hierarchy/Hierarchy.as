@@ -12,16 +12,32 @@ package starlogo.hierarchy
      */
     public final class Hierarchy
     {
-        /** The node around the whole model. */
+        /**
+         * The node around the whole model.
+         *
+         * @private
+         */
         engine var root:HierarchyNode;
 
-        /** Which structure each node has: one of BoundingStructure's constants. */
+        /**
+         * Which structure each node has: one of BoundingStructure's constants.
+         *
+         * @private
+         */
         engine var boundsKind:int;
 
-        /** Whether the items are triangles; otherwise they are vertices. */
+        /**
+         * Whether the items are triangles; otherwise they are vertices.
+         *
+         * @private
+         */
         engine var hasTriangles:Boolean;
 
-        /** The numbers of the triangles or vertices, those of a leaf side by side. */
+        /**
+         * The numbers of the triangles or vertices, those of a leaf side by side.
+         *
+         * @private
+         */
         engine var order:Vector.<int>;
 
         private var _vertices:Vector.<Number>;
@@ -36,7 +52,11 @@ package starlogo.hierarchy
             hasTriangles = triangles != null;
         }
 
-        /** How many vertices some items have, each counted once. */
+        /**
+         * How many vertices some items have, each counted once.
+         *
+         * @private
+         */
         engine function countVertices(first:int, end:int):int
         {
             if (!hasTriangles)
@@ -75,7 +95,11 @@ package starlogo.hierarchy
             return _solid;
         }
 
-        /** Whether what exact tests need of the triangles is there. */
+        /**
+         * Whether what exact tests need of the triangles is there.
+         *
+         * @private
+         */
         engine function get isPrepared():Boolean
         {
             return _solid != null;

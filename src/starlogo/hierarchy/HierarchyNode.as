@@ -26,53 +26,115 @@ package starlogo.hierarchy
         /** Whether the node has no children. */
         public var isLeaf:Boolean = true;
 
-        /** The hierarchy that the node is of. */
+        /**
+         * The hierarchy that the node is of.
+         *
+         * @private
+         */
         engine var hierarchy:Hierarchy;
 
-        /** The number of levels down to this one, the root's being 1. */
+        /**
+         * The number of levels down to this one, the root's being 1.
+         *
+         * @private
+         */
         engine var level:int;
 
-        /** The largest depth limit at which a visit ends here: its level, or for a leaf any. */
+        /**
+         * The largest depth limit at which a visit ends here: its level, or for a leaf any.
+         *
+         * @private
+         */
         engine var cutoffLevel:int = int.MAX_VALUE;
 
-        /** The node's items are those from first up to, and not including, end in the hierarchy's order. */
+        /**
+         * The node's items are those from first up to, and not including, end in the hierarchy's order.
+         *
+         * @private
+         */
         engine var first:int;
 
-        /** @copy #first */
+        /**
+         * @copy #first
+         *
+         * @private
+         */
         engine var end:int;
 
-        /** The middle of the axis-aligned box. */
+        /**
+         * The middle of the axis-aligned box.
+         *
+         * @private
+         */
         engine var x:Number;
 
-        /** @copy #x */
+        /**
+         * @copy #x
+         *
+         * @private
+         */
         engine var y:Number;
 
-        /** @copy #x */
+        /**
+         * @copy #x
+         *
+         * @private
+         */
         engine var z:Number;
 
-        /** Half the extents of the box. */
+        /**
+         * Half the extents of the box.
+         *
+         * @private
+         */
         engine var halfX:Number;
 
-        /** @copy #halfX */
+        /**
+         * @copy #halfX
+         *
+         * @private
+         */
         engine var halfY:Number;
 
-        /** @copy #halfX */
+        /**
+         * @copy #halfX
+         *
+         * @private
+         */
         engine var halfZ:Number;
 
-        /** The radius of the sphere around the box. */
+        /**
+         * The radius of the sphere around the box.
+         *
+         * @private
+         */
         engine var radius:Number;
 
-        /** The radius of the largest sphere inside of the box, about its middle. */
+        /**
+         * The radius of the largest sphere inside of the box, about its middle.
+         *
+         * @private
+         */
         engine var innerRadius:Number;
 
-        /** The axis that the node is split along: 0, 1 or 2. */
+        /**
+         * The axis that the node is split along: 0, 1 or 2.
+         *
+         * @private
+         */
         engine var splitAxis:int = 0;
 
-        /** The sphere or capsule; null where the box is the node's structure, until somebody asks for it. */
+        /**
+         * The sphere or capsule; null where the box is the node's structure, until somebody asks for it.
+         *
+         * @private
+         */
         engine var structure:BoundingStructure;
 
         /**
          * The structure made thick enough for those of all the node's descendants; null where its own is: for a box and a leaf.
+         *
+         * @private
          */
         engine var cover:BoundingStructure = null;
 

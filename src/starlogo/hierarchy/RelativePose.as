@@ -10,7 +10,7 @@ package starlogo.hierarchy
      */
     internal final class RelativePose
     {
-        /** Takes the second model into the space of the first. Its own isUpright is always false. */
+        /** Takes the second model into the space of the first. Its own isIdentity is always false. */
         public var placement:Placement = new Placement();
 
         /** Whether both models are turned about z at most, as almost always. */
@@ -19,7 +19,7 @@ package starlogo.hierarchy
         /** Until relate is called, both are in one place. */
         public function RelativePose()
         {
-            placement.isUpright = false;
+            placement.isIdentity = false;
         }
 
         /**

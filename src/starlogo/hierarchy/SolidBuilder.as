@@ -3,26 +3,17 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Surface;
     import starlogo.geometry.SurfaceBuilder;
-    import starlogo.geometry.Tolerances;
-    import starlogo.intersection.triangleTriangle;
     import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
      * Prepares what exact tests and tests for insides need of a hierarchy's triangles, in steps: their corners in the
-     * hierarchy's order, the surface that they make, and the parts that it comes in.
-     *
-     * <p>A figure is often put together of pieces that run into each other. Pieces that touch are one part, since they are inside
-     * of another model together or not at all: the fewer parts, the fewer points have to be looked at for each pair of agents.</p>
+     * hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in.
      */
     internal final class SolidBuilder implements Steps
     {
         private static const TRIANGLES_A_STEP:int = 400;
-        private static const PAIRS_A_STEP:int = 800;
-
-        // Of triangles that may touch. Beyond that, pieces are left apart: the answers are the same.
-        private static const MOST_PAIRS:int = 100000;
 
         private static const PLACING:int = 0;
         private static const EXAMINING:int = 1;
@@ -36,18 +27,11 @@ package starlogo.hierarchy
         private var _order:Vector.<int>;
         private var _surfaceBuilder:SurfaceBuilder;
         private var _surface:Surface;
-        private var _touching:Number;
         private var _phase:int = PLACING;
         private var _next:int = 0;
-        private var _pairs:int = 0;
 
-        // Union-find over pieces, how many parts are left, and pairs of nodes whose pieces have not been compared.
-        private var _parents:Vector.<int> = new Vector.<int>();
-        private var _partCount:int;
-        private var _stack:Vector.<HierarchyNode>;
-
-        // For each triangle in order, the next one of another piece.
-        private var _runEnds:Vector.<int>;
+        private var _root:HierarchyNode;
+        private var _parts:PartFinder;
 
         // By piece: where the points of its part are.
         private var _pointsAt:Vector.<int> = new Vector.<int>();
@@ -67,8 +51,7 @@ package starlogo.hierarchy
             _solid.corners = new Vector.<Number>(9 * order.length, true);
             _solid.extents = new Vector.<Number>(6 * order.length, true);
             _surfaceBuilder = new SurfaceBuilder(vertices, triangles);
-            _touching = 2 * Tolerances.SURFACES * root.radius;
-            _stack = new <HierarchyNode>[root, root];
+            _root = root;
         }
 
         /** What was prepared, when no step is left. */
@@ -92,7 +75,10 @@ package starlogo.hierarchy
                     }
                     break;
                 case JOINING:
-                    joinSome();
+                    if (!_parts.step())
+                    {
+                        _phase = MEASURING;
+                    }
                     break;
                 case MEASURING:
                     measureSome();
@@ -141,22 +127,11 @@ package starlogo.hierarchy
             {
                 turnRound();
             }
-            _partCount = _surface.pieceCount;
-            for (var i:int = 0; i < _partCount; i++)
+            for (var i:int = 0; i < _surface.pieceCount; i++)
             {
-                _parents.push(i);
                 _pointsAt.push(-1);
             }
-            _runEnds = new Vector.<int>(_order.length, true);
-            var end:int = _order.length;
-            for (i = end - 1; i >= 0; i--)
-            {
-                _runEnds[i] = end;
-                if (i > 0 && _surface.pieces[_order[i]] != _surface.pieces[_order[i - 1]])
-                {
-                    end = i;
-                }
-            }
+            _parts = new PartFinder(_root, _solid, _surface, _order);
             _phase = JOINING;
         }
 
@@ -177,123 +152,12 @@ package starlogo.hierarchy
             }
         }
 
-        private function joinSome():void
-        {
-            var end:int = Math.min(_pairs + PAIRS_A_STEP, MOST_PAIRS);
-            while (_pairs < end && _stack.length > 0 && _partCount > 1)
-            {
-                var b:HierarchyNode = _stack.pop();
-                var a:HierarchyNode = _stack.pop();
-                _pairs++;
-                if (areOnePart(a, b))
-                {
-                    continue;
-                }
-                if (a === b && !a.isLeaf)
-                {
-                    _stack.push(a.left, a.left, a.right, a.right, a.left, a.right);
-                }
-                else if (a === b || doOverlap(a, b))
-                {
-                    compare(a, b);
-                }
-            }
-            if (_pairs >= MOST_PAIRS || _stack.length == 0 || _partCount <= 1)
-            {
-                _phase = MEASURING;
-            }
-        }
-
-        // What hangs together already need not be looked into.
-        private function areOnePart(a:HierarchyNode, b:HierarchyNode):Boolean
-        {
-            var part:int = partOf(a.first);
-            return isOfPart(a, part) && (a === b || isOfPart(b, part));
-        }
-
-        private function isOfPart(node:HierarchyNode, part:int):Boolean
-        {
-            for (var i:int = node.first; i < node.end; i = _runEnds[i])
-            {
-                if (partOf(i) != part)
-                {
-                    return false;
-                }
-            }
-            return true;
-        }
-
-        private function compare(a:HierarchyNode, b:HierarchyNode):void
-        {
-            if (!a.isLeaf && (b.isLeaf || a.radius >= b.radius))
-            {
-                _stack.push(a.left, b, a.right, b);
-            }
-            else if (!b.isLeaf)
-            {
-                _stack.push(a, b.left, a, b.right);
-            }
-            else
-            {
-                joinLeaves(a, b);
-            }
-        }
-
-        private static function doOverlap(a:HierarchyNode, b:HierarchyNode):Boolean
-        {
-            return Math.abs(a.x - b.x) <= a.halfX + b.halfX && Math.abs(a.y - b.y) <= a.halfY + b.halfY
-                && Math.abs(a.z - b.z) <= a.halfZ + b.halfZ;
-        }
-
-        private function joinLeaves(a:HierarchyNode, b:HierarchyNode):void
-        {
-            for (var i:int = a.first; i < a.end && _pairs < MOST_PAIRS; i++)
-            {
-                var part:int = partOf(i);
-                for (var k:int = a === b ? i + 1 : b.first; k < b.end; k++)
-                {
-                    _pairs++;
-                    var other:int = partOf(k);
-                    if (part != other && doTouch(i, k))
-                    {
-                        _parents[other] = part;
-                        _partCount--;
-                    }
-                }
-            }
-        }
-
-        private function doTouch(i:int, k:int):Boolean
-        {
-            var extents:Vector.<Number> = _solid.extents;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                if (extents[6 * i + axis] > extents[6 * k + 3 + axis] + _touching
-                        || extents[6 * k + axis] > extents[6 * i + 3 + axis] + _touching)
-                {
-                    return false;
-                }
-            }
-            return triangleTriangle(_solid.corners, 9 * i, _solid.corners, 9 * k, _touching);
-        }
-
-        private function partOf(triangle:int):int
-        {
-            var piece:int = _surface.pieces[_order[triangle]];
-            while (_parents[piece] != piece)
-            {
-                _parents[piece] = _parents[_parents[piece]];
-                piece = _parents[piece];
-            }
-            return piece;
-        }
-
         private function measureSome():void
         {
             var end:int = Math.min(_next + TRIANGLES_A_STEP, _order.length);
             for (var i:int = _next; i < end; i++)
             {
-                var part:int = partOf(i);
+                var part:int = _parts.partOf(i);
                 if (_pointsAt[part] < 0)
                 {
                     beginPart(part, 9 * i);

@@ -37,7 +37,11 @@ package starlogo.libraries
          */
         public var keepAll:Boolean = false;
 
-        /** Another number whenever the structures under a name have been replaced or removed. */
+        /**
+         * Another number whenever the structures under a name have been replaced or removed.
+         *
+         * @private
+         */
         engine var revision:int = 0;
 
         private var _cheaperTestsFactor:Number = 1;
@@ -160,7 +164,11 @@ package starlogo.libraries
             return shape != null && shape.sphere != null && shape.capsule != null && shape.box != null;
         }
 
-        /** Begins to find what store takes; changes nothing. */
+        /**
+         * Begins to find what store takes; changes nothing.
+         *
+         * @private
+         */
         engine function begin(name:String, vertices:Vector.<Number>):StructuresBuild
         {
             if (name == null || name == "")
@@ -170,7 +178,11 @@ package starlogo.libraries
             return new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, keepAll);
         }
 
-        /** Stores what a build found; null for nothing. */
+        /**
+         * Stores what a build found; null for nothing.
+         *
+         * @private
+         */
         engine function store(name:String, found:ShapeStructures):void
         {
             remove(name);
@@ -180,7 +192,11 @@ package starlogo.libraries
             }
         }
 
-        /** Forgets a shape; returns whether it was there. */
+        /**
+         * Forgets a shape; returns whether it was there.
+         *
+         * @private
+         */
         engine function remove(name:String):Boolean
         {
             if (!has(name))

@@ -53,7 +53,11 @@ package starlogo.libraries
          */
         public var prepareExact:Boolean = false;
 
-        /** Changes whenever what is stored under a name is replaced or removed: what was kept of it is void. */
+        /**
+         * Changes whenever what is stored under a name is replaced or removed: what was kept of it is void.
+         *
+         * @private
+         */
         engine var revision:int = 0;
 
         private var _hierarchies:Object = {};
@@ -98,7 +102,11 @@ package starlogo.libraries
             return hierarchy(name).root;
         }
 
-        /** Begins to build what store takes; changes nothing. */
+        /**
+         * Begins to build what store takes; changes nothing.
+         *
+         * @private
+         */
         engine function begin(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):HierarchyBuilder
         {
             if (name == null || name == "")
@@ -120,7 +128,11 @@ package starlogo.libraries
             return builder;
         }
 
-        /** Stores what a builder made; null for nothing. */
+        /**
+         * Stores what a builder made; null for nothing.
+         *
+         * @private
+         */
         engine function store(name:String, built:Hierarchy):void
         {
             remove(name);
@@ -134,6 +146,8 @@ package starlogo.libraries
          * Forgets the hierarchy of a shape.
          *
          * @return whether there was one
+         *
+         * @private
          */
         engine function remove(name:String):Boolean
         {
@@ -146,7 +160,11 @@ package starlogo.libraries
             return true;
         }
 
-        /** The hierarchy of a shape; throws an ArgumentError if there is none. */
+        /**
+         * The hierarchy of a shape; throws an ArgumentError if there is none.
+         *
+         * @private
+         */
         engine function hierarchy(name:String):Hierarchy
         {
             var found:Hierarchy = name == null ? null : _hierarchies[PREFIX + name] as Hierarchy;

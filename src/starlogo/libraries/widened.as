@@ -12,6 +12,8 @@ package starlogo.libraries
      * beside the model, so that the tests' own tolerance does.
      *
      * @param structure a sphere, a capsule or a box
+     *
+     * @private
      */
     internal function widened(structure:BoundingStructure):BoundingStructure
     {

@@ -113,7 +113,7 @@ package starlogo.intersection
             var to:Vector.<Vector3D> = frame(new Vector3D(-out.x, -out.y, -out.z), spin);
             var from:Vector.<Vector3D> = frame(featureB[2], 0);
             var result:Placement = new Placement();
-            result.isUpright = false;
+            result.isIdentity = false;
             result.r00 = to[0].x * from[0].x + to[1].x * from[1].x + to[2].x * from[2].x;
             result.r01 = to[0].x * from[0].y + to[1].x * from[1].y + to[2].x * from[2].y;
             result.r02 = to[0].x * from[0].z + to[1].x * from[1].z + to[2].x * from[2].z;

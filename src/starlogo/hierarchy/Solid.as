@@ -172,16 +172,16 @@ package starlogo.hierarchy
         // begins close to the triangle. The triple products have the signs of the sides on which the ray passes the edges.
         private function crossingOf(at:int, x:Number, y:Number, z:Number, dx:Number, dy:Number, dz:Number):Number
         {
-            var corners:Vector.<Number> = this.corners;
-            var px:Number = corners[at] - x;
-            var py:Number = corners[int(at + 1)] - y;
-            var pz:Number = corners[int(at + 2)] - z;
-            var qx:Number = corners[int(at + 3)] - x;
-            var qy:Number = corners[int(at + 4)] - y;
-            var qz:Number = corners[int(at + 5)] - z;
-            var rx:Number = corners[int(at + 6)] - x;
-            var ry:Number = corners[int(at + 7)] - y;
-            var rz:Number = corners[int(at + 8)] - z;
+            var points:Vector.<Number> = corners;
+            var px:Number = points[at] - x;
+            var py:Number = points[int(at + 1)] - y;
+            var pz:Number = points[int(at + 2)] - z;
+            var qx:Number = points[int(at + 3)] - x;
+            var qy:Number = points[int(at + 4)] - y;
+            var qz:Number = points[int(at + 5)] - z;
+            var rx:Number = points[int(at + 6)] - x;
+            var ry:Number = points[int(at + 7)] - y;
+            var rz:Number = points[int(at + 8)] - z;
             var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
             var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
             var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);

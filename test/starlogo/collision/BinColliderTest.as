@@ -7,13 +7,14 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import support.BruteForce;
+    import support.Effort;
     import support.RandomWorlds;
     import evaluation.pairs.SeededRandom;
     import support.assertThrows;
 
     public class BinColliderTest
     {
-        private static const WORLDS_A_KIND:int = 150;
+        private var _worlds:int = Effort.choose(60, 150);
 
         private var _greatLand:GreatLand;
         private var _collider:BinCollider;
@@ -298,7 +299,7 @@ package starlogo.collision
             var collisions:int = 0;
             var possible:int = 0;
             var tested:int = 0;
-            for (var world:int = 0; world < WORLDS_A_KIND; world++)
+            for (var world:int = 0; world < _worlds; world++)
             {
                 var count:int = random.logBetween(2, 501);
                 var agents:Vector.<Agent> = RandomWorlds.make(kind, count, "cube", random);
@@ -308,7 +309,7 @@ package starlogo.collision
                 possible += count * (count - 1) / 2;
                 tested += _collider.statistics.candidatePairs;
             }
-            trace("  " + kind + ": " + WORLDS_A_KIND + " worlds, " + possible + " pairs, " + tested + " tested, " + collisions + " collide");
+            trace("  " + kind + ": " + _worlds + " worlds, " + possible + " pairs, " + tested + " tested, " + collisions + " collide");
             assertTrue("some collide, some don't", collisions > 50 && collisions < possible);
         }
 

@@ -108,7 +108,8 @@ package starlogo.collision
         public function whatCollidersLeaveBehindIsDropped():void
         {
             var kept:BinCollider = new BinCollider(_greatLand);
-            for (var i:int = 0; i < 5000; i++)
+            _agents.length = 2;
+            for (var i:int = 0; i < 3000; i++)
             {
                 kept.findCollisions(_agents);
                 new BinCollider(_greatLand).findCollisions(_agents);

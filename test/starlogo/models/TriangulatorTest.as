@@ -3,6 +3,7 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import evaluation.pairs.SeededRandom;
+    import support.Effort;
     import support.Surfaces;
     import support.TurnedPlane;
 
@@ -50,7 +51,7 @@ package starlogo.models
         public function coversRandomStars():void
         {
             var random:SeededRandom = new SeededRandom(21);
-            for (var i:int = 0; i < 300; i++)
+            for (var i:int = 0; i < Effort.choose(120, 300); i++)
             {
                 var star:Array = [];
                 var inner:Array = [];

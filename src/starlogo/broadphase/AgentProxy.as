@@ -30,7 +30,7 @@ package starlogo.broadphase
         /** @copy #x */
         public var z:Number;
 
-        /** Half the extent along x; a sphere's radius. */
+        /** Half the extent along x. */
         public var halfX:Number;
 
         /** Half the extent along y. */
@@ -39,8 +39,11 @@ package starlogo.broadphase
         /** Half the extent along z. */
         public var halfZ:Number;
 
-        /** Whether what collides is the sphere in these numbers: spares the most common test a call. */
+        /** Whether what collides is a sphere about the middle: spares the most common test a call. */
         public var isSphere:Boolean = false;
+
+        /** The sphere's radius, as wide as it must be for spheres to meet that touch but for rounding. */
+        public var radius:Number;
 
         /** The ground rectangle while the proxy is in the bins, padded: the least x. */
         public var minX:Number;

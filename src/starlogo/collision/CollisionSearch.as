@@ -123,7 +123,7 @@ package starlogo.collision
                 // the most common test by far, without a call
                 var dx:Number = a.x - b.x;
                 var dy:Number = a.y - b.y;
-                var radii:Number = a.halfX + b.halfX;
+                var radii:Number = a.radius + b.radius;
                 if (dx * dx + dy * dy + dz * dz > radii * radii)
                 {
                     return;

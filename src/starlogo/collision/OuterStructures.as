@@ -7,6 +7,8 @@ package starlogo.collision
     /** A sphere and a capsule around an agent's structure, which are tried first (thesis §7.5). */
     internal final class OuterStructures
     {
+        private static const WIDENED:Number = 1 + 1e-12;
+
         /** The sphere in the world. */
         public var worldSphere:Sphere;
 
@@ -22,8 +24,11 @@ package starlogo.collision
          */
         public function OuterStructures(sphere:Sphere, capsule:Capsule)
         {
-            _sphere = sphere;
-            _capsule = capsule;
+            _sphere = sphere.clone() as Sphere;
+            _capsule = capsule.clone() as Capsule;
+            // they must not tell structures apart that touch
+            _sphere.radius *= WIDENED;
+            _capsule.radius *= WIDENED;
             worldSphere = sphere.clone() as Sphere;
             worldCapsule = capsule.clone() as Capsule;
         }

@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleCapsule;
     import starlogo.intersection.intersects;
@@ -66,6 +67,7 @@ package starlogo.collision
                 shape.y = sphere.center.y;
                 shape.z = sphere.center.z;
                 shape.halfX = shape.halfY = shape.halfZ = sphere.radius;
+                shape.radius = sphere.radius * Tolerances.TOUCHING;
                 return;
             }
             shape.takeExtentsOf(world);

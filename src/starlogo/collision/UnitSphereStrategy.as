@@ -27,7 +27,7 @@ package starlogo.collision
             shape.x = placement.x;
             shape.y = placement.y;
             shape.z = placement.z + radius;
-            shape.halfX = shape.halfY = shape.halfZ = radius;
+            shape.halfX = shape.halfY = shape.halfZ = shape.radius = radius;
         }
     }
 }

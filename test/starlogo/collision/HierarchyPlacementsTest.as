@@ -22,6 +22,10 @@ package starlogo.collision
         private static const DEPTHS:Array = [1, 3, 5, 10];
         private static const FULL:int = 60;
 
+        // The last models that were loaded, and how: the next test may want the same.
+        private static var sLoaded:GreatLand = null;
+        private static var sLoadedKey:String = "";
+
         private static var sVectors:PlacementVectors;
         private static var sModels:Vector.<Model>;
 
@@ -93,7 +97,7 @@ package starlogo.collision
         public function exactHierarchiesAreTheModels():void
         {
             RealModels.assume();
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, 10));
+            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL, BoundingStructure.BOX, true));
             collider.exact = true;
             var wrong:Array = [];
             var inside:int = 0;
@@ -161,6 +165,8 @@ package starlogo.collision
         {
             sModels = null;
             sVectors = null;
+            sLoaded = null;
+            sLoadedKey = "";
         }
 
         private static function checkKind(kind:int, name:String):void
@@ -177,6 +183,11 @@ package starlogo.collision
         private static function load(triangles:Boolean, maxDepth:int, kind:int = BoundingStructure.BOX,
                 loadTightestFit:Boolean = false):GreatLand
         {
+            var key:String = [triangles, maxDepth, kind, loadTightestFit].join();
+            if (key == sLoadedKey)
+            {
+                return sLoaded;
+            }
             var greatLand:GreatLand = new GreatLand();
             greatLand.loadTightestFit = loadTightestFit;
             greatLand.orientedBoxDegIncrement = 45;
@@ -186,6 +197,8 @@ package starlogo.collision
             {
                 greatLand.addModel(triangles ? model : new Model(model.name, model.vertices));
             }
+            sLoadedKey = key;
+            sLoaded = greatLand;
             return greatLand;
         }
 

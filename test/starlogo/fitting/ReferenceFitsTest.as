@@ -14,7 +14,7 @@ package starlogo.fitting
         public static const FIXTURES:Array = ReferenceFits.FIXTURES;
 
         // The searches take seconds where more points than these are on the hull.
-        private static const HULL_POINTS:int = 150;
+        private static const HULL_POINTS:int = 64;
 
         [Test]
         public function spheresOfSets():void
@@ -128,7 +128,7 @@ package starlogo.fitting
 
         private static function isSearched(session:FitSession):Boolean
         {
-            return Effort.isFull || session.hull.convexPoints.length <= 2 * HULL_POINTS;
+            return Effort.isFull || session.hull.convexPoints.length <= 3 * HULL_POINTS;
         }
 
         private static function entriesOf(source:String):Array

@@ -115,7 +115,7 @@ package starlogo.models
             check("gear", area(gear), [gear], false);
             var random:SeededRandom = new SeededRandom(3);
             var tangle:Array = [];
-            for (i = 0; i < 3000; i++)
+            for (i = 0; i < Effort.choose(1500, 3000); i++)
             {
                 tangle.push([random.next(), random.next()]);
             }

@@ -237,12 +237,12 @@ package starlogo.bounding
         /** Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt). */
         private function straighten():void
         {
-            normalize(axisX);
+            normalise(axisX);
             removeComponent(axisY, axisX);
-            normalize(axisY);
+            normalise(axisY);
             removeComponent(axisZ, axisX);
             removeComponent(axisZ, axisY);
-            normalize(axisZ);
+            normalise(axisZ);
         }
 
         private static function removeComponent(vector:Vector3D, along:Vector3D):void
@@ -253,7 +253,7 @@ package starlogo.bounding
             vector.z -= amount * along.z;
         }
 
-        private static function normalize(vector:Vector3D):void
+        private static function normalise(vector:Vector3D):void
         {
             var length:Number = Math.sqrt(vector.x * vector.x + vector.y * vector.y + vector.z * vector.z);
             vector.x /= length;

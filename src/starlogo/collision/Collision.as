@@ -139,6 +139,10 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("update must not be called from a handler");
             }
+            if (agents == null)
+            {
+                throw new ArgumentError("agents must not be null");
+            }
             var start:int = getTimer();
             _handlerErrors.length = 0;
             if (_tableIsStale)

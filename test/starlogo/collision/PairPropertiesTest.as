@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
     import evaluation.pairs.SeededRandom;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -13,7 +14,7 @@ package starlogo.collision
 
     /**
      * What holds for every pair in every collider: a search finds what areColliding says, in whichever order the two are given, and a
-     * greater depth never finds more.
+     * greater depth never finds more. With -Dfull on 895,068 pairs for each of five colliders.
      */
     public class PairPropertiesTest
     {
@@ -45,29 +46,33 @@ package starlogo.collision
         }
 
         [Test(timeout="3600000")]
-        public function findsWhatItIsAskedEitherWay():void
+        public function unitSpheresAreFoundAsAsked():void
         {
-            var random:SeededRandom = new SeededRandom(701);
-            var worlds:int = Effort.choose(12, 3243);
-            for each (var collider:CollisionSystem in colliders())
-            {
-                var pairs:int = 0;
-                var collisions:int = 0;
-                for (var world:int = 0; world < worlds; world++)
-                {
-                    var agents:Vector.<Agent> = randomWorld(random);
-                    var found:Vector.<Agent> = collider.findCollisions(agents);
-                    assertEquals("", BruteForce.difference(BruteForce.ask(collider, agents), found));
-                    var same:int = found.length;
-                    var backwards:Vector.<Agent> = collider.findCollisions(agents.concat().reverse());
-                    assertEquals("backwards", same, backwards.length);
-                    assertSymmetric(collider, agents);
-                    pairs += AGENTS_A_WORLD * (AGENTS_A_WORLD - 1) / 2;
-                    collisions += found.length / 2;
-                }
-                trace("  " + collider + ": " + pairs + " pairs, " + collisions + " collide");
-                assertTrue(collisions > pairs / 40 && collisions < pairs / 2);
-            }
+            findsWhatItIsAsked(new BinCollider(sGreatLand));
+        }
+
+        [Test(timeout="3600000")]
+        public function tightestFitsAreFoundAsAsked():void
+        {
+            findsWhatItIsAsked(new TightestFitCollider(sGreatLand));
+        }
+
+        [Test(timeout="3600000")]
+        public function hierarchiesAreFoundAsAsked():void
+        {
+            findsWhatItIsAsked(new HierarchicalCollider(sGreatLand));
+        }
+
+        [Test(timeout="3600000")]
+        public function combinationsAreFoundAsAsked():void
+        {
+            findsWhatItIsAsked(new CombinationCollider(sGreatLand));
+        }
+
+        [Test(timeout="3600000")]
+        public function modelsAreFoundAsAsked():void
+        {
+            findsWhatItIsAsked(exactCollider());
         }
 
         [Test(timeout="3600000")]
@@ -117,6 +122,47 @@ package starlogo.collision
             assertTrue(flips > 3 * count);
         }
 
+        private static function findsWhatItIsAsked(collider:CollisionSystem):void
+        {
+            var random:SeededRandom = new SeededRandom(701);
+            var worlds:int = Effort.choose(12, 3243);
+            var agents:Vector.<Agent> = randomWorld(random);
+            var found:Vector.<Agent> = new Vector.<Agent>();
+            var pairs:int = 0;
+            var collisions:int = 0;
+            for (var world:int = 0; world < worlds; world++)
+            {
+                for each (var agent:Agent in agents)
+                {
+                    change(agent, random);
+                }
+                collider.findCollisions(agents, found);
+                var next:int = 0;
+                for (var i:int = 0; i < agents.length; i++)
+                {
+                    for (var j:int = i + 1; j < agents.length; j++)
+                    {
+                        var isHit:Boolean = collider.areColliding(agents[i], agents[j]);
+                        if (isHit != collider.areColliding(agents[j], agents[i]))
+                        {
+                            fail("world " + world + ": " + agents[i] + " and " + agents[j] + " the other way round");
+                        }
+                        next += isHit ? 2 : 0;
+                    }
+                }
+                assertEquals("world " + world, next, found.length);
+                if (world % 20 == 0)
+                {
+                    assertEquals("world " + world, "", BruteForce.difference(BruteForce.ask(collider, agents), found));
+                }
+                agents.reverse();
+                pairs += AGENTS_A_WORLD * (AGENTS_A_WORLD - 1) / 2;
+                collisions += found.length / 2;
+            }
+            trace("  " + collider + ": " + pairs + " pairs, " + collisions + " collide");
+            assertTrue(collisions > pairs / 40 && collisions < pairs / 2);
+        }
+
         // Bisects to the last bit of b's x between a hit and a miss, then asks around it.
         private static function flipsAtTheBorder(collider:CollisionSystem, a:Agent, b:Agent):int
         {
@@ -147,22 +193,15 @@ package starlogo.collision
 
         private static function colliders():Array
         {
-            var exact:HierarchicalCollider = new HierarchicalCollider(sGreatLand);
-            exact.exact = true;
             return [new BinCollider(sGreatLand), new TightestFitCollider(sGreatLand), new HierarchicalCollider(sGreatLand),
-                    new CombinationCollider(sGreatLand), exact];
+                    new CombinationCollider(sGreatLand), exactCollider()];
         }
 
-        private static function assertSymmetric(collider:CollisionSystem, agents:Vector.<Agent>):void
+        private static function exactCollider():HierarchicalCollider
         {
-            for (var i:int = 0; i < agents.length; i++)
-            {
-                var other:Agent = agents[(i * 7 + 1) % agents.length];
-                if (other !== agents[i])
-                {
-                    assertEquals(collider.areColliding(agents[i], other), collider.areColliding(other, agents[i]));
-                }
-            }
+            var collider:HierarchicalCollider = new HierarchicalCollider(sGreatLand);
+            collider.exact = true;
+            return collider;
         }
 
         // How many pairs of one list are not in another.
@@ -195,14 +234,20 @@ package starlogo.collision
 
         private static function randomAgent(random:SeededRandom):Agent
         {
-            var agent:Agent = new Agent(random.pick(SHAPES));
+            var agent:Agent = new Agent("sphere");
+            change(agent, random);
+            return agent;
+        }
+
+        private static function change(agent:Agent, random:SeededRandom):void
+        {
+            agent.shape = random.pick(SHAPES);
             agent.moveTo(random.between(-2, 2), random.between(-2, 2), random.between(0, 1));
             agent.size = random.logBetween(0.2, 2);
             agent.heading = random.pick([0, 90, random.between(0, 360)]);
             agent.pitch = random.pick([0, 0, random.between(0, 360)]);
             agent.roll = random.pick([0, 0, random.between(0, 360)]);
             agent.hierarchical = random.chance(0.3);
-            return agent;
         }
     }
 }

@@ -101,7 +101,7 @@ package starlogo.collision
             collider.exact = true;
             var wrong:Array = [];
             var inside:int = 0;
-            var every:int = Effort.choose(5, 1);
+            var every:int = Effort.choose(8, 1);
             for (var i:int = 0; i < sVectors.count; i += every)
             {
                 sVectors.read(i);
@@ -176,7 +176,7 @@ package starlogo.collision
             for each (var depth:int in Effort.isFull ? [5, 10] : [10])
             {
                 collider.maxDepth = depth;
-                assertEquals("missed at depth " + depth, 0, tallyOf(name + ", depth " + depth, collider, Effort.choose(3, 1)).missed);
+                assertEquals("missed at depth " + depth, 0, tallyOf(name + ", depth " + depth, collider, Effort.choose(6, 1)).missed);
             }
         }
 

@@ -53,7 +53,7 @@ package starlogo.fitting
         [Test]
         public function minimalFitsEncloseEveryVertexOfHardSets():void
         {
-            encloseHardSets(1, minimalFitters(), Effort.choose(5, 1));
+            encloseHardSets(1, minimalFitters(), Effort.choose(8, 1));
         }
 
         [Test]
@@ -129,7 +129,7 @@ package starlogo.fitting
         [Test]
         public function enclosesManyVertices():void
         {
-            var count:int = Effort.choose(20000, 100000);
+            var count:int = Effort.choose(8000, 100000);
             var cloud:Vector.<Number> = PointSets.cloud(new SeededRandom(31), count);
             var session:FitSession = new FitSession(cloud);
             for each (var fitter:Fitter in allFitters())

@@ -51,7 +51,7 @@ package starlogo.models
         public function coversRandomStars():void
         {
             var random:SeededRandom = new SeededRandom(21);
-            for (var i:int = 0; i < Effort.choose(120, 300); i++)
+            for (var i:int = 0; i < Effort.choose(80, 300); i++)
             {
                 var star:Array = [];
                 var inner:Array = [];
@@ -107,10 +107,11 @@ package starlogo.models
         public function endsOnPolygonsOfManyCorners():void
         {
             var gear:Array = [];
-            for (var i:int = 0; i < 2000; i++)
+            var corners:int = Effort.choose(800, 2000);
+            for (var i:int = 0; i < corners; i++)
             {
                 var radius:Number = (i & 2) == 0 ? 1 : 0.9;
-                gear.push([radius * Math.cos(Math.PI * i / 1000), radius * Math.sin(Math.PI * i / 1000)]);
+                gear.push([radius * Math.cos(2 * Math.PI * i / corners), radius * Math.sin(2 * Math.PI * i / corners)]);
             }
             check("gear", area(gear), [gear], false);
             var random:SeededRandom = new SeededRandom(3);

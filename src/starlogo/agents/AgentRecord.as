@@ -14,20 +14,20 @@ package starlogo.agents
         /** The user's. A record with another token is somebody else's, or void. */
         public var cacheToken:CacheToken;
 
-        /** The next record of the agent, or null. */
-        public var next:AgentRecord = null;
-
-        /** Who looked up the breed for this record last; null when the agent has changed it. */
-        public var breedToken:Object = null;
-
-        /** What was found for the breed. */
-        public var breedIndex:int;
-
         /** Where the agent was in the user's list when it looked last. */
         public var listIndex:int;
 
         /** The user's frame that last met the agent in its list. */
         public var frame:int = 0;
+
+        /** What was found for the breed. */
+        public var breedIndex:int;
+
+        /** Who looked up the breed for this record last; null when the agent has changed it. */
+        public var breedToken:Object = null;
+
+        /** The next record of the agent, or null. */
+        public var next:AgentRecord = null;
 
         /**
          * @param agent whose record it is

@@ -12,9 +12,6 @@ package starlogo.broadphase
      */
     public class AgentProxy extends AgentRecord
     {
-        /** The agent's id: settles the order of two proxies. */
-        public var serial:int;
-
         /** The agent's revision that the extents belong to. */
         public var revision:int = -1;
 
@@ -62,6 +59,9 @@ package starlogo.broadphase
 
         /** Its entries in at most four bins, in a ring. */
         internal var entry:BinEntry;
+
+        /** The agent's id: settles the order of two proxies. */
+        public var serial:int;
 
         /**
          * @param agent whose proxy it is

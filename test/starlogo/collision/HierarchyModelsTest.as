@@ -70,7 +70,7 @@ package starlogo.collision
             var random:SeededRandom = new SeededRandom(seed);
             var tallies:Array = [];
             var wrong:int = 0;
-            var placements:int = Effort.choose(40, 100);
+            var placements:int = Effort.choose(25, 100);
             for (var i:int = 0; i < placements; i++)
             {
                 var a:Agent = randomAgent(random, isUpright);

@@ -120,7 +120,7 @@ package starlogo.collision
                     new CombinationCollider(sGreatLands[land])];
             var inside:int = 0;
             var meeting:int = 0;
-            var count:int = Effort.choose(45, 150);
+            var count:int = Effort.choose(35, 150);
             for (var i:int = 0; i < count; i++)
             {
                 var a:Agent = outerAgent(random);

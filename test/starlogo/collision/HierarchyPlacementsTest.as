@@ -171,7 +171,7 @@ package starlogo.collision
 
         private static function checkKind(kind:int, name:String):void
         {
-            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, 10, kind));
+            var collider:HierarchicalCollider = new HierarchicalCollider(load(true, Effort.choose(7, 10), kind));
             // what the first levels miss, deeper ones miss too
             for each (var depth:int in Effort.isFull ? [5, 10] : [10])
             {

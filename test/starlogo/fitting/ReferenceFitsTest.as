@@ -14,7 +14,7 @@ package starlogo.fitting
         public static const FIXTURES:Array = ReferenceFits.FIXTURES;
 
         // The searches take seconds where more points than these are on the hull.
-        private static const HULL_POINTS:int = 40;
+        private static const HULL_POINTS:int = 32;
 
         [Test]
         public function spheresOfSets():void

@@ -13,7 +13,7 @@ package starlogo.collision
      */
     public class AllocationTest
     {
-        private static const FRAMES:int = 400;
+        private static const FRAMES:int = 1000;
         private static const AGENTS:int = 200;
 
         // In bytes, for all frames and agents together: two and a half a frame for each agent, where the smallest object

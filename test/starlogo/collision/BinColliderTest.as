@@ -14,7 +14,7 @@ package starlogo.collision
 
     public class BinColliderTest
     {
-        private var _worlds:int = Effort.choose(40, 150);
+        private var _worlds:int = Effort.choose(30, 150);
 
         private var _greatLand:GreatLand;
         private var _collider:BinCollider;

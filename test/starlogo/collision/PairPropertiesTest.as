@@ -107,7 +107,7 @@ package starlogo.collision
         public function orderDoesNotMatterWhereRoundingDecides():void
         {
             var random:SeededRandom = new SeededRandom(703);
-            var count:int = Effort.choose(60, 600);
+            var count:int = Effort.choose(40, 600);
             var flips:int = 0;
             for each (var collider:CollisionSystem in colliders())
             {

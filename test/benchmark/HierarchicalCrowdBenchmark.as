@@ -6,7 +6,6 @@ package benchmark
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.collision.BinCollider;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.HierarchicalCollider;

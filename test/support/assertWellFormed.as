@@ -20,7 +20,6 @@ package support
 
 import flash.geom.Vector3D;
 import org.flexunit.asserts.assertEquals;
-import org.flexunit.asserts.assertFalse;
 import org.flexunit.asserts.assertNull;
 import org.flexunit.asserts.assertTrue;
 import org.flexunit.asserts.fail;

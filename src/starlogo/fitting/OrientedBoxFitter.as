@@ -1,7 +1,5 @@
 package starlogo.fitting
 {
-    import starlogo.bounding.BoundingStructure;
-
     /**
      * The smallest box among those turned about x, y and z by 0, 1, 2, ... increments below 90 degrees each
      * (thesis §3.4.2): 729 rotations at the default.

@@ -1,7 +1,5 @@
 package starlogo.fitting
 {
-    import starlogo.bounding.BoundingStructure;
-
     /**
      * The smallest box with one axis along z among those turned about z by 0, 1, 2, ... increments below 90 degrees
      * (thesis §3.4.2). For models that only turn about z, which is what a heading does.

@@ -1,7 +1,6 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.triangleTriangle;
 

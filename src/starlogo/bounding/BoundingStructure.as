@@ -289,7 +289,10 @@ package starlogo.bounding
             var x:Number = at.x;
             var y:Number = at.y;
             var z:Number = at.z;
-            return Tolerances.ROUNDING * (size + (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z));
+            x = x < 0 ? -x : x;
+            y = y < 0 ? -y : y;
+            z = z < 0 ? -z : z;
+            return Tolerances.ROUNDING * (size + x + y + z);
         }
 
         /** The error for an <code>out</code> of another kind. */

@@ -196,27 +196,36 @@ package starlogo.bounding
             var sizeX:Number = halfX;
             var sizeY:Number = halfY;
             var sizeZ:Number = halfZ;
-            var distance:Number = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
-            var margin:Number = Tolerances.ROUNDING * (sizeX + sizeY + sizeZ + distance);
-            var alongX:Number = sizeX * axisX.x;
-            var alongY:Number = sizeY * axisY.x;
-            var alongZ:Number = sizeZ * axisZ.x;
-            var reach:Number = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
-                + (alongZ < 0 ? -alongZ : alongZ);
+            // each ternary goes into a local of its own: inside an expression the compiler boxes it
+            var distanceX:Number = x < 0 ? -x : x;
+            var distanceY:Number = y < 0 ? -y : y;
+            var distanceZ:Number = z < 0 ? -z : z;
+            var margin:Number = Tolerances.ROUNDING * (sizeX + sizeY + sizeZ + distanceX + distanceY + distanceZ);
+            var along:Number = axisX.x;
+            var reachX:Number = along < 0 ? -along : along;
+            along = axisY.x;
+            var reachY:Number = along < 0 ? -along : along;
+            along = axisZ.x;
+            var reachZ:Number = along < 0 ? -along : along;
+            var reach:Number = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[offset] = x - reach;
             out[int(offset + 1)] = x + reach;
-            alongX = sizeX * axisX.y;
-            alongY = sizeY * axisY.y;
-            alongZ = sizeZ * axisZ.y;
-            reach = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
-                + (alongZ < 0 ? -alongZ : alongZ);
+            along = axisX.y;
+            reachX = along < 0 ? -along : along;
+            along = axisY.y;
+            reachY = along < 0 ? -along : along;
+            along = axisZ.y;
+            reachZ = along < 0 ? -along : along;
+            reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[int(offset + 2)] = y - reach;
             out[int(offset + 3)] = y + reach;
-            alongX = sizeX * axisX.z;
-            alongY = sizeY * axisY.z;
-            alongZ = sizeZ * axisZ.z;
-            reach = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
-                + (alongZ < 0 ? -alongZ : alongZ);
+            along = axisX.z;
+            reachX = along < 0 ? -along : along;
+            along = axisY.z;
+            reachY = along < 0 ? -along : along;
+            along = axisZ.z;
+            reachZ = along < 0 ? -along : along;
+            reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[int(offset + 4)] = z - reach;
             out[int(offset + 5)] = z + reach;
         }

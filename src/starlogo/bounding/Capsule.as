@@ -144,9 +144,10 @@ package starlogo.bounding
                 maxZ = startZ;
             }
             // the farthest coordinates from 0, added up
-            var distance:Number = (-minX > maxX ? -minX : maxX) + (-minY > maxY ? -minY : maxY)
-                + (-minZ > maxZ ? -minZ : maxZ);
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
+            var distanceX:Number = -minX > maxX ? -minX : maxX;
+            var distanceY:Number = -minY > maxY ? -minY : maxY;
+            var distanceZ:Number = -minZ > maxZ ? -minZ : maxZ;
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + distanceX + distanceY + distanceZ);
             out[offset] = minX - reach;
             out[int(offset + 1)] = maxX + reach;
             out[int(offset + 2)] = minY - reach;

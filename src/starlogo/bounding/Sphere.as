@@ -112,8 +112,10 @@ package starlogo.bounding
             var x:Number = center.x;
             var y:Number = center.y;
             var z:Number = center.z;
-            var distance:Number = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
+            var distanceX:Number = x < 0 ? -x : x;
+            var distanceY:Number = y < 0 ? -y : y;
+            var distanceZ:Number = z < 0 ? -z : z;
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + distanceX + distanceY + distanceZ);
             out[offset] = x - reach;
             out[int(offset + 1)] = x + reach;
             out[int(offset + 2)] = y - reach;

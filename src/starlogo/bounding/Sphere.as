@@ -2,8 +2,11 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A ball: the points no farther than <code>radius</code> from <code>center</code> (thesis §3.3). A radius of 0 makes
@@ -122,6 +125,22 @@ package starlogo.bounding
             out[int(offset + 3)] = y + reach;
             out[int(offset + 4)] = z - reach;
             out[int(offset + 5)] = z + reach;
+        }
+
+        /** @private */
+        override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        {
+            var size:Number = placement.size;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var half:Number = radius * size;
+            out[0] = placement.r00 * x + placement.r01 * y + placement.r02 * z;
+            out[1] = placement.r10 * x + placement.r11 * y + placement.r12 * z;
+            out[2] = placement.r20 * x + placement.r21 * y + placement.r22 * z;
+            out[3] = half;
+            out[4] = half;
+            out[5] = half;
         }
     }
 }

@@ -19,9 +19,6 @@ package standin
         /** <code>(error:*):void</code>: told of what a listener threw, and of error events that nobody listens for. */
         public static var uncaught:Function;
 
-        /** <code>(text:String):void</code>: prints a line. */
-        public static var print:Function;
-
         /** <code>(url:String):ByteArray</code>: a file's bytes; null where there is none. */
         public static var readFile:Function;
 

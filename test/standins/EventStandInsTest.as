@@ -88,7 +88,7 @@ package standins
             {
                 _uncaught.push(String(error));
             };
-            Machine.className = getQualifiedClassName;
+            Machine.className = Machine.className || getQualifiedClassName; // on Adobe's VM this asks the machine
         }
 
         [After]

@@ -21,6 +21,8 @@ var timeoutCount:uint = 0;
 var hasEnded:Boolean = false;
 var status:int = 0;
 
+machine.player = "Adobe's VM (avmshell " + System.getAvmplusVersion() + (System.getRunmode() == "mixed" ? "" : ", " + System.getRunmode()) + ")";
+
 machine.now = function():Number
 {
     return (System.getNanosecondTimer() - startedNs) / 1e6;

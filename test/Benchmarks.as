@@ -34,6 +34,7 @@ package
 
         private function start():void
         {
+            trace("in " + Host.player);
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
         }
 

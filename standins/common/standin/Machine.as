@@ -43,6 +43,9 @@ package standin
         /** <code>(value:*):XML</code>: as describeType. */
         public static var describe:Function;
 
+        /** What it is, and which version of it. */
+        public static var player:String;
+
         /** What the document class finds in loaderInfo.parameters. */
         public static var parameters:Object = {};
 

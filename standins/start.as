@@ -28,6 +28,8 @@ machine.now = function():Number
     return (System.getNanosecondTimer() - startedNs) / 1e6;
 };
 
+machine.timer = System.getTimer;
+
 machine.setTimeout = function(callback:Function, ms:Number):uint
 {
     timeouts.push({id: ++timeoutCount, call: callback, at: machine.now() + ms});

@@ -1,5 +1,5 @@
 /** Stands in for flash.utils.ByteArray: as much of it as the engine and its tests use. */
-import { deflateSync, inflateSync } from "fflate";
+import { inflateSync } from "fflate";
 
 const DEFAULT_ROOM = 64;
 const LATIN_1 = /^(iso-8859-1|latin1|us-ascii)$/i;
@@ -58,6 +58,10 @@ export class ByteArray {
 		this.length = 0;
 	}
 
+	readBoolean() {
+		return this.readUnsignedByte() !== 0;
+	}
+
 	readByte() {
 		return this.#view.getInt8(this.#advance(1));
 	}
@@ -100,8 +104,13 @@ export class ByteArray {
 		return end < 0 ? text : text.slice(0, end);
 	}
 
+	writeBoolean(value) {
+		this.writeByte(value ? 1 : 0);
+	}
+
 	writeByte(value) {
-		this.#view.setInt8(this.#extend(1), value);
+		const at = this.#extend(1);
+		this.#bytes[at] = value;
 	}
 
 	writeShort(value) {
@@ -145,11 +154,6 @@ export class ByteArray {
 		const count = length === 0 ? source.length - offset : length;
 		if (offset + count > source.length) throw new RangeError("Error #2006: The supplied index is out of bounds.");
 		this.#write(source.#bytes.slice(offset, offset + count));
-	}
-
-	deflate() {
-		this.#replace(deflateSync(this.toUint8Array()));
-		this.position = this.#length;
 	}
 
 	/** @throws Error if the bytes are no whole deflated data */

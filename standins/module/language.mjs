@@ -6,27 +6,33 @@
 const closures = new WeakMap();
 
 /** `new Vector.<T>(length)`: zero is what T begins with. */
-export function vector(length, zero) {
+export function $vector(length, zero) {
 	const made = [];
 	for (let i = 0; i < length; i++) made.push(zero);
 	return made;
 }
 
-/** `vector.length = length`. */
-export function resize(vector, length, zero) {
+/** `vector.length = length`, which is the new length as an expression. */
+export function $resize(vector, length, zero) {
 	if (length < vector.length) vector.length = length;
 	for (let i = vector.length; i < length; i++) vector.push(zero);
+	return length;
+}
+
+/** Numbers that a public method takes for a Vector: an array, or a typed array's numbers in one. */
+export function $numbers(list) {
+	return ArrayBuffer.isView(list) ? Array.from(list) : list;
 }
 
 /** What a `for each` goes over: the elements of an array, the values of an object, nothing of null. */
-export function values(list) {
+export function $values(list) {
 	if (Array.isArray(list)) return list;
 	if (list === null || list === undefined) return [];
 	return typeof list[Symbol.iterator] === "function" ? list : Object.values(list);
 }
 
 /** `value is type`. */
-export function is(value, type) {
+export function $is(value, type) {
 	switch (type) {
 		case Object:
 			return value !== null && value !== undefined;
@@ -44,24 +50,24 @@ export function is(value, type) {
 }
 
 /** `value as type`. */
-export function as(value, type) {
-	return is(value, type) ? value : null;
+export function $as(value, type) {
+	return $is(value, type) ? value : null;
 }
 
 /** `Type(value)`. */
-export function cast(value, type) {
+export function $cast(value, type) {
 	if (value === null || value === undefined) return null;
 	if (value instanceof type) return value;
 	throw new TypeError(`Error #1034: Type Coercion failed: cannot convert ${value} to ${type.name}.`);
 }
 
 /** Whether a value has all members of an interface. */
-export function hasMembers(value, names) {
+export function $hasMembers(value, names) {
 	return typeof value === "object" && value !== null && names.every((name) => name in value);
 }
 
 /** A method of an object as a function: the same one each time, as in ActionScript. */
-export function bound(object, name) {
+export function $bound(object, name) {
 	let own = closures.get(object);
 	if (own === undefined) {
 		own = new Map();
@@ -77,7 +83,7 @@ export function bound(object, name) {
 }
 
 /** A value in a variable of type String. */
-export function string(value) {
+export function $string(value) {
 	return value === null || value === undefined ? null : String(value);
 }
 
@@ -86,7 +92,7 @@ const INDEXED = 8;
 const NUMERIC = 16;
 
 /** `array.sort(...)`: with a function, or with the numbers of Array.NUMERIC, DESCENDING and RETURNINDEXEDARRAY. */
-export function sort(array, how = 0) {
+export function $sort(array, how = 0) {
 	if (typeof how === "function") return array.sort((a, b) => Number(how(a, b)));
 	const compare = comparison(how);
 	if ((how & INDEXED) === 0) return array.sort(compare);
@@ -94,7 +100,7 @@ export function sort(array, how = 0) {
 }
 
 /** `array.sortOn(name, options)`. */
-export function sortOn(array, name, how = 0) {
+export function $sortOn(array, name, how = 0) {
 	const compare = comparison(how);
 	return array.sort((a, b) => compare(a[name], b[name]));
 }

@@ -47,6 +47,11 @@ export class FrameListeners extends Array {
 	}
 }
 
+/** Fetches a file as fetchFile does, but hands over a ByteArray. */
+export function fetchBytes(url, onProgress, onDone, onError) {
+	return fetchFile(url, onProgress, (bytes) => onDone(new ByteArray(bytes)), onError);
+}
+
 /**
  * Fetches a file.
  *

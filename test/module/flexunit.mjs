@@ -1,34 +1,39 @@
 /** Stands in for FlexUnit, and for what of Flash only the tests use, where the tests run on the ES module. */
 
+import { deflateRawSync } from "node:zlib";
+
 /** A test can't be run here. */
 export class AssumptionViolatedException extends Error {}
 
-export const Assert = {
-	assertEquals(...args) {
-		const [message, expected, actual] = withMessage(args, 2);
-		if (!(expected == actual)) fail(`${message}expected:<${expected}> but was:<${actual}>`);
-	},
-	assertStrictlyEquals(...args) {
-		const [message, expected, actual] = withMessage(args, 2);
-		if (expected !== actual) fail(`${message}expected:<${expected}> but was:<${actual}>`);
-	},
-	assertTrue(...args) {
-		const [message, value] = withMessage(args, 1);
-		if (!value) fail(`${message}expected true but was false`);
-	},
-	assertFalse(...args) {
-		const [message, value] = withMessage(args, 1);
-		if (value) fail(`${message}expected false but was true`);
-	},
-	assertNull(...args) {
-		const [message, value] = withMessage(args, 1);
-		if (value != null) fail(`${message}object was not null: ${value}`);
-	},
-	assertNotNull(...args) {
-		const [message, value] = withMessage(args, 1);
-		if (value == null) fail(`${message}object was null: ${value}`);
-	},
-};
+export function assertEquals(...args) {
+	const [message, expected, actual] = withMessage(args, 2);
+	if (!(expected == actual)) fail(`${message}expected:<${expected}> but was:<${actual}>`);
+}
+
+export function assertStrictlyEquals(...args) {
+	const [message, expected, actual] = withMessage(args, 2);
+	if (expected !== actual) fail(`${message}expected:<${expected}> but was:<${actual}>`);
+}
+
+export function assertTrue(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (!value) fail(`${message}expected true but was false`);
+}
+
+export function assertFalse(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (value) fail(`${message}expected false but was true`);
+}
+
+export function assertNull(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (value != null) fail(`${message}object was not null: ${value}`);
+}
+
+export function assertNotNull(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (value == null) fail(`${message}object was null: ${value}`);
+}
 
 export function fail(message = "") {
 	throw new Error(message);
@@ -43,7 +48,7 @@ export const waiting = [];
 
 export const Async = {
 	handleEvent(test, target, type, handler, timeout = 500, data = null) {
-		waiting.push(new Promise((resolve, reject) => {
+		const event = new Promise((resolve, reject) => {
 			const timer = setTimeout(() => reject(new Error(`Timeout Occurred before expected event "${type}"`)), timeout);
 			target.addEventListener(type, function listener(event) {
 				target.removeEventListener(type, listener);
@@ -55,12 +60,23 @@ export const Async = {
 					reject(error);
 				}
 			});
-		}));
+		});
+		event.catch(() => {}); // the test may have failed before
+		waiting.push(event);
 	},
 };
 
 /** A class with objects for keys. */
 export class Dictionary extends Map {}
+
+/** Gives ByteArray what only the tests use. */
+export function extendByteArray(ByteArray) {
+	ByteArray.prototype.deflate = function () {
+		const packed = deflateRawSync(this.toUint8Array());
+		this.length = 0;
+		this.writeBytes(new ByteArray(packed));
+	};
+}
 
 export const ExternalInterface = {
 	available: true,

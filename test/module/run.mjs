@@ -24,7 +24,8 @@ const tests = await import(pathToFileURL(path.resolve(positionals[0])));
 tests.Effort.isFull = options.full;
 
 /** Reads a fixture as the player's server gives it. */
-function read(address) {
+function read(url) {
+	const [address] = url.split("?");
 	const mount = mounts.find(([prefix]) => address.startsWith(`${prefix}/`));
 	return mount ? readFileSync(path.join(mount[1], address.slice(mount[0].length))) : null;
 }
@@ -76,6 +77,7 @@ for (const { name, type, metadata } of tests.CLASSES) {
 		problem = error;
 	}
 	for (const each of here) {
+		if (process.env.TRACE) console.log(`${name}.${each.name}`);
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;

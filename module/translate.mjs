@@ -6,7 +6,7 @@
  * getters and setters, `super`, plain arrays for Vectors, short names. All of a program goes into one module scope: classes first,
  * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
  */
-import { parse } from "acorn";
+import { parse, parseExpressionAt } from "acorn";
 
 const LANGUAGE = "org.apache.royale.utils.Language";
 const ENGINE_PREFIX = "starlogo_engine__";
@@ -81,8 +81,9 @@ class Unit {
 		if (name === "ROYALE_REFLECTION_INFO") this.#readTests(value);
 		if (name.startsWith("ROYALE_")) return;
 		const types = isStatic ? this.statics : this.types;
-		const accessor = /^([gs]et)__(.*)$/.exec(name);
+		const accessor = /^(starlogo_engine__)?([gs]et)__(.*)$/.exec(name)?.slice(1);
 		if (accessor) {
+			accessor.splice(0, 3, name, accessor[1], (accessor[0] ?? "") + accessor[2]);
 			const lazy = isStatic ? lazyValue(value) : null;
 			if (lazy) this.staticValues.push({ name: accessor[2], value: lazy });
 			else if (!(isStatic && this.staticValues.some((known) => known.name === accessor[2]))) {
@@ -148,9 +149,11 @@ export class Program {
 	/**
 	 * @param files the compiler's files: { file, source }
 	 * @param externals names of what comes from elsewhere: { "flash.utils.ByteArray": "ByteArray" }
+	 * @param signatures of the public declarations, by qualified name, whose parameters are taken in more forms than ActionScript's
 	 */
-	constructor(files, externals) {
+	constructor(files, externals, signatures = new Map()) {
 		this.externals = externals;
+		this.signatures = signatures;
 		this.used = new Set(); // the names of externals that the text uses
 		for (const { file, source } of files) {
 			for (const unit of unitsOf(file, source)) {
@@ -251,10 +254,9 @@ export class Program {
 
 	#interfaceText(unit) {
 		const names = this.#interfaceMembers(unit).map((name) => JSON.stringify(name));
-		this.used.add("hasMembers");
 		return `${docOf(unit.doc)}class ${this.shortName(unit.qname)} {
     static [Symbol.hasInstance](value) {
-        return hasMembers(value, [${names.join(", ")}]);
+        return ${this.#helper("hasMembers")}(value, [${names.join(", ")}]);
     }
 }`;
 	}
@@ -271,13 +273,15 @@ export class Program {
 			if (isLiteral(field.value)) lines.push(`${docOf(field.doc ?? "")}static ${field.name} = ${this.#text(field.value)};`);
 		}
 		lines.push(this.#constructorText(unit));
+		if (!unit.base) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#member(member.name);
 			if (member.node === null) {
 				lines.push(member.kind === "get" ? `get ${name}() {\n  return super.${name};\n}` : `set ${name}(value) {\n  super.${name} = value;\n}`);
 			} else {
-				lines.push(`${docOf(member.doc)}${prefix}${name}${this.#functionText(member.node, member.doc)}`);
+				const taken = this.#takenIn(member.name, member.kind);
+				lines.push(`${docOf(member.doc)}${prefix}${name}${this.#functionText(member.node, member.doc, taken)}`);
 			}
 		}
 		return `class ${this.shortName(unit.qname)}${base} {\n${indent(lines.filter((line) => line !== "").join("\n\n"))}\n}`;
@@ -285,6 +289,7 @@ export class Program {
 
 	#constructorText(unit) {
 		const { parameters, body } = this.#opened(unit.main, unit.doc);
+		const taken = this.#takenIn(unit.name, "constructor");
 		const fields = unit.fields.filter((field) => !this.#isSetAnyway(field, body));
 		const initial = fields.map((field) => `this.${this.#member(field.name)} = ${this.#text(field.value)};`);
 		let statements;
@@ -296,9 +301,9 @@ export class Program {
 			const call = this.#text(body[at]);
 			const held = [...this.#beforeSuper].map(([name, local]) => `this.${name} = ${local};`);
 			this.#beforeSuper = null;
-			statements = [...early, call, ...initial, ...held, ...this.#statements(body.slice(at + 1))];
+			statements = [...taken, ...early, call, ...initial, ...held, ...this.#statements(body.slice(at + 1))];
 		} else {
-			statements = [...initial, ...this.#statements(body)];
+			statements = [...taken, ...initial, ...this.#statements(body)];
 		}
 		this.#scopes.pop();
 		if (statements.length === 0 && parameters === "") return "";
@@ -311,9 +316,21 @@ export class Program {
 			!/this|arguments/.test(this.#unit.source.slice(statement.expression.right.start, statement.expression.right.end)));
 	}
 
-	#functionText(node, doc) {
+	// Statements by which a public method takes typed arrays for Vectors, and any bytes for a ByteArray.
+	#takenIn(name, kind) {
+		const type = this.signatures.get(this.#unit.qname);
+		const member = type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
+		return (member?.parameters ?? []).flatMap((parameter) => {
+			if (/^Vector\.<(Number|int|uint)>$/.test(parameter.type) && parameter.name !== "out") {
+				return [`${parameter.name} = ${this.#helper("numbers")}(${parameter.name});`];
+			}
+			return parameter.type === "ByteArray" ? [`${parameter.name} = ${this.#reference("flash.utils.ByteArray")}.from(${parameter.name});`] : [];
+		});
+	}
+
+	#functionText(node, doc, taken = []) {
 		const { parameters, body } = this.#opened(node, doc);
-		const statements = this.#statements(body);
+		const statements = [...taken, ...this.#statements(body)];
 		this.#scopes.pop();
 		const lines = statements.map((line) => `  ${line.replaceAll("\n", "\n  ")}`);
 		return lines.length === 0 ? `(${parameters}) {\n}` : `(${parameters}) {\n${lines.join("\n")}\n}`;
@@ -369,8 +386,7 @@ export class Program {
 		for (let i = 0; i < body.length; i++) {
 			const each = forEach(body[i], body[i + 1]);
 			if (each) {
-				this.used.add("values");
-				lines.push(`for (${each.isDeclared ? "var " : ""}${this.#text(each.variable)} of values(${this.#text(each.over)})) ${this.#text(each.body)}`);
+				lines.push(`for (${each.isDeclared ? "var " : ""}${this.#text(each.variable)} of ${this.#helper("values")}(${this.#text(each.over)})) ${this.#text(each.body)}`);
 				i++;
 			} else if (body[i].type !== "EmptyStatement") {
 				lines.push(this.#text(body[i]));
@@ -448,8 +464,13 @@ export class Program {
 			return external;
 		}
 		if (BUILT_IN.has(qname)) return qname;
-		this.used.add("missing");
-		return `missing(${JSON.stringify(qname)})`;
+		return `${this.#helper("missing")}(${JSON.stringify(qname)})`;
+	}
+
+	// A function of the language's stand-in, by a name that no ActionScript has.
+	#helper(name) {
+		this.used.add(`$${name}`);
+		return `$${name}`;
 	}
 
 	// The definition that a path of names begins with, and the rest of the path.
@@ -488,6 +509,8 @@ export class Program {
 
 	#assignmentText(node) {
 		const left = node.left;
+		const rest = this.#restOfLogicalAssignment(node);
+		if (rest) return `${this.#text(left)} = ${this.#text(left)} ${rest.operator} (${rest.text})`;
 		if (left.type !== "MemberExpression") return null;
 		const isLength = left.property.name === "length" && left.object.type === "MemberExpression" && left.object.computed &&
 			pathOf(left.object.property).startsWith(`${LANGUAGE}.`);
@@ -496,8 +519,7 @@ export class Program {
 			const right = this.#text(node.right).replace(/^\((.*)\) >>> 0$/, "$1");
 			const length = node.operator === "=" ? right : `${this.#text(vector)}.length ${node.operator.slice(0, -1)} ${right}`;
 			if (length === "0") return `${this.#text(vector)}.length = 0`;
-			this.used.add("resize");
-			return `resize(${this.#text(vector)}, ${length}, ${this.#zeroOf(this.#elementOf(this.#typeOf(vector), vector))})`;
+			return `${this.#helper("resize")}(${this.#text(vector)}, ${length}, ${this.#zeroOf(this.#elementOf(this.#typeOf(vector), vector))})`;
 		}
 		if (left.computed && this.#typeOf(left.object) === "flash.utils.Dictionary") {
 			return `${this.#text(left.object)}.set(${this.#text(left.property)}, ${this.#text(node.right)})`;
@@ -510,6 +532,23 @@ export class Program {
 			return `${this.#text(left.object)}.setByte(${this.#text(left.property)}, ${this.#text(node.right)})`;
 		}
 		return null;
+	}
+
+	// The compiler writes "a ||= b ? c : d" as "a = a || b ? c : d", which is something else.
+	#restOfLogicalAssignment(node) {
+		const source = this.#unit.source;
+		const target = source.slice(node.left.start, node.left.end);
+		const value = source.slice(node.right.start, node.right.end);
+		const operator = [" || ", " && "].find((each) => value.startsWith(target + each));
+		if (node.operator !== "=" || !operator) return null;
+		const inner = parseExpressionAt(value, target.length + operator.length, { ecmaVersion: 2022, preserveParens: true });
+		const isAsWritten = node.right.type === "LogicalExpression" && node.right.operator === operator.trim() && source.slice(node.right.left.start, node.right.left.end) === target;
+		if (isAsWritten) return null;
+		const unit = this.#unit;
+		this.#unit = Object.create(unit, { source: { value } });
+		const text = this.#text(inner);
+		this.#unit = unit;
+		return { operator: operator.trim(), text };
 	}
 
 	#earlyFieldText(node) {
@@ -526,8 +565,7 @@ export class Program {
 		const type = vectorType(node.callee);
 		if (type === null) return null;
 		if (node.arguments.length === 0) return "[]";
-		this.used.add("vector");
-		return `vector(${this.#text(node.arguments[0])}, ${this.#zeroOf(type)})`;
+		return `${this.#helper("vector")}(${this.#text(node.arguments[0])}, ${this.#zeroOf(type)})`;
 	}
 
 	#callText(node) {
@@ -539,9 +577,8 @@ export class Program {
 			if (base.accessor) return base.accessor === "get" ? `super.${this.#member(base.name)}` : `super.${this.#member(base.name)} = ${list}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
-		if (node.callee.property?.name === "sort" && args.length === 1 && this.#typeOf(node.callee.object).startsWith("Array.<")) {
-			this.used.add("sort");
-			return `sort(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
+		if (node.callee.property?.name === "sort" && args.length === 1) {
+			return `${this.#helper("sort")}(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
 		}
 		const vector = node.callee.type === "MemberExpression" ? vectorType(node.callee.object) : null;
 		if (vector !== null) {
@@ -559,8 +596,7 @@ export class Program {
 			case "trace":
 				return `console.log(${args.map((each) => this.#text(each)).join(", ")})`;
 			case "closure":
-				this.used.add("bound");
-				return `bound(${this.#text(args[1])}, ${JSON.stringify(this.#member(args[2].value))})`;
+				return `${this.#helper("bound")}(${this.#text(args[1])}, ${JSON.stringify(this.#member(args[2].value))})`;
 			case "is":
 			case "as": {
 				const type = this.#text(args[1]);
@@ -568,15 +604,12 @@ export class Program {
 				const isCast = helper === "as" && args[2]?.value === true;
 				if (isClass && helper === "is") return `(${first} instanceof ${type})`;
 				if (isClass && !isCast && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : null)`;
-				const name = isCast ? "cast" : helper;
-				this.used.add(name);
-				return `${name}(${first}, ${type})`;
+				return `${this.#helper(isCast ? "cast" : helper)}(${first}, ${type})`;
 			}
 			case "string":
 			case "sort":
 			case "sortOn":
-				this.used.add(helper);
-				return `${helper}(${args.map((each) => this.#text(each)).join(", ")})`;
+				return `${this.#helper(helper)}(${args.map((each) => this.#text(each)).join(", ")})`;
 			default:
 				throw new Error(`${path} is not known`);
 		}

@@ -21,10 +21,14 @@ var timeoutCount:uint = 0;
 var hasEnded:Boolean = false;
 var status:int = 0;
 
+machine.player = "Adobe's VM (avmshell " + System.getAvmplusVersion() + (System.getRunmode() == "mixed" ? "" : ", " + System.getRunmode()) + ")";
+
 machine.now = function():Number
 {
     return (System.getNanosecondTimer() - startedNs) / 1e6;
 };
+
+machine.timer = System.getTimer;
 
 machine.setTimeout = function(callback:Function, ms:Number):uint
 {

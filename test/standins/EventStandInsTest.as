@@ -64,7 +64,7 @@ package standins
         public function standInForTheMachine():void
         {
             _machine = {};
-            for each (var name:String in ["now", "setTimeout", "clearTimeout", "uncaught", "className"])
+            for each (var name:String in ["now", "timer", "setTimeout", "clearTimeout", "uncaught", "className"])
             {
                 _machine[name] = Machine[name];
             }
@@ -75,6 +75,7 @@ package standins
             {
                 return _now;
             };
+            Machine.timer = null;
             Machine.setTimeout = function(callback:Function, ms:Number):uint
             {
                 _pending.push({callback: callback, at: _now + ms});
@@ -105,7 +106,7 @@ package standins
         private function pass(ms:Number):void
         {
             var end:Number = _now + ms;
-            for (; ; )
+            while (true)
             {
                 var next:Object = null;
                 for each (var pending:Object in _pending)
@@ -242,6 +243,11 @@ package standins
         {
             var called:Array = [];
             assertEquals(1000, standin.flash.utils.getTimer());
+            Machine.timer = function():int
+            {
+                return 7;
+            };
+            assertEquals(7, standin.flash.utils.getTimer());
             standin.flash.utils.setTimeout(function(a:int, b:String):void
                 {
                     called.push(a + b);

@@ -10,6 +10,12 @@ package standin
         /** <code>():Number</code>: milliseconds from some moment on, with fractions. */
         public static var now:Function;
 
+        /**
+         * <code>():int</code>: whole milliseconds; null is those of <code>now</code>. Adobe's VM puts each Number that a Function
+         * returns on the heap, and no int.
+         */
+        public static var timer:Function = null;
+
         /** <code>(callback:Function, ms:Number):uint</code>: calls back once, when so many milliseconds are over. */
         public static var setTimeout:Function;
 
@@ -42,6 +48,9 @@ package standin
 
         /** <code>(value:*):XML</code>: as describeType. */
         public static var describe:Function;
+
+        /** What it is, and which version of it. */
+        public static var player:String;
 
         /** What the document class finds in loaderInfo.parameters. */
         public static var parameters:Object = {};

@@ -5,6 +5,6 @@ package flash.utils
     /** Milliseconds since some moment. */
     public function getTimer():int
     {
-        return int(Machine.now());
+        return Machine.timer == null ? int(Machine.now()) : Machine.timer();
     }
 }

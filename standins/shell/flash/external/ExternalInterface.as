@@ -22,6 +22,8 @@ package flash.external
                     return Machine.now();
                 case "headless.memory":
                     return Machine.memory();
+                case "headless.player":
+                    return Machine.player;
                 case "headless.writeFile":
                     return Machine.writeFile(args[0], args[1]);
                 case "headless.exit":

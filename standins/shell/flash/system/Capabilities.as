@@ -1,12 +1,11 @@
 package flash.system
 {
-    /** On what the program runs. */
+    /** The shell has one itself, which knows less, and takes its own: this is for the compiler. */
     public final class Capabilities
     {
-        /** Instead of the player's version: what this is. */
         public static function get version():String
         {
-            return "Adobe's VM (avmshell)";
+            return null;
         }
     }
 }

@@ -23,19 +23,18 @@ export function translate(folder, signatures, externals = {}) {
 /** The text of the stand-ins and of what they take from npm. */
 export function standinsText() {
 	const imports = new Map();
-	const texts = FILES.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import \{ (.*) \} from "(\w+)";\n/gm, (_, names, from) => {
+	const texts = FILES.map((file) => readFileSync(join(standins, file), "utf8").replaceAll(/^import \{ (.*) \} from "([\w./-]+)";\n/gm, (_, names, from) => {
 		imports.set(from, [...(imports.get(from) ?? []), ...names.split(", ")]);
 		return "";
 	}).replaceAll(/^export /gm, ""));
 	return `${bundled(imports)}\n${texts.join("\n")}`;
 }
 
-/** What is imported from npm, with nothing exported. */
+/** What is imported from npm, in a scope of its own. */
 function bundled(imports) {
 	const contents = [...imports].map(([from, names]) => `export { ${names.join(", ")} } from "${from}";`).join("\n");
-	const result = buildSync({ stdin: { contents, resolveDir: here }, bundle: true, write: false, format: "esm", target: "es2022", legalComments: "none" });
-	return result.outputFiles[0].text.replaceAll(/^\/\/ .*\n/gm, "").replace(/export \{([^}]*)\};\s*$/, (_, list) => list.split(",").map((each) => each.trim().split(" as "))
-		.filter(([, name]) => name).map(([local, name]) => `const ${name} = ${local};\n`).join(""));
+	const result = buildSync({ stdin: { contents, resolveDir: here }, bundle: true, write: false, format: "iife", globalName: "npm", target: "es2022", legalComments: "none" });
+	return `${result.outputFiles[0].text}const { ${[...imports.values()].flat().join(", ")} } = npm;\n`;
 }
 
 /** Sets the stand-ins' machine up; nothing of it is looked at before it is needed. */

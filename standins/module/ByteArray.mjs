@@ -1,5 +1,5 @@
 /** Stands in for flash.utils.ByteArray: as much of it as the engine and its tests use. */
-import { inflateSync } from "fflate";
+import { Inflate } from "pako/lib/inflate.js";
 
 const DEFAULT_ROOM = 64;
 const LATIN_1 = /^(iso-8859-1|latin1|us-ascii)$/i;
@@ -159,11 +159,10 @@ export class ByteArray {
 	/** @throws Error if the bytes are no whole deflated data */
 	inflate() {
 		if (this.#length > 0) {
-			try {
-				this.#replace(inflateSync(this.toUint8Array()));
-			} catch {
-				throw new Error("Error #2058: There was an error decompressing the data.");
-			}
+			const inflate = new Inflate({ raw: true });
+			inflate.push(this.toUint8Array(), true);
+			if (inflate.err !== 0 || !inflate.ended) throw new Error("Error #2058: There was an error decompressing the data.");
+			this.#replace(inflate.result);
 		}
 		this.position = 0;
 	}

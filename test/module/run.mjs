@@ -6,7 +6,7 @@
  *
  * TESTS is what the build made of the engine and the tests together.
  */
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
@@ -15,7 +15,7 @@ import { NOT_HERE } from "./not-here.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: "string", default: "" }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] } },
+	options: { test: { type: "string", default: "" }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
 });
 const mounts = options.mount.map((mount) => mount.split("="));
 const [classPattern, methodPattern = ""] = options.test.split(/[.#]/);
@@ -45,6 +45,9 @@ tests.setFetch((url, onProgress, onDone, onError) => {
 	});
 	return () => clearTimeout(timer);
 });
+
+/** A test that takes longer is named. */
+const SLOW_MS = 3000;
 
 let passed = 0;
 let failed = 0;
@@ -77,7 +80,6 @@ for (const { name, type, metadata } of tests.CLASSES) {
 		problem = error;
 	}
 	for (const each of here) {
-		if (process.env.TRACE) console.log(`${name}.${each.name}`);
 		const start = performance.now();
 		const error = problem ?? await run(type, each, methods);
 		const ms = performance.now() - start;
@@ -87,7 +89,7 @@ for (const { name, type, metadata } of tests.CLASSES) {
 			failed++;
 			console.log(`FAILED ${name.split(".").pop()}.${each.name}: ${error.stack ?? error}`);
 		}
-		if (ms > 1000) console.log(`  ${name.split(".").pop()}.${each.name}: ${(ms / 1000).toFixed(1)} s`);
+		if (ms > SLOW_MS) console.log(`  ${name.split(".").pop()}.${each.name}: ${(ms / 1000).toFixed(1)} s`);
 	}
 	for (const each of methods("AfterClass")) await type[each.name]();
 }
@@ -120,4 +122,8 @@ if (passed + failed === 0) {
 	console.log("FAILED: no test was run");
 }
 console.log(`on the ES module, in Node ${process.versions.node}: ${passed} passed, ${failed} failed, ${skipped} skipped, ${leftOut} not run here, in ${((performance.now() - started) / 1000).toFixed(1)} s`);
+if (options.summary) {
+	const [before, failedBefore, skippedBefore] = readFileSync(options.summary, "utf8").match(/\d+/g).map(Number);
+	writeFileSync(options.summary, `${before + passed} passed, ${failedBefore + failed} failed, ${skippedBefore + skipped} skipped\n`);
+}
 process.exitCode = failed === 0 ? 0 : 1;

@@ -274,7 +274,7 @@ package standins
             var random:SeededRandom = new SeededRandom(12);
             for (var round:int = 0; round < 60; round++)
             {
-                var dispatcher:* = new of.EventDispatcher();
+                var dispatcher:* = new of["EventDispatcher"]();
                 var listeners:Array = [];
                 var heard:Array = [];
                 for (var i:int = 0; i < 8; i++)
@@ -298,7 +298,7 @@ package standins
                 for each (type in ["a", "b", "toString", "none"])
                 {
                     to.note("has " + type, [dispatcher.hasEventListener(type), dispatcher.willTrigger(type)]);
-                    var event:* = new of.Event(type, random.chance(), random.chance());
+                    var event:* = new of["Event"](type, random.chance(), random.chance());
                     to.note("dispatch " + type, [dispatcher.dispatchEvent(event), heard, event.isDefaultPrevented()]);
                     to.note("again", [dispatcher.dispatchEvent(event), heard, event.target == dispatcher]);
                 }
@@ -341,10 +341,10 @@ package standins
 
         private function eventCalls(of:Object, to:Transcript):void
         {
-            for each (var event:* in [new of.Event("a"), new of.Event("a", true, true), new of.TextEvent("t", true, false, "text"),
-                        new of.ErrorEvent("e", false, true, "wrong", 7), new of.IOErrorEvent("i", false, false, "lost", 8),
-                        new of.SecurityErrorEvent("s", false, false, "no", 9), new of.ProgressEvent("p", false, false, 3, 10), new of.TimerEvent("t"),
-                        new of.AsyncErrorEvent("y", false, false, "late", null)])
+            for each (var event:* in [new of["Event"]("a"), new of["Event"]("a", true, true), new of["TextEvent"]("t", true, false, "text"),
+                        new of["ErrorEvent"]("e", false, true, "wrong", 7), new of["IOErrorEvent"]("i", false, false, "lost", 8),
+                        new of["SecurityErrorEvent"]("s", false, false, "no", 9), new of["ProgressEvent"]("p", false, false, 3, 10), new of["TimerEvent"]("t"),
+                        new of["AsyncErrorEvent"]("y", false, false, "late", null)])
             {
                 for each (var each:* in [event, event.clone()])
                 {
@@ -354,13 +354,13 @@ package standins
                     to.note("its own", ["text" in each ? each.text : "", "errorID" in each ? each.errorID : 0]);
                 }
             }
-            var dispatcher:* = new of.EventDispatcher();
-            var owner:* = new of.EventDispatcher(dispatcher);
+            var dispatcher:* = new of["EventDispatcher"]();
+            var owner:* = new of["EventDispatcher"](dispatcher);
             owner.addEventListener("a", function(event:*):void
                 {
                     to.note("target of another", [event.target == dispatcher, event.currentTarget == dispatcher]);
                 });
-            owner.dispatchEvent(new of.Event("a"));
+            owner.dispatchEvent(new of["Event"]("a"));
             to.note("text", String(dispatcher));
             for each (var constant:String in ["COMPLETE", "ENTER_FRAME", "OPEN", "ADDED_TO_STAGE", "CANCEL", "CHANGE", "RESIZE", "UNLOAD"])
             {
@@ -386,10 +386,10 @@ package standins
             {
                 to.attempt("a delay of " + delay, function():*
                     {
-                        return new of.Timer(delay);
+                        return new of["Timer"](delay);
                     });
             }
-            var timer:* = new of.Timer(5000, 3);
+            var timer:* = new of["Timer"](5000, 3);
             to.note("made", [timer.delay, timer.repeatCount, timer.currentCount, timer.running]);
             timer.start();
             timer.delay = 6000;

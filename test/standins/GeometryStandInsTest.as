@@ -247,7 +247,7 @@ package standins
 
         private function vector(of:Object):*
         {
-            return new of.Vector3D(_random.between(-4, 4), _random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2));
+            return new of["Vector3D"](_random.between(-4, 4), _random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2));
         }
 
         private function numbers(count:int):Vector.<Number>
@@ -262,17 +262,17 @@ package standins
 
         private function vectorCalls(of:Object, to:Transcript):void
         {
-            var a:* = new of.Vector3D(number(), number(), number(), number());
-            var b:* = new of.Vector3D(number(), number(), number(), number());
+            var a:* = new of["Vector3D"](number(), number(), number(), number());
+            var b:* = new of["Vector3D"](number(), number(), number(), number());
             var s:Number = number();
-            to.note("made", [a, b, new of.Vector3D(), new of.Vector3D(s), of.Vector3D.X_AXIS, of.Vector3D.Y_AXIS, of.Vector3D.Z_AXIS]);
+            to.note("made", [a, b, new of["Vector3D"](), new of["Vector3D"](s), of.Vector3D.X_AXIS, of.Vector3D.Y_AXIS, of.Vector3D.Z_AXIS]);
             to.note("text", [a.toString(), String(b)]);
             to.note("angleBetween", of.Vector3D.angleBetween(a, b));
             to.note("distance", of.Vector3D.distance(a, b));
             to.note("length", [a.length, a.lengthSquared]);
             to.note("add, subtract", [a.add(b), a.subtract(b)]);
             to.note("products", [a.dotProduct(b), a.crossProduct(b)]);
-            to.note("equals", [a.equals(b), a.equals(a.clone(), true), a.equals(new of.Vector3D(a.x, a.y, a.z, s), true)]);
+            to.note("equals", [a.equals(b), a.equals(a.clone(), true), a.equals(new of["Vector3D"](a.x, a.y, a.z, s), true)]);
             to.note("nearEquals", [a.nearEquals(b, 1), a.nearEquals(b, 5), a.nearEquals(b, 5, true), a.nearEquals(a, 1, true)]);
             for each (var change:Array in [["incrementBy", b], ["decrementBy", b], ["scaleBy", s], ["copyFrom", b], ["setTo", 1, s, 3],
                         ["negate"], ["project"], ["normalize"]])
@@ -284,7 +284,7 @@ package standins
 
         private function affine(of:Object):*
         {
-            var matrix:* = new of.Matrix3D();
+            var matrix:* = new of["Matrix3D"]();
             matrix.appendScale(_random.between(0.2, 3), _random.between(0.2, 3), _random.pick([-1, 1, 2.5]));
             matrix.appendRotation(_random.between(-160, 160), vector(of));
             matrix.appendTranslation(number(), number(), number());
@@ -293,9 +293,9 @@ package standins
 
         private function matrixCalls(of:Object, to:Transcript):void
         {
-            var matrix:* = _random.chance() ? affine(of) : new of.Matrix3D(numbers(16));
+            var matrix:* = _random.chance() ? affine(of) : new of["Matrix3D"](numbers(16));
             var other:* = affine(of);
-            to.note("made", [matrix, new of.Matrix3D(), matrix.position]);
+            to.note("made", [matrix, new of["Matrix3D"](), matrix.position]);
             to.note("determinant", matrix.determinant);
             var axis:* = _random.pick([of.Vector3D.X_AXIS, of.Vector3D.Y_AXIS, of.Vector3D.Z_AXIS, vector(of)]);
             var pivot:* = _random.pick([null, vector(of)]);
@@ -324,7 +324,7 @@ package standins
         {
             var isTransposed:Boolean = _random.chance();
             var index:int = _random.integer(0, 3);
-            var matrix:* = new of.Matrix3D(numbers(16));
+            var matrix:* = new of["Matrix3D"](numbers(16));
             to.note("copyRawDataFrom", [matrix.copyRawDataFrom(numbers(16 + index), index, isTransposed), matrix]);
             var long:Vector.<Number> = numbers(20);
             to.note("copyRawDataTo", [matrix.copyRawDataTo(long, index, isTransposed), long, matrix]);
@@ -336,7 +336,7 @@ package standins
                 var point:* = vector(of);
                 to.note(name, [matrix[name](place, point), point, matrix]);
             }
-            var copy:* = new of.Matrix3D();
+            var copy:* = new of["Matrix3D"]();
             to.note("copyToMatrix3D", [matrix.copyToMatrix3D(copy), copy]);
             copy.rawData = numbers(16);
             var raw:Vector.<Number> = copy.rawData;
@@ -351,7 +351,7 @@ package standins
             {
                 var parts:* = matrix.decompose(style);
                 to.note("decompose " + style, parts);
-                var composed:* = new of.Matrix3D(numbers(16));
+                var composed:* = new of["Matrix3D"](numbers(16));
                 to.note("recompose " + style, [composed.recompose(parts, style), composed]);
                 parts[2].x = 0;
                 to.note("no scale, " + style, [composed.recompose(parts, style), composed]);
@@ -364,14 +364,14 @@ package standins
 
         private function degenerateCalls(of:Object, to:Transcript):void
         {
-            var none:* = new of.Vector3D();
+            var none:* = new of["Vector3D"]();
             var matrix:* = affine(of);
             for each (var length:int in [0, 3, 15, 17])
             {
-                to.note("made of " + length, new of.Matrix3D(numbers(length)));
+                to.note("made of " + length, new of["Matrix3D"](numbers(length)));
             }
             for each (var change:Array in [["appendRotation", 30, none], ["prependRotation", 30, none, vector(of)],
-                        ["appendRotation", NaN, vector(of)], ["appendRotation", 30, new of.Vector3D(NaN, 0, 0)], ["append", null],
+                        ["appendRotation", NaN, vector(of)], ["appendRotation", 30, new of["Vector3D"](NaN, 0, 0)], ["append", null],
                         ["prepend", null], ["appendRotation", 30, null], ["copyFrom", null], ["copyToMatrix3D", null], ["copyRawDataFrom", null],
                         ["copyRawDataTo", null], ["copyRawDataFrom", numbers(15)], ["copyRawDataFrom", numbers(18), 3], ["copyRawDataFrom", numbers(2), 3],
                         ["copyRawDataTo", new Vector.<Number>(15, true)], ["appendScale", 0, 1, 1], ["prependScale", 1, 1, 0], ["appendScale", NaN, 1, 1],
@@ -398,7 +398,7 @@ package standins
             var flat:* = affine(of);
             flat.appendRotation(0, none);
             to.note("a flat one has no inverse", [flat.invert(), flat, flat.decompose()]);
-            var notNumbers:* = new of.Matrix3D();
+            var notNumbers:* = new of["Matrix3D"]();
             notNumbers.appendScale(NaN, 1, 1);
             to.note("nor one of no numbers", [notNumbers.invert(), notNumbers]);
             for each (change in [["add", null], ["dotProduct", null], ["crossProduct", null], ["copyFrom", null], ["equals", null]])
@@ -408,7 +408,7 @@ package standins
                         return none[change[0]].apply(none, change.slice(1));
                     });
             }
-            var lost:* = new of.Vector3D(NaN, 1, 2);
+            var lost:* = new of["Vector3D"](NaN, 1, 2);
             to.note("no number", [lost.normalize(), lost, lost.equals(lost), none.normalize(), none, String(lost)]);
             none.project();
             to.note("w = 0", none);
@@ -416,17 +416,17 @@ package standins
 
         private function planarCalls(of:Object, to:Transcript):void
         {
-            var a:* = new of.Point(number(), number());
-            var b:* = new of.Point(number(), number());
-            to.note("points", [a, b, new of.Point(), String(a), a.length, a.add(b), a.subtract(b), a.equals(b), a.equals(a.clone())]);
+            var a:* = new of["Point"](number(), number());
+            var b:* = new of["Point"](number(), number());
+            to.note("points", [a, b, new of["Point"](), String(a), a.length, a.add(b), a.subtract(b), a.equals(b), a.equals(a.clone())]);
             to.note("statics", [of.Point.distance(a, b), of.Point.interpolate(a, b, 0.3), of.Point.polar(2, 0.7)]);
             for each (var change:Array in [["offset", 1, 2], ["copyFrom", b], ["setTo", 3, 4], ["normalize", 5]])
             {
                 var point:* = a.clone();
                 to.note(change[0], [point[change[0]].apply(point, change.slice(1)), point]);
             }
-            var r:* = new of.Rectangle(number(), number(), number(), number());
-            var s:* = new of.Rectangle(number(), number(), number(), number());
+            var r:* = new of["Rectangle"](number(), number(), number(), number());
+            var s:* = new of["Rectangle"](number(), number(), number(), number());
             to.note("rectangles", [r, String(r), r.left, r.right, r.top, r.bottom, r.topLeft, r.bottomRight, r.size, r.isEmpty()]);
             to.note("questions", [r.contains(a.x, a.y), r.containsPoint(b), r.containsRect(s), r.containsRect(r), r.intersects(s), r.equals(s)]);
             to.note("both", [r.intersection(s), r.union(s), r.clone()]);

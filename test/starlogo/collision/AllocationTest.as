@@ -22,8 +22,8 @@ package starlogo.collision
         // takes more than twenty. Memory grows by pages, and a call of a function that has closures allocates its scope.
         private static const NOTHING:Number = 2.5 * AGENTS * FRAMES;
 
-        // Adobe's VM: one page in all, and for update what it tells the handlers
-        private static const PAGE:Number = 4096;
+        // Adobe's VM: some pages in all, which are less than one object a frame, of 16 bytes; and for update what it tells the handlers
+        private static const PAGES:Number = 3 * 4096;
         private static const UPDATE:Number = 256 * FRAMES;
 
         private var _greatLand:GreatLand;
@@ -134,7 +134,7 @@ package starlogo.collision
                 });
             assertTrue("some collide", found.length > 0);
             trace("  " + String(collider) + ": " + grown / FRAMES + " bytes a search, " + inUpdate / FRAMES + " an update");
-            assertTrue(grown + " bytes in " + FRAMES + " searches", grown <= PAGE);
+            assertTrue(grown + " bytes in " + FRAMES + " searches", grown <= PAGES);
         }
 
         // Back and forth, so that the crowd stays as it is.

@@ -30,6 +30,7 @@ package
         private var _land:Land;
         private var _cast:Cast;
         private var _show:Show;
+        private var _monitor:CollisionMonitor = null;
         private var _caption:TextField = new TextField();
         private var _frames:int;
         private var _frame:int = 0;
@@ -44,16 +45,17 @@ package
             stage.align = StageAlign.TOP_LEFT;
             stage.frameRate = 60;
             _frames = int(loaderInfo.parameters["frames"]);
-            _land = new Land(stage.stageWidth, stage.stageHeight);
+            _land = new Land();
             addChild(_land);
             _caption.defaultTextFormat = new TextFormat("_sans", 17, 0xffffff, null, null, null, null, null, null, null, null, null, 6);
             _caption.filters = [new DropShadowFilter(1, 90, 0x16301c, 1, 4, 4, 3)];
             _caption.autoSize = TextFieldAutoSize.LEFT;
             _caption.selectable = false;
             _caption.x = 22;
-            _caption.y = stage.stageHeight - 72;
             _caption.text = "loading ...";
             addChild(_caption);
+            stage.addEventListener(Event.RESIZE, onResize);
+            layOut();
             _cast = new Cast(_land, start, fail);
         }
 
@@ -64,12 +66,27 @@ package
             Host.exit(1);
         }
 
+        private function onResize(event:Event):void
+        {
+            layOut();
+        }
+
+        private function layOut():void
+        {
+            _land.resize(stage.stageWidth, stage.stageHeight);
+            _caption.y = stage.stageHeight - 72;
+            if (_monitor != null)
+            {
+                _monitor.x = stage.stageWidth - _monitor.width - 12;
+            }
+        }
+
         private function start():void
         {
             _show = loaderInfo.parameters["scene"] == "models" ? new Parade(_land, _cast) : new Game(_land, _cast);
-            var monitor:CollisionMonitor = new CollisionMonitor(_show.collision);
-            monitor.x = stage.stageWidth - monitor.width - 12;
-            addChild(monitor);
+            _monitor = new CollisionMonitor(_show.collision);
+            addChild(_monitor);
+            layOut();
             stage.addEventListener(KeyboardEvent.KEY_DOWN, onKeyDown);
             stage.addEventListener(KeyboardEvent.KEY_UP, onKeyUp);
             addEventListener(Event.ENTER_FRAME, onEnterFrame);

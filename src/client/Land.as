@@ -36,14 +36,9 @@ package client
         private var _shadow:Geometry = new RegularPolygonGeometry(0.5, 24);
         private var _shade:ColorMaterial = new ColorMaterial(0x12300c, 0.3);
 
-        /**
-         * @param width of the view, in pixels
-         * @param height of the view, in pixels
-         */
-        public function Land(width:Number, height:Number)
+        /** A land without anybody. */
+        public function Land()
         {
-            _view.width = width;
-            _view.height = height;
             _view.backgroundColor = SKY;
             _view.antiAlias = 4;
             _view.camera.lens = new PerspectiveLens(50);
@@ -59,6 +54,13 @@ package client
             _view.scene.addChild(sun);
             _lights = new StaticLightPicker([sun]);
             addGround();
+        }
+
+        /** Sets the view's size, in pixels. */
+        public function resize(width:Number, height:Number):void
+        {
+            _view.width = width;
+            _view.height = height;
         }
 
         /** Shows an object. */

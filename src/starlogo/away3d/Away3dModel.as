@@ -18,7 +18,7 @@ package starlogo.away3d
      * <p>Vertices at equal positions are one, since Away3D's parsers and primitives repeat them for their normals; those that no
      * triangle uses are left out. Triangles are counter-clockwise seen from where Away3D shows them.</p>
      *
-     * <p>20,000 vertices take about a quarter of a second in Ruffle: an Away3dModelReader reads them while a game runs.</p>
+     * <p>20,000 vertices with their triangles take about a quarter of a second in Ruffle: an Away3dModelReader reads them while a game runs.</p>
      */
     public final class Away3dModel extends Model
     {

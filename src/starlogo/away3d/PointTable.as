@@ -9,22 +9,28 @@ package starlogo.away3d
         public var coordinates:Vector.<Number> = new Vector.<Number>();
 
         // one more than the number of the point in each slot, 0 where there is none
-        private var _slots:Vector.<int> = new Vector.<int>(64);
+        private var _slots:Vector.<int>;
         private var _count:int = 0;
         private var _bits:ByteArray = new ByteArray();
 
-        /** A table without points. */
-        public function PointTable()
+        /**
+         * A table without points, with all the room that it will need: making room later would take long at once.
+         *
+         * @param most how many points there may be at most
+         */
+        public function PointTable(most:int)
         {
+            var size:int = 2;
+            while (size < 2 * most)
+            {
+                size *= 2;
+            }
+            _slots = new Vector.<int>(size, true);
         }
 
         /** The number of the point at a place; it is added if there is none. */
         public function indexOf(x:Number, y:Number, z:Number):int
         {
-            if (2 * _count >= _slots.length)
-            {
-                grow();
-            }
             var slot:int = slotOf(x, y, z);
             if (_slots[slot] == 0)
             {
@@ -66,16 +72,6 @@ package starlogo.away3d
                 hash = (hash ^ hash >>> 15 ^ _bits.readInt()) * 69069;
             }
             return hash ^ hash >>> 15;
-        }
-
-        private function grow():void
-        {
-            _slots = new Vector.<int>(2 * _slots.length);
-            for (var point:int = 0; point < _count; point++)
-            {
-                var slot:int = slotOf(coordinates[3 * point], coordinates[3 * point + 1], coordinates[3 * point + 2]);
-                _slots[slot] = point + 1;
-            }
         }
     }
 }

@@ -19,7 +19,7 @@ package starlogo.away3d
         private var _parts:Vector.<GeometryPart> = new Vector.<GeometryPart>();
         private var _hasTriangles:Boolean = false;
         private var _work:StepSequence = new StepSequence().call(collect).repeat(readSome);
-        private var _points:PointTable = new PointTable();
+        private var _points:PointTable;
         private var _triangles:Vector.<uint> = new Vector.<uint>();
 
         // How many parts are done, and of the one that is next: its data, how far it is read, and for each vertex the number
@@ -69,10 +69,13 @@ package starlogo.away3d
         private function collect():void
         {
             add(_source);
+            var most:int = 0;
             for each (var part:GeometryPart in _parts)
             {
+                most += part.geometry.numVertices;
                 _hasTriangles ||= part.geometry.numTriangles > 0;
             }
+            _points = new PointTable(most);
         }
 
         private function add(source:Object):void

@@ -173,7 +173,7 @@ package starlogo.away3d
         // Our readers keep a file's vertices apart where they are at one place.
         private static function weldedModel(model:Model):Model
         {
-            var points:PointTable = new PointTable();
+            var points:PointTable = new PointTable(model.vertices.length / 3);
             var triangles:Vector.<uint> = new Vector.<uint>();
             for each (var vertex:uint in model.triangles)
             {

@@ -100,7 +100,8 @@ package starlogo.broadphase
             if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || isBeyondReach(proxy))
             {
                 var distance:Number = Math.abs(proxy.x) + Math.abs(proxy.y) + Math.abs(proxy.z);
-                level = levelFor(Math.max(4 * half, 2 * distance / BinLevel.REACH, MIN_WIDTH));
+                // two by two: Math.max of three makes an Array
+                level = levelFor(Math.max(Math.max(4 * half, 2 * distance / BinLevel.REACH), MIN_WIDTH));
                 proxy.level = level;
             }
             var padding:Number = level.padding;

@@ -45,7 +45,7 @@ package starlogo.collision
         private var _foundRecords:Vector.<AgentRecord> = null;
         private var _foundLength:int = 0;
         private var _skippedPairs:int = 0;
-        private var _spherePairs:int = 0;
+        private var _shapePairs:int = 0;
         private var _boxPairs:int = 0;
         private var _memberCount:int = 0;
         private var _loadingCount:int = 0;
@@ -126,8 +126,10 @@ package starlogo.collision
         /** @inheritDoc */
         override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
         {
-            var interests:Vector.<Boolean> = _interests;
-            var row:int = proxy.breedIndex * _breedCount;
+            if (_interests != null)
+            {
+                count = keepInteresting(proxy, others, count);
+            }
             // untyped, the cheapest of casts
             var untyped:* = proxy;
             var shape:WorldShape = untyped;
@@ -135,30 +137,29 @@ package starlogo.collision
             var x:Number = shape.x;
             var y:Number = shape.y;
             var z:Number = shape.z;
+            var reachZ:Number = shape.reachZ;
             var radius:Number = shape.radius;
             var box:Box = shape.box;
+            var boxFacesOnly:Boolean = _boxFacesOnly;
             var agent:Agent = shape.agent;
             var listIndex:int = shape.listIndex;
             var found:Vector.<Agent> = _found;
-            var foundRecords:Vector.<AgentRecord> = _foundRecords;
             var length:int = _foundLength;
+            if (box != null)
+            {
+                if (shape.placedRevision != shape.revision)
+                {
+                    shape.placeStructure();
+                }
+            }
             for (var i:int = 0; i < count; i++)
             {
                 untyped = others[i];
                 var other:WorldShape = untyped;
-                if (interests != null)
-                {
-                    if (!interests[int(row + other.breedIndex)])
-                    {
-                        _skippedPairs++;
-                        continue;
-                    }
-                }
                 var dz:Number = z - other.z;
                 if (isSphere && other.isSphere)
                 {
                     // without a call, like the next
-                    _spherePairs++;
                     var dx:Number = x - other.x;
                     var dy:Number = y - other.y;
                     var radii:Number = radius + other.radius;
@@ -169,7 +170,8 @@ package starlogo.collision
                 }
                 else
                 {
-                    var reach:Number = shape.reachZ + other.reachZ;
+                    _shapePairs++;
+                    var reach:Number = reachZ + other.reachZ;
                     if (dz > reach || dz < -reach)
                     {
                         continue;
@@ -178,15 +180,11 @@ package starlogo.collision
                     if (box != null && otherBox != null)
                     {
                         _boxPairs++;
-                        if (shape.placedRevision != shape.revision)
-                        {
-                            shape.placeStructure();
-                        }
                         if (other.placedRevision != other.revision)
                         {
                             other.placeStructure();
                         }
-                        if (!boxBox(box, otherBox, _boxFacesOnly))
+                        if (!boxBox(box, otherBox, boxFacesOnly))
                         {
                             continue;
                         }
@@ -197,25 +195,56 @@ package starlogo.collision
                     }
                 }
                 // as the list has them
-                var isLater:Boolean = listIndex > other.listIndex;
                 if (found == null)
                 {
-                    foundRecords[length] = isLater ? other : shape;
-                    foundRecords[int(length + 1)] = isLater ? shape : other;
+                    keepRecords(shape, other, length);
                 }
-                else if (isLater)
-                {
-                    found[length] = other.agent;
-                    found[int(length + 1)] = agent;
-                }
-                else
+                else if (listIndex < other.listIndex)
                 {
                     found[length] = agent;
                     found[int(length + 1)] = other.agent;
                 }
+                else
+                {
+                    found[length] = other.agent;
+                    found[int(length + 1)] = agent;
+                }
                 length += 2;
             }
             _foundLength = length;
+        }
+
+        private function keepRecords(shape:WorldShape, other:WorldShape, place:int):void
+        {
+            if (shape.listIndex < other.listIndex)
+            {
+                _foundRecords[place] = shape;
+                _foundRecords[int(place + 1)] = other;
+            }
+            else
+            {
+                _foundRecords[place] = other;
+                _foundRecords[int(place + 1)] = shape;
+            }
+        }
+
+        // Of those that a proxy may meet, the ones of breeds that count; they move to the beginning.
+        private function keepInteresting(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):int
+        {
+            var interests:Vector.<Boolean> = _interests;
+            var row:int = proxy.breedIndex * _breedCount;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:AgentProxy = others[i];
+                if (interests[int(row + other.breedIndex)])
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            _skippedPairs += count - kept;
+            return kept;
         }
 
         // One of the two is null.
@@ -234,14 +263,14 @@ package starlogo.collision
                 fillBins();
             }
             _strategy.resetCounts();
-            _interests = interests == null ? null : interests.pairs;
+            _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
             _boxFacesOnly = _strategy.boxFacesOnly;
             _found = found;
             _foundRecords = foundRecords;
             _foundLength = 0;
             _skippedPairs = 0;
-            _spherePairs = 0;
+            _shapePairs = 0;
             _boxPairs = 0;
             _bins.findPairs(this, _somebodyLeft);
             _somebodyLeft = false;
@@ -267,7 +296,7 @@ package starlogo.collision
             _statistics.agentsLoading = _loadingCount;
             _statistics.binEntries = _bins.entryCount;
             _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
-            _statistics.sphereSphereTests = _spherePairs;
+            _statistics.sphereSphereTests = _statistics.candidatePairs - _shapePairs;
             _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);
             _statistics.collisions = _foundLength >> 1;

@@ -13,6 +13,9 @@ package client
     public final class Character
     {
         private static const LINES:uint = 0xffd21f;
+        // how thick the lines are
+        private static const STRUCTURE:Number = 1.5;
+        private static const LEVEL:Number = 0.9;
         private static const SHADOW_HEIGHT:Number = 0.04;
         private static const COVER:Number = 0.7;
 
@@ -84,13 +87,13 @@ package client
         /** Shows a structure as a wireframe. */
         public function showStructure(structure:BoundingStructure):void
         {
-            newWireframe().showStructure(structure);
+            newWireframe(STRUCTURE).showStructure(structure);
         }
 
         /** Shows a level of a hierarchy as a wireframe. */
         public function showLevel(root:HierarchyNode, level:int):void
         {
-            newWireframe().showLevel(root, level);
+            newWireframe(LEVEL).showLevel(root, level);
         }
 
         /** Shows no wireframe. */
@@ -112,10 +115,10 @@ package client
             _land.hide(_shadow);
         }
 
-        private function newWireframe():Away3dWireframe
+        private function newWireframe(thickness:Number):Away3dWireframe
         {
             hideWireframe();
-            _wireframe = new Away3dWireframe(agent, LINES, 1.5);
+            _wireframe = new Away3dWireframe(agent, LINES, thickness);
             _land.show(_wireframe);
             return _wireframe;
         }

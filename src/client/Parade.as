@@ -52,7 +52,7 @@ package client
         /** @inheritDoc */
         public function get caption():String
         {
-            return "The twelve models and the tightest structure of each\n0: structures   1 to 9: levels of their hierarchies";
+            return "The twelve models, with what collides in place of each\n0: the tightest structures   1 to 9: levels of their hierarchies";
         }
 
         /** @inheritDoc */

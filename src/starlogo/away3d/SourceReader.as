@@ -189,12 +189,12 @@ package starlogo.away3d
         private function readTriangles(part:GeometryPart, end:int):void
         {
             var isMirrored:Boolean = part.place.isMirrored;
-            var count:int = _pointOf.length;
+            var count:uint = _pointOf.length;
             for (var i:int = _next; i < end; i += 3)
             {
-                var a:int = _indices[i];
-                var b:int = _indices[i + (isMirrored ? 1 : 2)];
-                var c:int = _indices[i + (isMirrored ? 2 : 1)];
+                var a:uint = _indices[i];
+                var b:uint = _indices[i + (isMirrored ? 1 : 2)];
+                var c:uint = _indices[i + (isMirrored ? 2 : 1)];
                 if (Math.max(a, b, c) >= count)
                 {
                     throw error("triangle " + i / 3 + " of a sub-geometry names vertex " + Math.max(a, b, c) + ", the last one is "

@@ -311,6 +311,8 @@ package starlogo.away3d
             assertThrows(ModelError, /must be a finite number, not NaN/, make, "thing", part);
             part.updateIndexData(new <uint>[0, 1, 7]);
             assertThrows(ModelError, /triangle 0 .* names vertex 7, the last one is 2/, make, "thing", part);
+            part.updateIndexData(new <uint>[0, uint.MAX_VALUE, 2]);
+            assertThrows(ModelError, /triangle 0 .* names vertex 4294967295/, make, "thing", part);
             part.updateVertexData(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0]);
             part.updateIndexData(new <uint>[0, 1, 2]);
             part.vertexData.length = 8;

@@ -327,7 +327,7 @@ def main():
         print("| %s | %d | %d | %s |" % (entry["name"], counts["records"], counts["drawn again"], " | ".join(
             "%d" % round(100 * counts[name] / max(1, counts[name, "all"])) for name, _ in FAMILIES)), flush=True)
         manifest["files"].append(dict(name=entry["name"], file=entry["file"], count=counts["records"],
-                                      touching=sum(counts[name] for name, _ in FAMILIES), normals=counts["normals"]))
+                                      touching=int(sum(counts[name] for name, _ in FAMILIES)), normals=int(counts["normals"])))
         if arguments.every == 1:
             with open(os.path.join(arguments.out, entry["file"]), "wb") as out:
                 out.write(payload)

@@ -84,41 +84,40 @@ package starlogo.motion
                 gap:Number, latest:Number):Number
         {
             var times:TouchingTimes = _times;
-            times.first = 0;
-            times.last = latest;
+            times.begin(latest);
             var xx:Number = _xx < 0 ? -_xx : _xx;
             var xy:Number = _xy < 0 ? -_xy : _xy;
             var xz:Number = _xz < 0 ? -_xz : _xz;
-            if (times.areSeparated(x, _wayX, (aX + bX * xx + bY * xy + bZ * xz) * Tolerances.TOUCHING + gap))
+            if (times.areSeparated(x, _wayX, aX + bX * xx + bY * xy + bZ * xz, gap))
             {
                 return Way.NEVER;
             }
             var yx:Number = _yx < 0 ? -_yx : _yx;
             var yy:Number = _yy < 0 ? -_yy : _yy;
             var yz:Number = _yz < 0 ? -_yz : _yz;
-            if (times.areSeparated(y, _wayY, (aY + bX * yx + bY * yy + bZ * yz) * Tolerances.TOUCHING + gap))
+            if (times.areSeparated(y, _wayY, aY + bX * yx + bY * yy + bZ * yz, gap))
             {
                 return Way.NEVER;
             }
             var zx:Number = _zx < 0 ? -_zx : _zx;
             var zy:Number = _zy < 0 ? -_zy : _zy;
             var zz:Number = _zz < 0 ? -_zz : _zz;
-            if (times.areSeparated(z, _wayZ, (aZ + bX * zx + bY * zy + bZ * zz) * Tolerances.TOUCHING + gap))
+            if (times.areSeparated(z, _wayZ, aZ + bX * zx + bY * zy + bZ * zz, gap))
             {
                 return Way.NEVER;
             }
             if (times.areSeparated(x * _xx + y * _yx + z * _zx, _wayAlongX,
-                        (bX + aX * xx + aY * yx + aZ * zx) * Tolerances.TOUCHING + gap))
+                        bX + aX * xx + aY * yx + aZ * zx, gap))
             {
                 return Way.NEVER;
             }
             if (times.areSeparated(x * _xy + y * _yy + z * _zy, _wayAlongY,
-                        (bY + aX * xy + aY * yy + aZ * zy) * Tolerances.TOUCHING + gap))
+                        bY + aX * xy + aY * yy + aZ * zy, gap))
             {
                 return Way.NEVER;
             }
             if (times.areSeparated(x * _xz + y * _yz + z * _zz, _wayAlongZ,
-                        (bZ + aX * xz + aY * yz + aZ * zz) * Tolerances.TOUCHING + gap))
+                        bZ + aX * xz + aY * yz + aZ * zz, gap))
             {
                 return Way.NEVER;
             }
@@ -157,7 +156,7 @@ package starlogo.motion
             r = r < 0 ? -r : r;
             if (sizeY + sizeZ > SHORTEST
                     && times.areSeparated(z * pY - y * pZ, _wayZ * pY - _wayY * pZ,
-                        (aY * sizeZ + aZ * sizeY + q + r) * Tolerances.TOUCHING + gap * (sizeY + sizeZ)))
+                        aY * sizeZ + aZ * sizeY + q + r, gap * (sizeY + sizeZ)))
             {
                 return true;
             }
@@ -167,7 +166,7 @@ package starlogo.motion
             r = r < 0 ? -r : r;
             if (sizeX + sizeZ > SHORTEST
                     && times.areSeparated(x * pZ - z * pX, _wayX * pZ - _wayZ * pX,
-                        (aZ * sizeX + aX * sizeZ + q + r) * Tolerances.TOUCHING + gap * (sizeX + sizeZ)))
+                        aZ * sizeX + aX * sizeZ + q + r, gap * (sizeX + sizeZ)))
             {
                 return true;
             }
@@ -177,7 +176,7 @@ package starlogo.motion
             r = r < 0 ? -r : r;
             return sizeX + sizeY > SHORTEST
                 && times.areSeparated(y * pX - x * pY, _wayY * pX - _wayX * pY,
-                    (aX * sizeY + aY * sizeX + q + r) * Tolerances.TOUCHING + gap * (sizeX + sizeY));
+                    aX * sizeY + aY * sizeX + q + r, gap * (sizeX + sizeY));
         }
 
         // The length below which a cross product is rounding: the edges are parallel (Tolerances.PARALLEL).

@@ -50,13 +50,11 @@ package starlogo.motion
             _a.supportInto(_polygonA, -_x, -_y, -_z);
             _b.supportInto(_polygonB, _x, _y, _z);
             _polygonA.findCommonPoint(_polygonB, _x, _y, _z);
-            // along the normal, half way between the one's surface and the other's
+            // as far out as the middle between the one's surface and the other's
+            out.x = _polygonA.x - radius / 2 * _x;
+            out.y = _polygonA.y - radius / 2 * _y;
+            out.z = _polygonA.z - radius / 2 * _z;
             var depth:Number = _depth + radius;
-            var above:Number = (_polygonA.x - _b.x) * _x + (_polygonA.y - _b.y) * _y + (_polygonA.z - _b.z) * _z;
-            var missing:Number = _b.reach(_x, _y, _z) - depth / 2 - above;
-            out.x = _polygonA.x + missing * _x;
-            out.y = _polygonA.y + missing * _y;
-            out.z = _polygonA.z + missing * _z;
             out.depth = depth > 0 ? depth : 0;
         }
 

@@ -29,6 +29,12 @@ package starlogo.motion
         {
         }
 
+        /** Takes all points away. */
+        public function clear():void
+        {
+            _end = 0;
+        }
+
         /** Becomes a point. */
         public function begin(x:Number, y:Number, z:Number):void
         {
@@ -68,7 +74,8 @@ package starlogo.motion
         }
 
         /**
-         * Finds a point that this and another have in common, seen along a normal: the middle of what they have in common.
+         * Finds a point that this and another have in common, seen along a normal: the middle of what they have in common, and half way
+         * between the two.
          *
          * @param other in the same plane, or in one parallel to it
          * @param x the normal
@@ -77,6 +84,7 @@ package starlogo.motion
          */
         public function findCommonPoint(other:Polygon, x:Number, y:Number, z:Number):void
         {
+            var heights:Number = along(_points, x, y, z) + along(other._points, x, y, z);
             if (_end == 3)
             {
                 takeMiddle(_points, 3);
@@ -97,6 +105,15 @@ package starlogo.motion
             {
                 takeCrossing(_points, other._points);
             }
+            var height:Number = heights / 2 - (x * this.x + y * this.y + z * this.z);
+            this.x += height * x;
+            this.y += height * y;
+            this.z += height * z;
+        }
+
+        private static function along(points:Vector.<Number>, x:Number, y:Number, z:Number):Number
+        {
+            return points[0] * x + points[1] * y + points[2] * z;
         }
 
         private function takeMiddle(points:Vector.<Number>, end:int):void

@@ -75,10 +75,10 @@ package starlogo.motion
         public function reach(x:Number, y:Number, z:Number):Number
         {
             var sum:Number = 0;
-            for (var i:int = 0, at:int = 0; at < end; i++, at += 3)
+            for (var at:int = 0; at < end; at += 3)
             {
                 var along:Number = directions[at] * x + directions[int(at + 1)] * y + directions[int(at + 2)] * z;
-                sum += _halves[i] * Math.abs(along);
+                sum += _halves[int(at / 3)] * Math.abs(along);
             }
             return sum;
         }
@@ -87,12 +87,12 @@ package starlogo.motion
         public function supportInto(polygon:Polygon, x:Number, y:Number, z:Number):void
         {
             polygon.begin(this.x, this.y, this.z);
-            for (var i:int = 0, at:int = 0; at < end; i++, at += 3)
+            for (var at:int = 0; at < end; at += 3)
             {
                 var dx:Number = directions[at];
                 var dy:Number = directions[int(at + 1)];
                 var dz:Number = directions[int(at + 2)];
-                var half:Number = _halves[i];
+                var half:Number = _halves[int(at / 3)];
                 var along:Number = dx * x + dy * y + dz * z;
                 if (along > Tolerances.DIRECTION)
                 {

@@ -33,6 +33,24 @@ package starlogo.motion
         {
         }
 
+        /**
+         * Makes it the touch of the same structures in the other order, where not the second is displaced, but the first by as much the
+         * other way.
+         *
+         * @param x how far that is
+         * @param y likewise
+         * @param z likewise
+         */
+        public function turn(x:Number, y:Number, z:Number):void
+        {
+            this.x += x;
+            this.y += y;
+            this.z += z;
+            normalX = -normalX;
+            normalY = -normalY;
+            normalZ = -normalZ;
+        }
+
         /** Sets the normal to a vector, of any length but 0. */
         internal function pointAlong(x:Number, y:Number, z:Number):void
         {

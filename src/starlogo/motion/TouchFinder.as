@@ -71,12 +71,7 @@ package starlogo.motion
                 case 9:
                     // the other way round, and back
                     find(b, a, -x, -y, -z, out);
-                    out.x += x;
-                    out.y += y;
-                    out.z += z;
-                    out.normalX = -out.normalX;
-                    out.normalY = -out.normalY;
-                    out.normalZ = -out.normalZ;
+                    out.turn(x, y, z);
                     return;
                 default:
                     throw new ArgumentError("there is no contact for " + a + " and " + b);

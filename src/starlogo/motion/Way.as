@@ -59,6 +59,17 @@ package starlogo.motion
             z = (to - from) * of.z;
         }
 
+        /** Makes it the way of the other structure, while this one stands still. */
+        public function turn(way:Way):void
+        {
+            x = -way.x;
+            y = -way.y;
+            z = -way.z;
+            startX = -way.startX;
+            startY = -way.startY;
+            startZ = -way.startZ;
+        }
+
         /** Whether it leads nowhere, or so near that the square of its length vanishes. */
         public function get isPoint():Boolean
         {

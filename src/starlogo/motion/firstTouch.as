@@ -55,14 +55,8 @@ import starlogo.motion.Way;
 
 const TURNED:Way = new Way();
 
-/** The way of the other one, where this one stands still. */
 function turned(way:Way):Way
 {
-    TURNED.startX = -way.startX;
-    TURNED.startY = -way.startY;
-    TURNED.startZ = -way.startZ;
-    TURNED.x = -way.x;
-    TURNED.y = -way.y;
-    TURNED.z = -way.z;
+    TURNED.turn(way);
     return TURNED;
 }

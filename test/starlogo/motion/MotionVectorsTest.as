@@ -78,7 +78,7 @@ package starlogo.motion
                 var way:Way = vectors.way;
                 var label:String = vectors.index + " (" + vectors.family + ")";
                 var time:Number = firstTouch(vectors.a, vectors.b, way);
-                turn(way, back);
+                back.turn(way);
                 var timeBack:Number = firstTouch(vectors.b, vectors.a, back);
                 var isTouching:Boolean = vectors.time == vectors.time;
                 if ((time <= 1) != isTouching || (timeBack <= 1) != isTouching)
@@ -126,16 +126,6 @@ package starlogo.motion
             assertEquals(wrong.slice(0, 20).join("\n"), 0, wrong.length);
             assertTrue("touches: " + touching, touching > 0.4 * count && touching < 0.8 * count);
             assertTrue("normals: " + normals, normals > 0.5 * touching);
-        }
-
-        private static function turn(way:Way, back:Way):void
-        {
-            back.startX = -way.startX;
-            back.startY = -way.startY;
-            back.startZ = -way.startZ;
-            back.x = -way.x;
-            back.y = -way.y;
-            back.z = -way.z;
         }
 
         private static function distance(touch:Touch, vectors:MotionVectors, sign:Number):Number

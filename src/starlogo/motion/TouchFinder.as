@@ -46,6 +46,13 @@ package starlogo.motion
          */
         public function find(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, out:Touch):void
         {
+            if (a.kind > b.kind)
+            {
+                // the other way round, and back
+                find(b, a, -x, -y, -z, out);
+                out.turn(x, y, z);
+                return;
+            }
             switch (a.kind << 2 | b.kind)
             {
                 case 0:
@@ -65,13 +72,6 @@ package starlogo.motion
                     return;
                 case 10:
                     _deep.find(a, b, 0, x, y, z, out);
-                    return;
-                case 4:
-                case 8:
-                case 9:
-                    // the other way round, and back
-                    find(b, a, -x, -y, -z, out);
-                    out.turn(x, y, z);
                     return;
                 default:
                     throw new ArgumentError("there is no contact for " + a + " and " + b);

@@ -26,15 +26,21 @@ package starlogo.agents
             _lastUse = ++sUses;
         }
 
-        /** Notes a use: a search, a frame. */
-        public function noteUse():void
+        /**
+         * Notes a use: a search, a frame.
+         *
+         * @return whether agents may have dropped the user's records since the last
+         */
+        public function noteUse():Boolean
         {
-            var absence:int = 2 * (++sUses - _lastUse);
+            var away:int = ++sUses - _lastUse;
+            var absence:int = 2 * away;
             if (absence > sAbsence)
             {
                 sAbsence = absence < LONGEST_ABSENCE ? absence : LONGEST_ABSENCE;
             }
             _lastUse = sUses;
+            return away > SHORTEST_ABSENCE;
         }
 
         /** Makes all its records void. */

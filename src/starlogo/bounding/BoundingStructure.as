@@ -3,8 +3,11 @@ package starlogo.bounding
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import flash.errors.IllegalOperationError;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A simple solid that encloses a model: what the collision systems test in its place (thesis §3.3).
@@ -135,6 +138,21 @@ package starlogo.bounding
         public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
             throw missing("extentsInto");
+        }
+
+        /**
+         * Writes the extents that this structure has where a placement puts it, without putting it there: the middle, as seen
+         * from the placement's position, and half the lengths. They stay while an agent only moves. Allocates nothing.
+         *
+         * @param placement where the model stands; its position does not count
+         * @param out takes six numbers: x, y, z of the middle, half the lengths along x, y, z, widened like extentsInto's
+         *     but for the rounding of the position
+         *
+         * @private
+         */
+        engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        {
+            throw missing("turnedExtentsInto");
         }
 
         /**
@@ -289,7 +307,10 @@ package starlogo.bounding
             var x:Number = at.x;
             var y:Number = at.y;
             var z:Number = at.z;
-            return Tolerances.ROUNDING * (size + (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z));
+            x = x < 0 ? -x : x;
+            y = y < 0 ? -y : y;
+            z = z < 0 ? -z : z;
+            return Tolerances.ROUNDING * (size + x + y + z);
         }
 
         /** The error for an <code>out</code> of another kind. */

@@ -2,8 +2,11 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A box of any orientation: the points that are, along each of three axes, no farther from <code>center</code> than
@@ -196,29 +199,110 @@ package starlogo.bounding
             var sizeX:Number = halfX;
             var sizeY:Number = halfY;
             var sizeZ:Number = halfZ;
-            var distance:Number = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
-            var margin:Number = Tolerances.ROUNDING * (sizeX + sizeY + sizeZ + distance);
-            var alongX:Number = sizeX * axisX.x;
-            var alongY:Number = sizeY * axisY.x;
-            var alongZ:Number = sizeZ * axisZ.x;
-            var reach:Number = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
-                + (alongZ < 0 ? -alongZ : alongZ);
+            // each ternary goes into a local of its own: inside an expression the compiler boxes it
+            var distanceX:Number = x < 0 ? -x : x;
+            var distanceY:Number = y < 0 ? -y : y;
+            var distanceZ:Number = z < 0 ? -z : z;
+            var margin:Number = Tolerances.ROUNDING * (sizeX + sizeY + sizeZ + distanceX + distanceY + distanceZ);
+            var along:Number = axisX.x;
+            var reachX:Number = along < 0 ? -along : along;
+            along = axisY.x;
+            var reachY:Number = along < 0 ? -along : along;
+            along = axisZ.x;
+            var reachZ:Number = along < 0 ? -along : along;
+            var reach:Number = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[offset] = x - reach;
             out[int(offset + 1)] = x + reach;
-            alongX = sizeX * axisX.y;
-            alongY = sizeY * axisY.y;
-            alongZ = sizeZ * axisZ.y;
-            reach = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
-                + (alongZ < 0 ? -alongZ : alongZ);
+            along = axisX.y;
+            reachX = along < 0 ? -along : along;
+            along = axisY.y;
+            reachY = along < 0 ? -along : along;
+            along = axisZ.y;
+            reachZ = along < 0 ? -along : along;
+            reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[int(offset + 2)] = y - reach;
             out[int(offset + 3)] = y + reach;
-            alongX = sizeX * axisX.z;
-            alongY = sizeY * axisY.z;
-            alongZ = sizeZ * axisZ.z;
-            reach = margin + (alongX < 0 ? -alongX : alongX) + (alongY < 0 ? -alongY : alongY)
-                + (alongZ < 0 ? -alongZ : alongZ);
+            along = axisX.z;
+            reachX = along < 0 ? -along : along;
+            along = axisY.z;
+            reachY = along < 0 ? -along : along;
+            along = axisZ.z;
+            reachZ = along < 0 ? -along : along;
+            reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[int(offset + 4)] = z - reach;
             out[int(offset + 5)] = z + reach;
+        }
+
+        /** @private */
+        override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        {
+            var size:Number = placement.size;
+            var r00:Number = placement.r00;
+            var r01:Number = placement.r01;
+            var r02:Number = placement.r02;
+            var r10:Number = placement.r10;
+            var r11:Number = placement.r11;
+            var r12:Number = placement.r12;
+            var r20:Number = placement.r20;
+            var r21:Number = placement.r21;
+            var r22:Number = placement.r22;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            out[0] = r00 * x + r01 * y + r02 * z;
+            out[1] = r10 * x + r11 * y + r12 * z;
+            out[2] = r20 * x + r21 * y + r22 * z;
+            x = x < 0 ? -x : x;
+            y = y < 0 ? -y : y;
+            z = z < 0 ? -z : z;
+            var half:Number = halfX * size;
+            var margin:Number = x + y + z + half;
+
+            // axis by axis, how far the box reaches along x, y and z
+            var vector:Vector3D = axisX;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            var along:Number = half * (r00 * x + r01 * y + r02 * z);
+            var reachX:Number = along < 0 ? -along : along;
+            along = half * (r10 * x + r11 * y + r12 * z);
+            var reachY:Number = along < 0 ? -along : along;
+            along = half * (r20 * x + r21 * y + r22 * z);
+            var reachZ:Number = along < 0 ? -along : along;
+            half = halfY * size;
+            margin += half;
+            vector = axisY;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            along = half * (r00 * x + r01 * y + r02 * z);
+            along = along < 0 ? -along : along;
+            reachX += along;
+            along = half * (r10 * x + r11 * y + r12 * z);
+            along = along < 0 ? -along : along;
+            reachY += along;
+            along = half * (r20 * x + r21 * y + r22 * z);
+            along = along < 0 ? -along : along;
+            reachZ += along;
+            half = halfZ * size;
+            margin += half;
+            vector = axisZ;
+            x = vector.x;
+            y = vector.y;
+            z = vector.z;
+            along = half * (r00 * x + r01 * y + r02 * z);
+            along = along < 0 ? -along : along;
+            reachX += along;
+            along = half * (r10 * x + r11 * y + r12 * z);
+            along = along < 0 ? -along : along;
+            reachY += along;
+            along = half * (r20 * x + r21 * y + r22 * z);
+            along = along < 0 ? -along : along;
+            reachZ += along;
+            margin *= Tolerances.ROUNDING;
+            out[3] = reachX + margin;
+            out[4] = reachY + margin;
+            out[5] = reachZ + margin;
         }
 
         private static function isWithin(axis:Vector3D, x:Number, y:Number, z:Number, half:Number):Boolean

@@ -2,8 +2,11 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A ball swept along a segment: the points no farther than <code>radius</code> from the segment between
@@ -144,15 +147,53 @@ package starlogo.bounding
                 maxZ = startZ;
             }
             // the farthest coordinates from 0, added up
-            var distance:Number = (-minX > maxX ? -minX : maxX) + (-minY > maxY ? -minY : maxY)
-                + (-minZ > maxZ ? -minZ : maxZ);
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
+            var distanceX:Number = -minX > maxX ? -minX : maxX;
+            var distanceY:Number = -minY > maxY ? -minY : maxY;
+            var distanceZ:Number = -minZ > maxZ ? -minZ : maxZ;
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + distanceX + distanceY + distanceZ);
             out[offset] = minX - reach;
             out[int(offset + 1)] = maxX + reach;
             out[int(offset + 2)] = minY - reach;
             out[int(offset + 3)] = maxY + reach;
             out[int(offset + 4)] = minZ - reach;
             out[int(offset + 5)] = maxZ + reach;
+        }
+
+        /** @private */
+        override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        {
+            var size:Number = placement.size;
+            var x:Number = (start.x + end.x) / 2 * size;
+            var y:Number = (start.y + end.y) / 2 * size;
+            var z:Number = (start.z + end.z) / 2 * size;
+            var r00:Number = placement.r00;
+            var r01:Number = placement.r01;
+            var r02:Number = placement.r02;
+            var r10:Number = placement.r10;
+            var r11:Number = placement.r11;
+            var r12:Number = placement.r12;
+            var r20:Number = placement.r20;
+            var r21:Number = placement.r21;
+            var r22:Number = placement.r22;
+            out[0] = r00 * x + r01 * y + r02 * z;
+            out[1] = r10 * x + r11 * y + r12 * z;
+            out[2] = r20 * x + r21 * y + r22 * z;
+            var distance:Number = Math.abs(x) + Math.abs(y) + Math.abs(z);
+            x = (end.x - start.x) / 2 * size;
+            y = (end.y - start.y) / 2 * size;
+            z = (end.z - start.z) / 2 * size;
+            var reach:Number = radius * size;
+            distance += Math.abs(x) + Math.abs(y) + Math.abs(z);
+            reach += Tolerances.ROUNDING * (reach + distance);
+            var along:Number = r00 * x + r01 * y + r02 * z;
+            along = along < 0 ? -along : along;
+            out[3] = along + reach;
+            along = r10 * x + r11 * y + r12 * z;
+            along = along < 0 ? -along : along;
+            out[4] = along + reach;
+            along = r20 * x + r21 * y + r22 * z;
+            along = along < 0 ? -along : along;
+            out[5] = along + reach;
         }
     }
 }

@@ -139,8 +139,10 @@ package starlogo.bounding
 
         private static function writeExtent(from:Number, to:Number, reach:Number, out:Vector.<Number>, offset:int):void
         {
-            out[offset] = (from < to ? from : to) - reach;
-            out[offset + 1] = (from < to ? to : from) + reach;
+            var low:Number = from < to ? from : to;
+            var high:Number = from < to ? to : from;
+            out[offset] = low - reach;
+            out[int(offset + 1)] = high + reach;
         }
     }
 }

@@ -2,8 +2,11 @@ package starlogo.bounding
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
+
+    use namespace engine;
 
     /**
      * A ball: the points no farther than <code>radius</code> from <code>center</code> (thesis §3.3). A radius of 0 makes
@@ -112,14 +115,32 @@ package starlogo.bounding
             var x:Number = center.x;
             var y:Number = center.y;
             var z:Number = center.z;
-            var distance:Number = (x < 0 ? -x : x) + (y < 0 ? -y : y) + (z < 0 ? -z : z);
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + distance);
+            var distanceX:Number = x < 0 ? -x : x;
+            var distanceY:Number = y < 0 ? -y : y;
+            var distanceZ:Number = z < 0 ? -z : z;
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + distanceX + distanceY + distanceZ);
             out[offset] = x - reach;
             out[int(offset + 1)] = x + reach;
             out[int(offset + 2)] = y - reach;
             out[int(offset + 3)] = y + reach;
             out[int(offset + 4)] = z - reach;
             out[int(offset + 5)] = z + reach;
+        }
+
+        /** @private */
+        override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
+        {
+            var size:Number = placement.size;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var half:Number = radius * size;
+            out[0] = placement.r00 * x + placement.r01 * y + placement.r02 * z;
+            out[1] = placement.r10 * x + placement.r11 * y + placement.r12 * z;
+            out[2] = placement.r20 * x + placement.r21 * y + placement.r22 * z;
+            out[3] = half;
+            out[4] = half;
+            out[5] = half;
         }
     }
 }

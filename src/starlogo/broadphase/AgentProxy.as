@@ -3,6 +3,10 @@ package starlogo.broadphase
     import starlogo.agents.Agent;
     import starlogo.agents.AgentRecord;
     import starlogo.agents.CacheToken;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * An agent as the broad phase sees it: its extents in the world, and its place in the bins. Plain fields, because the
@@ -18,31 +22,34 @@ package starlogo.broadphase
         /** The placement's extentsRevision that they belong to. */
         public var extentsRevision:int = -1;
 
+        /** Where the agent's model is, in its own hands. */
+        public var placement:Placement;
+
+        /** From the placement's position to the middle of the extents: stays while the agent only moves. */
+        public var offsetX:Number = 0;
+
+        /** @copy #offsetX */
+        public var offsetY:Number = 0;
+
+        /** @copy #offsetX */
+        public var offsetZ:Number = 0;
+
         /** The middle of the extents. */
-        public var x:Number;
+        public var x:Number = 0;
 
         /** @copy #x */
-        public var y:Number;
+        public var y:Number = 0;
 
         /** @copy #x */
-        public var z:Number;
+        public var z:Number = 0;
 
-        /** Half the extent along x. */
-        public var halfX:Number;
+        /** Half the extent along x, padded: Bins.fit says by how much. */
+        public var reachX:Number;
 
-        /** Half the extent along y. */
-        public var halfY:Number;
+        /** The same along y. */
+        public var reachY:Number;
 
-        /** Half the extent along z. */
-        public var halfZ:Number;
-
-        /** Whether what collides is a sphere about the middle: spares the most common test a call. */
-        public var isSphere:Boolean = false;
-
-        /** The sphere's radius, as wide as it must be for spheres to meet that touch but for rounding. */
-        public var radius:Number;
-
-        /** The ground rectangle while the proxy is in the bins, padded: the least x. */
+        /** The ground rectangle, padded: the least x. */
         public var minX:Number;
 
         /** The largest x. */
@@ -60,6 +67,24 @@ package starlogo.broadphase
         /** Its entries in at most four bins, in a ring. */
         internal var entry:BinEntry;
 
+        /** Whether what collides is a sphere about the middle: spares the most common test a call. */
+        public var isSphere:Boolean = false;
+
+        /** The sphere's radius, as wide as it must be for spheres to meet that touch but for rounding. */
+        public var radius:Number;
+
+        /** Half the extent along z, padded. */
+        public var reachZ:Number;
+
+        /** Half the extent along x. */
+        public var halfX:Number;
+
+        /** Half the extent along y. */
+        public var halfY:Number;
+
+        /** Half the extent along z. */
+        public var halfZ:Number;
+
         /** The agent's id: settles the order of two proxies. */
         public var serial:int;
 
@@ -70,6 +95,7 @@ package starlogo.broadphase
         public function AgentProxy(agent:Agent, cacheToken:CacheToken)
         {
             super(agent, cacheToken);
+            placement = agent.placement;
             serial = agent.id;
             entry = BinEntry.ring(this, 4);
         }

@@ -27,12 +27,12 @@ package starlogo.broadphase
 
         /**
          * How far out the level reaches: the square of the distance from the world's origin. Farther out a bin's
-         * number would not fit an int, and rounding would be coarse beside a bin.
+         * number would not fit an int, and rounding would be coarse beside a bin, in a height too.
          */
         public var reachSquared:Number;
 
         /**
-         * How much wider a proxy's rectangle is made on each side, in patches: more than rounding comes to anywhere in
+         * How much wider a proxy's extents are made on each side, in patches: more than rounding comes to anywhere in
          * the level's reach, so that proxies that just touch share a bin. More makes more entries and candidates.
          */
         public var padding:Number;

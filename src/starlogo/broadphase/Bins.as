@@ -17,7 +17,7 @@ package starlogo.broadphase
      * time; bins that one pair can reach never do.</p>
      *
      * <p>Bins know nothing of what their user does with the pairs. A search is: <code>clear()</code>, <code>add()</code> for
-     * each proxy, whose extents are up to date and whose level is assigned, <code>findPairs()</code>. It takes time in
+     * each proxy, which <code>fit()</code> has seen since its extents changed, <code>findPairs()</code>. It takes time in
      * proportion to the proxies and the pairs that overlap, memory in proportion to the proxies, and allocates nothing once
      * it has run.</p>
      *
@@ -36,6 +36,9 @@ package starlogo.broadphase
 
         // Whether the last search came to its end.
         private var _isFinished:Boolean = true;
+
+        // Those that the proxy at hand may meet.
+        private var _candidates:Vector.<AgentProxy> = new Vector.<AgentProxy>();
 
         // From the coarsest to the finest. They stay, since proxies remember theirs.
         private var _levels:Vector.<BinLevel> = new Vector.<BinLevel>();
@@ -59,6 +62,21 @@ package starlogo.broadphase
             _isFinished = false;
         }
 
+        /**
+         * Begins a search with the proxies of the last one, none of which has got another level since.
+         *
+         * @return false if the last one did not come to its end: then nothing has begun
+         */
+        public function repeat():Boolean
+        {
+            if (!_isFinished)
+            {
+                return false;
+            }
+            _isFinished = false;
+            return true;
+        }
+
         /** Adds a proxy to this search. */
         public function add(proxy:AgentProxy):void
         {
@@ -67,8 +85,11 @@ package starlogo.broadphase
             level.count++;
         }
 
-        /** Gives a proxy the level that its extents and its distance from the world's origin ask for. */
-        public function assignLevel(proxy:AgentProxy):void
+        /**
+         * Gives a proxy the level that its extents and its distance from the world's origin ask for, and puts its rectangle
+         * around its middle.
+         */
+        public function fit(proxy:AgentProxy):void
         {
             var half:Number = proxy.halfX;
             if (proxy.halfY > half)
@@ -78,15 +99,24 @@ package starlogo.broadphase
             var level:BinLevel = proxy.level;
             if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || isBeyondReach(proxy))
             {
-                var distance:Number = Math.abs(proxy.x) + Math.abs(proxy.y);
-                proxy.level = levelFor(Math.max(4 * half, 2 * distance / BinLevel.REACH, MIN_WIDTH));
+                var distance:Number = Math.abs(proxy.x) + Math.abs(proxy.y) + Math.abs(proxy.z);
+                level = levelFor(Math.max(4 * half, 2 * distance / BinLevel.REACH, MIN_WIDTH));
+                proxy.level = level;
             }
+            var padding:Number = level.padding;
+            proxy.reachX = proxy.halfX + padding;
+            proxy.reachY = proxy.halfY + padding;
+            proxy.reachZ = proxy.halfZ + padding;
+            proxy.minX = proxy.x - proxy.reachX;
+            proxy.maxX = proxy.x + proxy.reachX;
+            proxy.minY = proxy.y - proxy.reachY;
+            proxy.maxY = proxy.y + proxy.reachY;
         }
 
         /** Whether a proxy that has a level has moved farther out than the level reaches. */
         public function isBeyondReach(proxy:AgentProxy):Boolean
         {
-            return proxy.x * proxy.x + proxy.y * proxy.y >= proxy.level.reachSquared;
+            return proxy.x * proxy.x + proxy.y * proxy.y + proxy.z * proxy.z >= proxy.level.reachSquared;
         }
 
         /**
@@ -120,6 +150,7 @@ package starlogo.broadphase
                 }
                 collidePairs(level, level, sink);
             }
+            _candidates.length = 0;
             _isFinished = true;
         }
 
@@ -168,99 +199,103 @@ package starlogo.broadphase
             var perWidth:Number = bins.perWidth;
             var mask:int = bins.mask;
             var stride:int = bins.stride;
-            var padding:Number = level.padding;
+            var candidates:Vector.<AgentProxy> = _candidates;
             var count:int = level.count;
             var entries:int = 0;
             var pairs:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var proxy:AgentProxy = proxies[i];
-                var half:Number = proxy.halfX + padding;
-                var minX:Number = proxy.x - half;
-                var maxX:Number = proxy.x + half;
-                half = proxy.halfY + padding;
-                var minY:Number = proxy.y - half;
-                var maxY:Number = proxy.y + half;
+                var minX:Number = proxy.minX;
+                var maxX:Number = proxy.maxX;
+                var minY:Number = proxy.minY;
+                var maxY:Number = proxy.maxY;
                 var entry:BinEntry = proxy.entry;
 
-                // the floor, without a call; it reaches over one border at most
+                // the floor, without a call
                 var position:Number = minX * perWidth;
-                var firstColumn:int = position;
-                if (firstColumn > position)
+                var column:int = position;
+                if (column > position)
                 {
-                    firstColumn--;
-                }
-                var lastColumn:int = firstColumn;
-                if (firstColumn + 1 <= maxX * perWidth)
-                {
-                    lastColumn++;
+                    column--;
                 }
                 position = minY * perWidth;
-                var firstRow:int = position;
-                if (firstRow > position)
+                var row:int = position;
+                if (row > position)
                 {
-                    firstRow--;
+                    row--;
                 }
-                var lastRow:int = firstRow;
-                if (firstRow + 1 <= maxY * perWidth)
+                // over one border at most: bit 0 for the next column, bit 1 for the next row
+                var reaches:int = 0;
+                if (column + 1 <= maxX * perWidth)
                 {
-                    lastRow++;
+                    reaches = 1;
                 }
-                if (enters)
+                if (row + 1 <= maxY * perWidth)
                 {
-                    proxy.minX = minX;
-                    proxy.maxX = maxX;
-                    proxy.minY = minY;
-                    proxy.maxY = maxY;
+                    reaches |= 2;
                 }
-                var rowFlag:int = 0;
-                for (var row:int = firstRow; row <= lastRow; row++)
+                var first:int = row * stride + column;
+                var bin:int = first;
+                var beginsEarlier:int = 0;
+                var found:int = 0;
+                while (true)
                 {
-                    var beginsEarlier:int = rowFlag;
-                    for (var column:int = firstColumn; column <= lastColumn; column++)
+                    var head:int = bin & mask;
+                    var link:BinEntry = heads[head];
+                    if (enters)
                     {
-                        var head:int = (row * stride + column) & mask;
-                        var link:BinEntry = heads[head];
-                        if (enters)
-                        {
-                            entry.beginsEarlier = beginsEarlier;
-                            entry.next = link;
-                            heads[head] = entry;
-                            entry = entry.sibling;
-                            entries++;
-                        }
-                        while (link != null)
-                        {
-                            // where both began in an earlier column, or row, they have met there
-                            if ((link.beginsEarlier & beginsEarlier) != 0)
-                            {
-                                link = link.next;
-                                continue;
-                            }
-                            var other:AgentProxy = link.proxy;
-                            link = link.next;
-                            if (other.minX > maxX)
-                            {
-                                continue;
-                            }
-                            if (other.maxX < minX)
-                            {
-                                continue;
-                            }
-                            if (other.minY > maxY)
-                            {
-                                continue;
-                            }
-                            if (other.maxY < minY)
-                            {
-                                continue;
-                            }
-                            pairs++;
-                            sink.onCandidatePair(proxy, other);
-                        }
-                        beginsEarlier = rowFlag | 1;
+                        entry.beginsEarlier = beginsEarlier;
+                        entry.next = link;
+                        heads[head] = entry;
+                        entry = entry.sibling;
+                        entries++;
                     }
-                    rowFlag = 2;
+                    while (link != null)
+                    {
+                        var other:AgentProxy = link.proxy;
+                        // where both began in an earlier column, or row, they have met there
+                        var haveMet:int = link.beginsEarlier & beginsEarlier;
+                        link = link.next;
+                        if (haveMet != 0)
+                        {
+                            continue;
+                        }
+                        if (other.minX > maxX)
+                        {
+                            continue;
+                        }
+                        if (other.maxX < minX)
+                        {
+                            continue;
+                        }
+                        if (other.minY > maxY)
+                        {
+                            continue;
+                        }
+                        if (other.maxY < minY)
+                        {
+                            continue;
+                        }
+                        candidates[found] = other;
+                        found++;
+                    }
+                    if (beginsEarlier == reaches)
+                    {
+                        break;
+                    }
+                    // the next of 0, 1, 2, 3 that has no other bits
+                    beginsEarlier = (beginsEarlier - reaches) & reaches;
+                    bin = first + (beginsEarlier & 1);
+                    if (beginsEarlier > 1)
+                    {
+                        bin += stride;
+                    }
+                }
+                if (found > 0)
+                {
+                    pairs += found;
+                    sink.onCandidates(proxy, candidates, found);
                 }
             }
             entryCount += entries;

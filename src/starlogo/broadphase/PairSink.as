@@ -16,14 +16,16 @@ package starlogo.broadphase
         }
 
         /**
-         * Takes two proxies whose ground rectangles overlap.
+         * Takes the pairs of a proxy with others whose ground rectangles overlap its own. All at once: a call for each pair
+         * would cost as much as its test.
          *
-         * @param a a proxy that was added
-         * @param b another one; no pair comes twice, in either order
+         * @param proxy a proxy that was added
+         * @param others so many at the beginning are those that it may meet; no pair comes twice, in either order
+         * @param count how many
          */
-        public function onCandidatePair(a:AgentProxy, b:AgentProxy):void
+        public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
         {
-            throw new IllegalOperationError(this + " does not implement onCandidatePair");
+            throw new IllegalOperationError(this + " does not implement onCandidates");
         }
     }
 }

@@ -5,11 +5,14 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.agents.AgentRecord;
     import starlogo.agents.CacheToken;
+    import starlogo.bounding.Box;
     import starlogo.broadphase.AgentProxy;
     import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.intersection.boxBox;
 
     use namespace engine;
 
@@ -25,23 +28,31 @@ package starlogo.collision
         private var _shapes:ShapeCache;
         private var _frame:int = 0;
 
+        // The shapes of the last search, in the order of its list: mostly this one's is the same. Empty where they are not known
+        // to be the agents' own any more.
+        private var _listed:Vector.<WorldShape> = new Vector.<WorldShape>();
+
+        // Whether those in the bins may be others than those who belong there; and whether somebody who is in them left.
+        private var _membersAreStale:Boolean = true;
+        private var _somebodyLeft:Boolean = false;
+
         // The search under way. The pairs of breeds that count are in a square of this width; it is null where all do.
         private var _interests:Vector.<Boolean> = null;
         private var _breedCount:int = 0;
+        private var _breedToken:Object = null;
+        private var _boxFacesOnly:Boolean = false;
         private var _found:Vector.<Agent> = null;
         private var _foundRecords:Vector.<AgentRecord> = null;
         private var _foundLength:int = 0;
         private var _skippedPairs:int = 0;
-        private var _shapePairs:int = 0;
+        private var _spherePairs:int = 0;
+        private var _boxPairs:int = 0;
         private var _memberCount:int = 0;
         private var _loadingCount:int = 0;
 
-        // How many were listed in this search, and whether somebody who was in the bins in the last may not be in this one.
-        private var _listed:int = 0;
-        private var _somebodyLeft:Boolean = false;
-
-        // The pair that areColliding finds, or nothing.
-        private var _asked:Vector.<Agent> = new Vector.<Agent>();
+        // The pair that areColliding asks about, and who it finds, if so.
+        private var _asked:Vector.<AgentProxy> = new Vector.<AgentProxy>();
+        private var _answer:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * @param greatLand has the models of the agents
@@ -71,7 +82,10 @@ package starlogo.collision
             {
                 throw new ArgumentError(a + " is no pair with itself");
             }
-            _shapes.noteUse();
+            if (_shapes.noteUse())
+            {
+                _listed.length = 0;
+            }
             var shapeA:WorldShape = _shapes.shapeOf(a);
             var shapeB:WorldShape = _shapes.shapeOf(b);
             if (shapeA.level == null || shapeB.level == null)
@@ -79,10 +93,13 @@ package starlogo.collision
                 return false;
             }
             _interests = null;
-            _found = _asked;
+            _found = _answer;
             _foundLength = 0;
-            onCandidatePair(shapeA, shapeB);
+            _boxFacesOnly = _strategy.boxFacesOnly;
+            _asked[0] = shapeB;
+            onCandidates(shapeA, _asked, 1);
             _asked.length = 0;
+            _answer.length = 0;
             return _foundLength > 0;
         }
 
@@ -107,75 +124,98 @@ package starlogo.collision
         }
 
         /** @inheritDoc */
-        override public function onCandidatePair(a:AgentProxy, b:AgentProxy):void
+        override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
         {
-            if (_interests != null)
-            {
-                if (!_interests[int(a.breedIndex * _breedCount + b.breedIndex)])
-                {
-                    _skippedPairs++;
-                    return;
-                }
-            }
-            var dz:Number = a.z - b.z;
-            if (a.isSphere && b.isSphere)
-            {
-                // the most common test by far, without a call
-                var dx:Number = a.x - b.x;
-                var dy:Number = a.y - b.y;
-                var radii:Number = a.radius + b.radius;
-                if (dx * dx + dy * dy + dz * dz > radii * radii)
-                {
-                    return;
-                }
-            }
-            else
-            {
-                _shapePairs++;
-                var reach:Number = a.halfZ + b.halfZ;
-                if (dz > reach || dz < -reach)
-                {
-                    return;
-                }
-                // untyped, the cheapest of casts
-                var untypedA:* = a;
-                var untypedB:* = b;
-                if (!_strategy.overlaps(untypedA, untypedB))
-                {
-                    return;
-                }
-            }
-            var length:int = _foundLength;
-            _foundLength = length + 2;
+            var interests:Vector.<Boolean> = _interests;
+            var row:int = proxy.breedIndex * _breedCount;
+            // untyped, the cheapest of casts
+            var untyped:* = proxy;
+            var shape:WorldShape = untyped;
+            var isSphere:Boolean = shape.isSphere;
+            var x:Number = shape.x;
+            var y:Number = shape.y;
+            var z:Number = shape.z;
+            var radius:Number = shape.radius;
+            var box:Box = shape.box;
+            var agent:Agent = shape.agent;
+            var listIndex:int = shape.listIndex;
             var found:Vector.<Agent> = _found;
-            if (found == null)
+            var foundRecords:Vector.<AgentRecord> = _foundRecords;
+            var length:int = _foundLength;
+            for (var i:int = 0; i < count; i++)
             {
-                keepRecords(a, b, length);
+                untyped = others[i];
+                var other:WorldShape = untyped;
+                if (interests != null)
+                {
+                    if (!interests[int(row + other.breedIndex)])
+                    {
+                        _skippedPairs++;
+                        continue;
+                    }
+                }
+                var dz:Number = z - other.z;
+                if (isSphere && other.isSphere)
+                {
+                    // without a call, like the next
+                    _spherePairs++;
+                    var dx:Number = x - other.x;
+                    var dy:Number = y - other.y;
+                    var radii:Number = radius + other.radius;
+                    if (dx * dx + dy * dy + dz * dz > radii * radii)
+                    {
+                        continue;
+                    }
+                }
+                else
+                {
+                    var reach:Number = shape.reachZ + other.reachZ;
+                    if (dz > reach || dz < -reach)
+                    {
+                        continue;
+                    }
+                    var otherBox:Box = other.box;
+                    if (box != null && otherBox != null)
+                    {
+                        _boxPairs++;
+                        if (shape.placedRevision != shape.revision)
+                        {
+                            shape.placeStructure();
+                        }
+                        if (other.placedRevision != other.revision)
+                        {
+                            other.placeStructure();
+                        }
+                        if (!boxBox(box, otherBox, _boxFacesOnly))
+                        {
+                            continue;
+                        }
+                    }
+                    else if (!_strategy.overlaps(shape, other))
+                    {
+                        continue;
+                    }
+                }
+                // as the list has them
+                var isLater:Boolean = listIndex > other.listIndex;
+                if (found == null)
+                {
+                    foundRecords[length] = isLater ? other : shape;
+                    foundRecords[int(length + 1)] = isLater ? shape : other;
+                }
+                else if (isLater)
+                {
+                    found[length] = other.agent;
+                    found[int(length + 1)] = agent;
+                }
+                else
+                {
+                    found[length] = agent;
+                    found[int(length + 1)] = other.agent;
+                }
+                length += 2;
             }
-            else if (a.listIndex < b.listIndex)
-            {
-                found[length] = a.agent;
-                found[int(length + 1)] = b.agent;
-            }
-            else
-            {
-                found[length] = b.agent;
-                found[int(length + 1)] = a.agent;
-            }
-        }
-
-        private function keepRecords(a:AgentProxy, b:AgentProxy, place:int):void
-        {
-            if (a.listIndex < b.listIndex)
-            {
-                _foundRecords[place] = a;
-                _foundRecords[int(place + 1)] = b;
-            }
-            else
-            {
-                _foundRecords[place] = b;
-                _foundRecords[int(place + 1)] = a;
-            }
+            _foundLength = length;
         }
 
         // One of the two is null.
@@ -187,16 +227,24 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var start:int = getTimer();
-            enterIntoBins(agents, interests);
+            enlist(agents);
+            updateShapes(interests);
+            if (_membersAreStale || !_bins.repeat())
+            {
+                fillBins();
+            }
             _strategy.resetCounts();
             _interests = interests == null ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
+            _boxFacesOnly = _strategy.boxFacesOnly;
             _found = found;
             _foundRecords = foundRecords;
             _foundLength = 0;
             _skippedPairs = 0;
-            _shapePairs = 0;
+            _spherePairs = 0;
+            _boxPairs = 0;
             _bins.findPairs(this, _somebodyLeft);
+            _somebodyLeft = false;
             _found = null;
             _foundRecords = null;
             if (found != null)
@@ -219,27 +267,49 @@ package starlogo.collision
             _statistics.agentsLoading = _loadingCount;
             _statistics.binEntries = _bins.entryCount;
             _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
-            _statistics.sphereSphereTests = _statistics.candidatePairs - _shapePairs;
+            _statistics.sphereSphereTests = _spherePairs;
+            _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);
             _statistics.collisions = _foundLength >> 1;
         }
 
-        private function enterIntoBins(agents:Vector.<Agent>, interests:BreedInterests):void
+        // Makes the shapes listed those of a list of agents: mostly they are.
+        private function enlist(agents:Vector.<Agent>):void
         {
-            _shapes.noteUse();
-            var shapes:ShapeCache = _shapes;
-            var cacheToken:CacheToken = shapes.token;
-            var breedToken:Object = interests == null ? null : interests.token;
-            var bins:Bins = _bins;
-            var lastFrame:int = _frame;
+            if (_shapes.noteUse())
+            {
+                _listed.length = 0;
+            }
+            var listed:Vector.<WorldShape> = _listed;
+            var same:int = 0;
+            var most:int = listed.length < agents.length ? listed.length : agents.length;
+            while (same < most && listed[same].agent === agents[same])
+            {
+                same++;
+            }
+            if (same < listed.length)
+            {
+                _membersAreStale = _somebodyLeft = true;
+                listed.length = same;
+            }
+            if (same < agents.length)
+            {
+                _membersAreStale = true;
+                enlistFrom(same, agents);
+            }
+        }
+
+        // From there on, one by one; nobody may come twice.
+        private function enlistFrom(first:int, agents:Vector.<Agent>):void
+        {
+            var listed:Vector.<WorldShape> = _listed;
             var frame:int = ++_frame;
-            var count:int = agents.length;
-            var members:int = 0;
-            var loading:int = 0;
-            var newcomers:int = 0;
-            var lookedUp:Boolean = false;
-            bins.clear();
-            for (var i:int = 0; i < count; i++)
+            for (var i:int = 0; i < first; i++)
+            {
+                listed[i].frame = frame;
+            }
+            var cacheToken:CacheToken = _shapes.token;
+            for (i = first; i < agents.length; i++)
             {
                 var agent:Agent = agents[i];
                 if (agent == null)
@@ -249,48 +319,110 @@ package starlogo.collision
                 var record:AgentRecord = agent.records;
                 if (record == null || record.cacheToken !== cacheToken)
                 {
-                    record = shapes.find(agent);
+                    record = _shapes.find(agent);
                 }
                 // untyped, the cheapest of casts
                 var untyped:* = record;
                 var shape:WorldShape = untyped;
-                if (shape.frame != lastFrame)
+                if (shape.frame == frame)
                 {
-                    newcomers++;
-                    if (shape.frame == frame)
-                    {
-                        throw new ArgumentError(agent + " is listed twice: agents[" + shape.listIndex + "] and agents[" + i + "]");
-                    }
+                    throw new ArgumentError(agent + " is listed twice: agents[" + shape.listIndex + "] and agents[" + i + "]");
                 }
                 shape.frame = frame;
                 shape.listIndex = i;
-                if (shape.revision != agent.revision && !shapes.update(shape, agent))
+                listed[i] = shape;
+            }
+        }
+
+        // Brings the listed shapes up to date, and notes whether those who belong into the bins are still the same.
+        private function updateShapes(interests:BreedInterests):void
+        {
+            var breedToken:Object = interests == null ? null : interests.token;
+            var isStale:Boolean = _membersAreStale || breedToken !== _breedToken;
+            _breedToken = breedToken;
+            // in case that one can't be brought up to date
+            _membersAreStale = true;
+            var shapes:ShapeCache = _shapes;
+            var listed:Vector.<WorldShape> = _listed;
+            var count:int = listed.length;
+            var loading:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var shape:WorldShape = listed[i];
+                var agent:Agent = shape.agent;
+                if (shape.revision != agent.revision)
                 {
-                    loading++;
-                    continue;
+                    var placement:Placement = shape.placement;
+                    if (shape.extentsRevision == placement.extentsRevision)
+                    {
+                        // as ShapeCache.update does
+                        var x:Number = placement.x + shape.offsetX;
+                        var y:Number = placement.y + shape.offsetY;
+                        var z:Number = placement.z + shape.offsetZ;
+                        shape.x = x;
+                        shape.y = y;
+                        shape.z = z;
+                        var reach:Number = shape.reachX;
+                        shape.minX = x - reach;
+                        shape.maxX = x + reach;
+                        reach = shape.reachY;
+                        shape.minY = y - reach;
+                        shape.maxY = y + reach;
+                        shape.revision = agent.revision;
+                        if (x * x + y * y + z * z >= shape.level.reachSquared)
+                        {
+                            shapes.update(shape, agent);
+                        }
+                    }
+                    else
+                    {
+                        var wasIn:Boolean = shape.level != null;
+                        if (!shapes.update(shape, agent))
+                        {
+                            loading++;
+                            _somebodyLeft = _somebodyLeft || wasIn;
+                            continue;
+                        }
+                    }
                 }
                 if (breedToken != null)
                 {
                     if (shape.breedToken !== breedToken)
                     {
                         interests.lookUp(shape);
-                        lookedUp = true;
-                    }
-                    if (shape.breedIndex < 0)
-                    {
-                        continue;
+                        isStale = _somebodyLeft = true;
                     }
                 }
-                // as Bins.add does
-                var level:BinLevel = shape.level;
-                level.proxies[level.count] = shape;
-                level.count++;
-                members++;
             }
-            _somebodyLeft = lookedUp || members != _memberCount || count - newcomers != _listed;
-            _listed = count;
-            _memberCount = members;
             _loadingCount = loading;
+            _membersAreStale = isStale || shapes.levelsChanged;
+        }
+
+        private function fillBins():void
+        {
+            var takesAll:Boolean = _breedToken == null;
+            var listed:Vector.<WorldShape> = _listed;
+            var count:int = listed.length;
+            var members:int = 0;
+            _bins.clear();
+            for (var i:int = 0; i < count; i++)
+            {
+                var shape:WorldShape = listed[i];
+                var level:BinLevel = shape.level;
+                if (level != null)
+                {
+                    if (takesAll || shape.breedIndex >= 0)
+                    {
+                        // as Bins.add does
+                        level.proxies[level.count] = shape;
+                        level.count++;
+                        members++;
+                    }
+                }
+            }
+            _somebodyLeft = _somebodyLeft || members < _memberCount;
+            _memberCount = members;
+            _shapes.levelsChanged = _membersAreStale = false;
         }
     }
 }

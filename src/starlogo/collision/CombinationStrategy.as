@@ -1,7 +1,5 @@
 package starlogo.collision
 {
-    import starlogo.bounding.BoundingStructure;
-
     /** An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5). */
     internal final class CombinationStrategy extends ShapeStrategy
     {
@@ -38,6 +36,7 @@ package starlogo.collision
                 }
                 shape.isHierarchical = true;
                 shape.isSphere = false;
+                shape.box = null;
                 _hierarchy.updateWorldShape(shape);
                 return;
             }
@@ -47,10 +46,16 @@ package starlogo.collision
             }
             else if (shape.isHierarchical)
             {
-                shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
+                _tightestFit.takeStructure(shape);
             }
             shape.isHierarchical = false;
             _tightestFit.updateWorldShape(shape);
+        }
+
+        /** @inheritDoc */
+        override public function get boxFacesOnly():Boolean
+        {
+            return _tightestFit.boxFacesOnly;
         }
 
         /** @inheritDoc */

@@ -9,8 +9,8 @@ package starlogo.collision
     /**
      * Calls the handlers of a frame's pairs, and goes on after one that throws.
      *
-     * <p>The next call is in fields: its pair, its direction and its handler. They are one ahead while a handler runs, so that
-     * after one that throws the next one's turn has come.</p>
+     * <p>The next call is in fields, its pair and which of the pair's calls it is: they are one ahead while a handler runs, so
+     * that after one that throws the next one's turn has come.</p>
      */
     internal final class HandlerCalls
     {
@@ -24,27 +24,19 @@ package starlogo.collision
         private var _agents:Vector.<Agent> = null;
         private var _errors:Vector.<Error> = null;
         private var _pair:int;
-        private var _direction:int;
-        private var _handler:int;
+        private var _call:int;
 
-        // The pair whose turn it is: whether it was looked up, its agents and their places in the list, and the handlers of its
-        // two directions. The latter stay for the next pair of the same breeds.
-        private var _isLookedUp:Boolean;
-        private var _first:Agent;
-        private var _second:Agent;
-        private var _firstIndex:int;
-        private var _secondIndex:int;
+        // The handlers of the breeds that the pair had when its turn came.
         private var _breed:int;
         private var _otherBreed:int;
-        private var _handlers:Vector.<CollisionHandler>;
-        private var _handlersBack:Vector.<CollisionHandler>;
+        private var _handlers:PairHandlers;
 
         // The list's length for as long as nobody was seen to have left his place; then -1, and the list is asked.
         private var _length:int;
         private var _list:AgentList = new AgentList();
 
-        // Calls that were put off because an agent was in doubt: pair, direction, handler of each. Of the ones before, those
-        // whose turn it is now, or null.
+        // Calls that were put off because an agent was in doubt: pair and call of each. Of the ones before, those whose turn it
+        // is now, or null.
         private var _postponed:Vector.<int> = new Vector.<int>();
         private var _turns:Vector.<int> = null;
         private var _turn:int;
@@ -85,10 +77,9 @@ package starlogo.collision
             _errors = errors;
             _length = agents.length;
             _list.end();
-            _pair = 0;
-            _isLookedUp = false;
+            _pair = _call = 0;
             _breed = _otherBreed = -1;
-            _handlers = _handlersBack = null;
+            _handlers = table.handlersOf(-1, -1);
             _postponed.length = 0;
             _turns = null;
             count = 0;
@@ -110,8 +101,7 @@ package starlogo.collision
             _agents = null;
             _errors = null;
             _turns = null;
-            _first = _second = null;
-            _handlers = _handlersBack = null;
+            _handlers = null;
             _list.end();
         }
 
@@ -141,125 +131,112 @@ package starlogo.collision
 
         private function callRest():void
         {
-            if (_turns != null)
+            if (_turns == null)
             {
-                callPostponed();
+                callPairs(pairs.length);
                 return;
             }
-            for (; _pair < pairs.length; _pair += 2)
+            while (_turn < _turns.length)
             {
-                if (!_isLookedUp)
+                if (_call == 0)
                 {
-                    lookUpPair();
+                    _pair = _turns[_turn];
+                    lookUpHandlers();
+                    _call = _turns[int(_turn + 1)];
                 }
-                if (_direction == 0)
-                {
-                    if (_handlers != null)
-                    {
-                        callHandlers(_handlers, _first, _second, _firstIndex, _secondIndex);
-                    }
-                    _direction = 1;
-                    _handler = 0;
-                }
-                if (_handlersBack != null)
-                {
-                    callHandlers(_handlersBack, _second, _first, _secondIndex, _firstIndex);
-                }
-                _isLookedUp = false;
+                // one that throws has had its turn
+                callPairs(_pair + 2);
+                _turn += 2;
             }
         }
 
-        private function callPostponed():void
+        // From the next call on, those of the pairs before this one.
+        private function callPairs(end:int):void
         {
-            for (; _turn < _turns.length; _turn += 3)
+            var pairs:Vector.<AgentRecord> = this.pairs;
+            var agents:Vector.<Agent> = _agents;
+            var breedToken:Object = _table.interests.token;
+            var call:int = _call;
+            for (var pair:int = _pair; pair < end; pair += 2)
             {
-                if (!_isLookedUp)
+                var record:AgentRecord = pairs[pair];
+                var other:AgentRecord = pairs[int(pair + 1)];
+                if (call == 0)
                 {
-                    _pair = _turns[_turn];
-                    lookUpPair();
-                    _direction = _turns[int(_turn + 1)];
-                    _handler = _turns[int(_turn + 2)];
+                    if (record.breedToken !== breedToken || other.breedToken !== breedToken || record.breedIndex != _breed
+                            || other.breedIndex != _otherBreed)
+                    {
+                        _pair = pair;
+                        lookUpHandlers();
+                    }
                 }
-                if (_direction == 0 && _handlers != null)
+                var first:Agent = record.agent;
+                var second:Agent = other.agent;
+                var firstIndex:int = record.listIndex;
+                var secondIndex:int = other.listIndex;
+                if (firstIndex >= _length || secondIndex >= _length)
                 {
-                    callHandlers(_handlers, _first, _second, _firstIndex, _secondIndex);
+                    // the list has changed, or a handler has had the collider search another one
+                    _length = -1;
                 }
-                else if (_direction == 1 && _handlersBack != null)
+                var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+                var forwardCount:int = _handlers.forwardCount;
+                var callCount:int = handlers.length;
+                while (call < callCount)
                 {
-                    callHandlers(_handlersBack, _second, _first, _secondIndex, _firstIndex);
+                    // mostly both still are where they were
+                    if (agents.length != _length || agents[firstIndex] !== first || agents[secondIndex] !== second)
+                    {
+                        _pair = pair;
+                        _call = call;
+                        if (!areListed(first, second))
+                        {
+                            break;
+                        }
+                    }
+                    var handler:CollisionHandler = handlers[call];
+                    call++;
+                    if (!handler.isRemoved)
+                    {
+                        _pair = pair;
+                        _call = call;
+                        count++;
+                        var toCall:Function = handler.handler;
+                        if (call > forwardCount)
+                        {
+                            toCall(second, first);
+                        }
+                        else
+                        {
+                            toCall(first, second);
+                        }
+                    }
                 }
-                _isLookedUp = false;
+                call = 0;
             }
+            _pair = end;
+            _call = 0;
         }
 
         // The breeds count that the two have now, for all of the pair's calls.
-        private function lookUpPair():void
+        private function lookUpHandlers():void
         {
             var first:AgentRecord = pairs[_pair];
             var second:AgentRecord = pairs[int(_pair + 1)];
             var interests:BreedInterests = _table.interests;
-            var breedToken:Object = interests.token;
-            if (first.breedToken !== breedToken)
+            if (first.breedToken !== interests.token)
             {
                 interests.lookUp(first);
             }
-            if (second.breedToken !== breedToken)
+            if (second.breedToken !== interests.token)
             {
                 interests.lookUp(second);
             }
             if (first.breedIndex != _breed || second.breedIndex != _otherBreed)
             {
-                lookUpHandlers(first.breedIndex, second.breedIndex);
-            }
-            _first = first.agent;
-            _second = second.agent;
-            _firstIndex = first.listIndex;
-            _secondIndex = second.listIndex;
-            if (_firstIndex >= _length || _secondIndex >= _length)
-            {
-                // the list has changed, or a handler has had the collider search another one
-                _length = -1;
-            }
-            _direction = 0;
-            _handler = 0;
-            _isLookedUp = true;
-        }
-
-        private function lookUpHandlers(breed:int, otherBreed:int):void
-        {
-            _breed = breed;
-            _otherBreed = otherBreed;
-            _handlers = _handlersBack = null;
-            if (breed >= 0 && otherBreed >= 0)
-            {
-                _handlers = _table.handlersOf(breed, otherBreed);
-                _handlersBack = _table.handlersOf(otherBreed, breed);
-            }
-        }
-
-        private function callHandlers(handlers:Vector.<CollisionHandler>, collider:Agent, collidee:Agent, colliderIndex:int,
-                collideeIndex:int):void
-        {
-            var agents:Vector.<Agent> = _agents;
-            var handlerCount:int = handlers.length;
-            while (_handler < handlerCount)
-            {
-                // mostly both still are where they were
-                if (agents.length != _length || agents[colliderIndex] !== collider || agents[collideeIndex] !== collidee)
-                {
-                    if (!areListed(collider, collidee))
-                    {
-                        return;
-                    }
-                }
-                var next:CollisionHandler = handlers[_handler];
-                _handler++;
-                if (!next.isRemoved)
-                {
-                    count++;
-                    var handler:Function = next.handler;
-                    handler(collider, collidee);
-                }
+                _breed = first.breedIndex;
+                _otherBreed = second.breedIndex;
+                _handlers = _table.handlersOf(_breed, _otherBreed);
             }
         }
 
@@ -277,7 +254,7 @@ package starlogo.collision
             }
             if (_list.isInDoubt)
             {
-                _postponed.push(_pair, _direction, _handler);
+                _postponed.push(_pair, _call);
             }
             return false;
         }

@@ -7,10 +7,13 @@ package starlogo.collision
     /** The handlers of each pair of breeds, by the breeds' numbers. Does not change: new handlers make a new table. */
     internal final class HandlerTable
     {
+        private static const NONE:PairHandlers = new PairHandlers(null, null);
+
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests = new BreedInterests();
 
         private var _handlers:Vector.<Vector.<CollisionHandler>>;
+        private var _pairs:Vector.<PairHandlers>;
 
         /**
          * @param handlers in the order in which they are to be called
@@ -21,17 +24,29 @@ package starlogo.collision
             {
                 interests.add(handler.breed, handler.otherBreed);
             }
-            _handlers = new Vector.<Vector.<CollisionHandler>>(interests.breedCount * interests.breedCount, true);
+            var count:int = interests.breedCount;
+            _handlers = new Vector.<Vector.<CollisionHandler>>(count * count, true);
+            _pairs = new Vector.<PairHandlers>(count * count, true);
             for each (handler in handlers)
             {
                 enter(handler, interests.indicesOf(handler.breed), interests.indicesOf(handler.otherBreed));
             }
         }
 
-        /** The handlers of colliders of one breed that meet collidees of another, or null. */
-        public function handlersOf(breed:int, otherBreed:int):Vector.<CollisionHandler>
+        /** The handlers of two agents of these breeds that collide; none where a breed is negative, one that nobody asks about. */
+        public function handlersOf(breed:int, otherBreed:int):PairHandlers
         {
-            return _handlers[breed * interests.breedCount + otherBreed];
+            if (breed < 0 || otherBreed < 0)
+            {
+                return NONE;
+            }
+            var count:int = interests.breedCount;
+            var place:int = breed * count + otherBreed;
+            if (_pairs[place] == null)
+            {
+                _pairs[place] = new PairHandlers(_handlers[place], _handlers[otherBreed * count + breed]);
+            }
+            return _pairs[place];
         }
 
         private function enter(handler:CollisionHandler, breeds:Vector.<int>, otherBreeds:Vector.<int>):void

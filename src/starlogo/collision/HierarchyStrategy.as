@@ -39,17 +39,14 @@ package starlogo.collision
             }
             shape.hierarchy = _greatLand.hierarchies.hierarchy(agent.shape);
             shape.root = shape.hierarchy.root.bounds;
-            shape.worldRoot = shape.root.clone();
             shape.isHierarchical = true;
         }
 
         /** @inheritDoc */
         override public function updateWorldShape(shape:WorldShape):void
         {
-            var agent:Agent = shape.agent;
-            shape.root.place(agent.worldPlacement(), shape.worldRoot);
-            shape.takeExtentsOf(shape.worldRoot);
-            shape.depth = agent.traversalDepth;
+            shape.takeExtentsOf(shape.root);
+            shape.depth = shape.agent.traversalDepth;
         }
 
         /** @inheritDoc */
@@ -73,7 +70,7 @@ package starlogo.collision
             }
             var depthA:int = a.depth == 0 ? maxDepth : a.depth;
             var depthB:int = b.depth == 0 ? maxDepth : b.depth;
-            return _traversal.hierarchiesOverlap(a.hierarchy, a.agent.placement, depthA, b.hierarchy, b.agent.placement, depthB, exact);
+            return _traversal.hierarchiesOverlap(a.hierarchy, a.placement, depthA, b.hierarchy, b.placement, depthB, exact);
         }
 
         /** @inheritDoc */
@@ -94,8 +91,8 @@ package starlogo.collision
         private function structureOverlaps(hierarchical:WorldShape, other:WorldShape):Boolean
         {
             var depth:int = hierarchical.depth == 0 ? maxDepth : hierarchical.depth;
-            return _traversal.structureOverlaps(hierarchical.hierarchy, hierarchical.agent.placement, depth, other.structure,
-                    other.agent.placement);
+            return _traversal.structureOverlaps(hierarchical.hierarchy, hierarchical.placement, depth, other.structure,
+                    other.placement);
         }
     }
 }

@@ -4,8 +4,10 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.agents.AgentRecord;
     import starlogo.agents.CacheToken;
+    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
 
     use namespace engine;
 
@@ -14,6 +16,9 @@ package starlogo.collision
     {
         /** Marks the collider's shapes among the agents' records; another one when a model was replaced, which makes all void. */
         public var token:CacheToken = new CacheToken();
+
+        /** Whether a shape has got another level of the bins, or none; who keeps shapes by level sets it to false. */
+        public var levelsChanged:Boolean = false;
 
         private var _greatLand:GreatLand;
         private var _strategy:ShapeStrategy;
@@ -38,16 +43,21 @@ package starlogo.collision
             _greatLandRevision = greatLand.revision;
         }
 
-        /** Begins a search, or a question about two agents. */
-        public function noteUse():void
+        /**
+         * Begins a search, or a question about two agents.
+         *
+         * @return whether shapes that were found before may not be the agents' own any more
+         */
+        public function noteUse():Boolean
         {
-            if (_greatLand.revision != _greatLandRevision)
+            var isRevoked:Boolean = _greatLand.revision != _greatLandRevision;
+            if (isRevoked)
             {
                 _greatLandRevision = _greatLand.revision;
                 token.revoke();
                 token = new CacheToken();
             }
-            token.noteUse();
+            return token.noteUse() || isRevoked;
         }
 
         /**
@@ -91,26 +101,27 @@ package starlogo.collision
          */
         public function update(shape:WorldShape, agent:Agent):Boolean
         {
-            var extentsRevision:int = agent.placement.extentsRevision;
-            if (shape.extentsRevision == extentsRevision)
+            var level:BinLevel = shape.level;
+            var placement:Placement = agent.worldPlacement();
+            if (shape.extentsRevision != placement.extentsRevision)
             {
-                _strategy.updateWorldShape(shape);
-                shape.revision = agent.revision;
-                // as Bins.isBeyondReach says
-                if (shape.x * shape.x + shape.y * shape.y >= shape.level.reachSquared)
+                if (shape.model != agent.shape && !bindModel(shape, agent))
                 {
-                    _bins.assignLevel(shape);
+                    levelsChanged = levelsChanged || level != null;
+                    return false;
                 }
-                return true;
+                _strategy.updateWorldShape(shape);
+                shape.extentsRevision = placement.extentsRevision;
             }
-            if (shape.model != agent.shape && !bindModel(shape, agent))
-            {
-                return false;
-            }
-            _strategy.updateWorldShape(shape);
             shape.revision = agent.revision;
-            shape.extentsRevision = extentsRevision;
-            _bins.assignLevel(shape);
+            shape.x = placement.x + shape.offsetX;
+            shape.y = placement.y + shape.offsetY;
+            shape.z = placement.z + shape.offsetZ;
+            _bins.fit(shape);
+            if (shape.level !== level)
+            {
+                levelsChanged = true;
+            }
             return true;
         }
 

@@ -25,8 +25,9 @@ package starlogo.collision
         }
 
         /**
-         * Computes a shape in the world, its extents, and whether it is a sphere.
+         * Computes the extents of a shape about its middle, and finds out what decides for it.
          *
+         * @param shape its placement's rotation is up to date
          * @throws ArgumentError if what is needed was not loaded
          */
         public function updateWorldShape(shape:WorldShape):void
@@ -34,7 +35,13 @@ package starlogo.collision
             throw new IllegalOperationError(this + " does not implement updateWorldShape");
         }
 
-        /** Whether two shapes overlap that are not both spheres, and whose heights and ground rectangles do. */
+        /** How two boxes are tested that decide alone: by their faces only, as boxBox says? */
+        public function get boxFacesOnly():Boolean
+        {
+            return false;
+        }
+
+        /** Whether two shapes overlap that are not both spheres, nor both boxes, and whose heights and ground rectangles do. */
         public function overlaps(a:WorldShape, b:WorldShape):Boolean
         {
             throw new IllegalOperationError(this + " does not implement overlaps");

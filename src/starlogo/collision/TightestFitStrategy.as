@@ -4,17 +4,12 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Sphere;
-    import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleCapsule;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sphereSphere;
     import starlogo.libraries.BoundingStructuresLibrary;
-
-    use namespace engine;
 
     /** Every agent is the tightest fitting structure of its model, put through the agent's whole transform (thesis §3). */
     internal final class TightestFitStrategy extends ShapeStrategy
@@ -24,9 +19,8 @@ package starlogo.collision
 
         private var _greatLand:GreatLand;
 
-        // How often each test was made in this search, by the kinds of the structures; two boxes apart.
+        // How often each test was made in this search, by the kinds of the structures.
         private var _tests:Vector.<int> = new Vector.<int>(16, true);
-        private var _boxBoxTests:int = 0;
 
         /**
          * @param greatLand has the structures
@@ -47,39 +41,47 @@ package starlogo.collision
             }
             shape.structure = library.tightestFit(agent.shape);
             shape.worldStructure = shape.structure.clone();
-            shape.worldBox = shape.worldStructure as Box;
-            shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
-            if (!shape.isSphere && library.hasAll(agent.shape))
+            if (shape.structure.kind != BoundingStructure.SPHERE && library.hasAll(agent.shape))
             {
                 shape.outer = new OuterStructures(library.sphere(agent.shape), library.capsule(agent.shape));
             }
+            takeStructure(shape);
+        }
+
+        /** Has the structure of a shape decide, which was bound before. */
+        public function takeStructure(shape:WorldShape):void
+        {
+            shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
+            shape.box = shape.outer == null ? shape.worldStructure as Box : null;
         }
 
         /** @inheritDoc */
         override public function updateWorldShape(shape:WorldShape):void
         {
-            var placement:Placement = shape.agent.worldPlacement();
-            var world:BoundingStructure = shape.structure.place(placement, shape.worldStructure);
+            shape.takeExtentsOf(shape.structure);
             if (shape.isSphere)
             {
-                var sphere:Sphere = Sphere(world);
-                shape.x = sphere.center.x;
-                shape.y = sphere.center.y;
-                shape.z = sphere.center.z;
-                shape.halfX = shape.halfY = shape.halfZ = sphere.radius;
-                shape.radius = sphere.radius * Tolerances.TOUCHING;
-                return;
+                shape.radius = shape.halfX * Tolerances.TOUCHING;
             }
-            shape.takeExtentsOf(world);
-            if (shape.outer != null)
-            {
-                shape.outer.place(placement);
-            }
+        }
+
+        /** @inheritDoc */
+        override public function get boxFacesOnly():Boolean
+        {
+            return tests.boxFacesOnly;
         }
 
         /** @inheritDoc */
         override public function overlaps(a:WorldShape, b:WorldShape):Boolean
         {
+            if (a.placedRevision != a.revision)
+            {
+                a.placeStructure();
+            }
+            if (b.placedRevision != b.revision)
+            {
+                b.placeStructure();
+            }
             if (a.outer != null)
             {
                 if (b.outer != null && !passPreliminaryTests(a, b))
@@ -87,26 +89,19 @@ package starlogo.collision
                     return false;
                 }
             }
-            var boxA:Box = a.worldBox;
-            var boxB:Box = b.worldBox;
-            if (boxA != null)
-            {
-                if (boxB != null)
-                {
-                    _boxBoxTests++;
-                    return boxBox(boxA, boxB, tests.boxFacesOnly);
-                }
-            }
             var structureA:BoundingStructure = a.worldStructure;
             var structureB:BoundingStructure = b.worldStructure;
             _tests[structureA.kind << 2 | structureB.kind]++;
+            if (structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            {
+                return boxBox(Box(structureA), Box(structureB), tests.boxFacesOnly);
+            }
             return intersects(structureA, structureB);
         }
 
         /** @inheritDoc */
         override public function resetCounts():void
         {
-            _boxBoxTests = 0;
             for (var i:int = 0; i < _tests.length; i++)
             {
                 _tests[i] = 0;
@@ -121,7 +116,7 @@ package starlogo.collision
             statistics.sphereBoxTests += testsOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
             statistics.capsuleCapsuleTests += testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
             statistics.capsuleBoxTests += testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
-            statistics.boxBoxTests += _boxBoxTests;
+            statistics.boxBoxTests += testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
         }
 
         private function passPreliminaryTests(a:WorldShape, b:WorldShape):Boolean
@@ -134,7 +129,7 @@ package starlogo.collision
                     return false;
                 }
             }
-            if (tests.capsulesFirst && (a.worldBox != null || b.worldBox != null))
+            if (tests.capsulesFirst && (a.structure.kind == BoundingStructure.BOX || b.structure.kind == BoundingStructure.BOX))
             {
                 _tests[BoundingStructure.CAPSULE << 2 | BoundingStructure.CAPSULE]++;
                 return capsuleCapsule(a.outer.worldCapsule, b.outer.worldCapsule);

@@ -1,11 +1,15 @@
 package starlogo.collision
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.agents.CacheToken;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.broadphase.AgentProxy;
+    import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
+
+    use namespace engine;
 
     /**
      * An agent as a collider sees it: its proxy in the broad phase, with what stands for its model, and that in the world,
@@ -16,11 +20,20 @@ package starlogo.collision
      */
     internal final class WorldShape extends AgentProxy
     {
-        // minX, maxX, minY, maxY, minZ, maxZ
+        // the middle, then half the lengths
         private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
-        /** The structure around all of the hierarchy, in the world. */
-        public var worldRoot:BoundingStructure = null;
+        /**
+         * The structure in the world if it is a box that decides alone, else null: spares the costliest frequent test its casts.
+         * Like worldStructure, whose it is, to be had in the right place from <code>placeStructure()</code>.
+         */
+        public var box:Box = null;
+
+        /** The revision for which the structure was placed last. */
+        public var placedRevision:int = -1;
+
+        /** The extentsRevision for which it was placed. */
+        public var placedExtentsRevision:int = -1;
 
         /** The agent's own limit to the levels that are visited, or 0. */
         public var depth:int = 0;
@@ -34,14 +47,11 @@ package starlogo.collision
         /** The structure that stands for the model, in the model's space; null where none does. */
         public var structure:BoundingStructure = null;
 
-        /** The same in the world. */
+        /** The same in the world, if <code>placeStructure()</code> was called since the shape was updated. */
         public var worldStructure:BoundingStructure = null;
 
         /** What is tried before the structure, or null. */
         public var outer:OuterStructures = null;
-
-        /** The structure in the world if it is a box, else null: spares the costliest frequent test its casts. */
-        public var worldBox:Box = null;
 
         /** The structure around all of the hierarchy, in the model's space. */
         public var root:BoundingStructure = null;
@@ -63,26 +73,52 @@ package starlogo.collision
         {
             model = null;
             structure = worldStructure = null;
-            worldBox = null;
+            box = null;
             outer = null;
             hierarchy = null;
-            root = worldRoot = null;
+            root = null;
             isHierarchical = isSphere = false;
             level = null;
-            revision = extentsRevision = -1;
+            revision = extentsRevision = placedRevision = placedExtentsRevision = -1;
         }
 
-        /** Takes over the extents of a structure in the world. */
+        /** Takes over the extents of a structure of the model, for the agent's size and turn. */
         public function takeExtentsOf(structure:BoundingStructure):void
         {
             var extents:Vector.<Number> = sExtents;
-            structure.extentsInto(extents);
-            halfX = (extents[1] - extents[0]) / 2;
-            halfY = (extents[3] - extents[2]) / 2;
-            halfZ = (extents[5] - extents[4]) / 2;
-            x = extents[0] + halfX;
-            y = extents[2] + halfY;
-            z = extents[4] + halfZ;
+            structure.turnedExtentsInto(placement, extents);
+            offsetX = extents[0];
+            offsetY = extents[1];
+            offsetZ = extents[2];
+            halfX = extents[3];
+            halfY = extents[4];
+            halfZ = extents[5];
+        }
+
+        /**
+         * Puts the structure, and what is tried before it, where the agent is. Not before a test asks for it: of thousands of
+         * agents few have anybody near them.
+         */
+        public function placeStructure():void
+        {
+            if (box != null && placedExtentsRevision == extentsRevision)
+            {
+                // it has only moved, and its middle is that of the extents
+                var middle:Vector3D = box.center;
+                middle.x = x;
+                middle.y = y;
+                middle.z = z;
+            }
+            else
+            {
+                structure.place(placement, worldStructure);
+                if (outer != null)
+                {
+                    outer.place(placement);
+                }
+                placedExtentsRevision = extentsRevision;
+            }
+            placedRevision = revision;
         }
     }
 }

@@ -64,17 +64,20 @@ package starlogo.intersection
 
         // How far b's centre is outside of a, against the spheres around b and inside of it.
         var gapSquared:Number = 0;
-        var gap:Number = (tX < 0 ? -tX : tX) - halfAX;
+        var gap:Number = tX < 0 ? -tX : tX;
+        gap -= halfAX;
         if (gap > 0)
         {
             gapSquared += gap * gap;
         }
-        gap = (tY < 0 ? -tY : tY) - halfAY;
+        gap = tY < 0 ? -tY : tY;
+        gap -= halfAY;
         if (gap > 0)
         {
             gapSquared += gap * gap;
         }
-        gap = (tZ < 0 ? -tZ : tZ) - halfAZ;
+        gap = tZ < 0 ? -tZ : tZ;
+        gap -= halfAZ;
         if (gap > 0)
         {
             gapSquared += gap * gap;

@@ -120,18 +120,30 @@ package starlogo.intersection
             // of it is not computed: rounding may put that outside, which a radius of 0 does not forgive.
             if (dx == 0)
             {
-                excess = (px < 0 ? -px : px) - hx;
-                distanceSquared = excess > 0 ? excess * excess : 0;
+                excess = px < 0 ? -px : px;
+                excess -= hx;
+                if (excess > 0)
+                {
+                    distanceSquared = excess * excess;
+                }
             }
             if (dy == 0)
             {
-                excess = (py < 0 ? -py : py) - hy;
-                distanceSquared += excess > 0 ? excess * excess : 0;
+                excess = py < 0 ? -py : py;
+                excess -= hy;
+                if (excess > 0)
+                {
+                    distanceSquared += excess * excess;
+                }
             }
             if (dz == 0)
             {
-                excess = (pz < 0 ? -pz : pz) - hz;
-                distanceSquared += excess > 0 ? excess * excess : 0;
+                excess = pz < 0 ? -pz : pz;
+                excess -= hz;
+                if (excess > 0)
+                {
+                    distanceSquared += excess * excess;
+                }
             }
             return distanceSquared <= radius * radius;
         }
@@ -143,6 +155,7 @@ package starlogo.intersection
             // Those two count; the third does where, at what would be the minimum without it, it is outside as well.
             var slope:Number = 0;
             var curvature:Number = 0;
+            var beyond:Number;
             if (outX == firstOut)
             {
                 slope = dx * (px - hx);
@@ -176,36 +189,50 @@ package starlogo.intersection
             t = -slope / curvature;
             if (outX != firstOut && inX != lastIn && (t < inX || t > outX))
             {
-                slope += dx * (t < inX ? px + hx : px - hx);
+                beyond = t < inX ? px + hx : px - hx;
+                slope += dx * beyond;
                 t = -slope / (curvature + dx * dx);
             }
             else if (outY != firstOut && inY != lastIn && (t < inY || t > outY))
             {
-                slope += dy * (t < inY ? py + hy : py - hy);
+                beyond = t < inY ? py + hy : py - hy;
+                slope += dy * beyond;
                 t = -slope / (curvature + dy * dy);
             }
             else if (outZ != firstOut && inZ != lastIn && (t < inZ || t > outZ))
             {
-                slope += dz * (t < inZ ? pz + hz : pz - hz);
+                beyond = t < inZ ? pz + hz : pz - hz;
+                slope += dz * beyond;
                 t = -slope / (curvature + dz * dz);
             }
         }
-        t = t > 0 ? (t < 1 ? t : 1) : 0;
+        // NaN too: the products of tiny numbers may vanish
+        if (!(t > 0))
+        {
+            t = 0;
+        }
+        else if (t > 1)
+        {
+            t = 1;
+        }
 
         excess = px + t * dx;
-        excess = (excess < 0 ? -excess : excess) - hx;
+        excess = excess < 0 ? -excess : excess;
+        excess -= hx;
         if (excess > 0)
         {
             distanceSquared = excess * excess;
         }
         excess = py + t * dy;
-        excess = (excess < 0 ? -excess : excess) - hy;
+        excess = excess < 0 ? -excess : excess;
+        excess -= hy;
         if (excess > 0)
         {
             distanceSquared += excess * excess;
         }
         excess = pz + t * dz;
-        excess = (excess < 0 ? -excess : excess) - hz;
+        excess = excess < 0 ? -excess : excess;
+        excess -= hz;
         if (excess > 0)
         {
             distanceSquared += excess * excess;

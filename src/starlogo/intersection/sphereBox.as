@@ -26,21 +26,24 @@ package starlogo.intersection
 
         var axis:Vector3D = box.axisX;
         var along:Number = axis.x * x + axis.y * y + axis.z * z;
-        var excess:Number = (along < 0 ? -along : along) - box.halfX;
+        along = along < 0 ? -along : along;
+        var excess:Number = along - box.halfX;
         if (excess > 0)
         {
             distanceSquared = excess * excess;
         }
         axis = box.axisY;
         along = axis.x * x + axis.y * y + axis.z * z;
-        excess = (along < 0 ? -along : along) - box.halfY;
+        along = along < 0 ? -along : along;
+        excess = along - box.halfY;
         if (excess > 0)
         {
             distanceSquared += excess * excess;
         }
         axis = box.axisZ;
         along = axis.x * x + axis.y * y + axis.z * z;
-        excess = (along < 0 ? -along : along) - box.halfZ;
+        along = along < 0 ? -along : along;
+        excess = along - box.halfZ;
         if (excess > 0)
         {
             distanceSquared += excess * excess;

@@ -64,17 +64,17 @@ package starlogo.broadphase
         public function whoMovesOutOfItsLevelsReachGetsAnother():void
         {
             var proxy:AgentProxy = proxyAt(0, 0, 0.5, 0.5);
-            _bins.assignLevel(proxy);
+            _bins.fit(proxy);
             var level:BinLevel = proxy.level;
             assertFalse(_bins.isBeyondReach(proxy));
             proxy.x = 1e12;
             assertTrue(_bins.isBeyondReach(proxy));
-            _bins.assignLevel(proxy);
+            _bins.fit(proxy);
             assertTrue("wider bins", proxy.level !== level && proxy.level.width > level.width);
             assertFalse(_bins.isBeyondReach(proxy));
             // far out the columns of the old level would not fit an int
             var other:AgentProxy = proxyAt(1e12, 0.75, 0.5, 0.5);
-            _bins.assignLevel(other);
+            _bins.fit(other);
             assertEquals(1, assertLikeBruteForce("far out", new <AgentProxy>[proxy, other]));
         }
 
@@ -82,16 +82,16 @@ package starlogo.broadphase
         public function levelsAreOfTheSizeOfTheirProxies():void
         {
             var proxy:AgentProxy = proxyAt(3, 4, 0.5, 0.5);
-            _bins.assignLevel(proxy);
+            _bins.fit(proxy);
             assertEquals("unit spheres", 2, proxy.level.width);
             proxy.halfY = 0.51;
-            _bins.assignLevel(proxy);
+            _bins.fit(proxy);
             assertEquals(4, proxy.level.width);
             proxy.halfY = 0.5;
-            _bins.assignLevel(proxy);
+            _bins.fit(proxy);
             assertEquals("and back", 2, proxy.level.width);
             proxy.halfX = proxy.halfY = 0;
-            _bins.assignLevel(proxy);
+            _bins.fit(proxy);
             assertTrue("a point", proxy.level.width > 0 && proxy.level.width < 1e-6);
         }
 
@@ -179,7 +179,7 @@ package starlogo.broadphase
             _bins.clear();
             for each (var proxy:AgentProxy in proxies)
             {
-                _bins.assignLevel(proxy);
+                _bins.fit(proxy);
                 _bins.add(proxy);
             }
         }
@@ -267,11 +267,14 @@ class PairList extends PairSink
 
     private var _pairs:Object = {};
 
-    override public function onCandidatePair(a:AgentProxy, b:AgentProxy):void
+    override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
     {
-        length++;
-        var key:String = keyOf(a, b);
-        _pairs[key] = int(_pairs[key]) + 1;
+        for (var i:int = 0; i < count; i++)
+        {
+            length++;
+            var key:String = keyOf(proxy, others[i]);
+            _pairs[key] = int(_pairs[key]) + 1;
+        }
     }
 
     public function count(a:AgentProxy, b:AgentProxy):int

@@ -50,6 +50,10 @@ package starlogo.collision
         private var _memberCount:int = 0;
         private var _loadingCount:int = 0;
 
+        // Searches in which somebody sweeps, and whether the last was one.
+        private var _swept:SweptSearch;
+        private var _isSwept:Boolean = false;
+
         // The pair that areColliding asks about, and who it finds, if so.
         private var _asked:Vector.<AgentProxy> = new Vector.<AgentProxy>();
         private var _answer:Vector.<Agent> = new Vector.<Agent>();
@@ -63,6 +67,7 @@ package starlogo.collision
         {
             _shapes = new ShapeCache(greatLand, strategy, _bins);
             _strategy = strategy;
+            _swept = new SweptSearch(strategy);
         }
 
         /** What the last search did. */
@@ -121,6 +126,33 @@ package starlogo.collision
         public function findRecords(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<AgentRecord>):void
         {
             search(agents, interests, null, out);
+        }
+
+        /** How two agents touch that the last search saw, as Collider says. */
+        public function findContact(a:Agent, b:Agent, out:Contact):void
+        {
+            findContactOf(seenShapeOf(a), seenShapeOf(b), out);
+        }
+
+        /** The same of records that findRecords gave. */
+        public function findContactOf(a:AgentRecord, b:AgentRecord, out:Contact):void
+        {
+            _swept.findContact(a as WorldShape, b as WorldShape, _isSwept, out);
+        }
+
+        // As the last search has left it; now, if none has seen it.
+        private function seenShapeOf(agent:Agent):WorldShape
+        {
+            var shape:WorldShape = _shapes.find(agent);
+            if (shape.level == null)
+            {
+                shape = _shapes.shapeOf(agent);
+                if (shape.level == null)
+                {
+                    throw new ArgumentError(agent + ": its model is still loading");
+                }
+            }
+            return shape;
         }
 
         /** @inheritDoc */
@@ -227,6 +259,30 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var start:int = getTimer();
+            // nobody has ever swept in most games
+            if (Agent.haveSwept && SweptSearch.isNeeded(agents))
+            {
+                searchSwept(agents, interests, found, foundRecords);
+            }
+            else
+            {
+                searchStanding(agents, interests, found, foundRecords);
+            }
+            if (found != null)
+            {
+                found.length = _foundLength;
+            }
+            else
+            {
+                foundRecords.length = _foundLength;
+            }
+            _statistics.findMs = getTimer() - start;
+        }
+
+        private function searchStanding(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
+                foundRecords:Vector.<AgentRecord>):void
+        {
+            _isSwept = false;
             enlist(agents);
             updateShapes(interests);
             if (_membersAreStale || !_bins.repeat())
@@ -247,26 +303,51 @@ package starlogo.collision
             _somebodyLeft = false;
             _found = null;
             _foundRecords = null;
-            if (found != null)
-            {
-                found.length = _foundLength;
-            }
-            else
-            {
-                foundRecords.length = _foundLength;
-            }
-            report(agents.length);
-            _statistics.findMs = getTimer() - start;
+            report(agents.length, _memberCount, _bins);
         }
 
-        private function report(agentCount:int):void
+        // Leaves the bins as they are for the next search that is none of these.
+        private function searchSwept(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
+                foundRecords:Vector.<AgentRecord>):void
+        {
+            if (!_isSwept)
+            {
+                _swept.noteShapes(_listed);
+            }
+            _isSwept = false;
+            enlist(agents);
+            updateShapes(interests);
+            _strategy.resetCounts();
+            _swept.find(_listed, interests);
+            _isSwept = true;
+            var pairs:Vector.<WorldShape> = _swept.pairs;
+            _foundLength = _swept.length;
+            for (var i:int = 0; i < _foundLength; i++)
+            {
+                if (found != null)
+                {
+                    found[i] = pairs[i].agent;
+                }
+                else
+                {
+                    foundRecords[i] = pairs[i];
+                }
+            }
+            _skippedPairs = _swept.skippedPairs;
+            _spherePairs = _swept.spherePairs;
+            _boxPairs = 0;
+            report(agents.length, _swept.memberCount, _swept.bins);
+            _statistics.sweptPairs = _swept.sweptPairs;
+        }
+
+        private function report(agentCount:int, members:int, bins:Bins):void
         {
             _statistics.reset();
             _statistics.agents = agentCount;
-            _statistics.agentsSkipped = agentCount - _memberCount - _loadingCount;
+            _statistics.agentsSkipped = agentCount - members - _loadingCount;
             _statistics.agentsLoading = _loadingCount;
-            _statistics.binEntries = _bins.entryCount;
-            _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
+            _statistics.binEntries = bins.entryCount;
+            _statistics.candidatePairs = bins.pairCount - _skippedPairs;
             _statistics.sphereSphereTests = _spherePairs;
             _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);

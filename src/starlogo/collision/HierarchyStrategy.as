@@ -4,6 +4,9 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyTraversal;
+    import starlogo.hierarchy.SweptHierarchyTraversal;
+    import starlogo.motion.Touch;
+    import starlogo.motion.Way;
 
     use namespace engine;
 
@@ -18,6 +21,8 @@ package starlogo.collision
 
         private var _greatLand:GreatLand;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _swept:SweptHierarchyTraversal;
+        private var _turned:Way = new Way();
         private var _pairs:int = 0;
 
         /**
@@ -26,6 +31,7 @@ package starlogo.collision
         public function HierarchyStrategy(greatLand:GreatLand)
         {
             _greatLand = greatLand;
+            _swept = new SweptHierarchyTraversal(_traversal);
         }
 
         /** @inheritDoc */
@@ -74,9 +80,53 @@ package starlogo.collision
         }
 
         /** @inheritDoc */
+        override public function firstOverlap(a:WorldShape, b:WorldShape, way:Way):Number
+        {
+            _pairs++;
+            if (a.serial > b.serial && a.isHierarchical == b.isHierarchical || !a.isHierarchical)
+            {
+                _turned.turn(way);
+                way = _turned;
+                var first:WorldShape = b;
+                b = a;
+                a = first;
+            }
+            if (!b.isHierarchical)
+            {
+                return _swept.structureTouches(a.hierarchy, a.placement, depthOf(a), b.structure, b.placement, way);
+            }
+            return _swept.hierarchiesTouch(a.hierarchy, a.placement, depthOf(a), b.hierarchy, b.placement, depthOf(b), exact, way);
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(a:WorldShape, b:WorldShape, way:Way, time:Number, out:Touch):void
+        {
+            if (!a.isHierarchical)
+            {
+                _turned.turn(way);
+                _swept.findStructureTouch(b.hierarchy, b.placement, depthOf(b), a.structure, a.placement, _turned, time, out);
+                out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
+            }
+            else if (!b.isHierarchical)
+            {
+                _swept.findStructureTouch(a.hierarchy, a.placement, depthOf(a), b.structure, b.placement, way, time, out);
+            }
+            else
+            {
+                _swept.findTouch(a.hierarchy, a.placement, depthOf(a), b.hierarchy, b.placement, depthOf(b), exact, way, time, out);
+            }
+        }
+
+        private function depthOf(shape:WorldShape):int
+        {
+            return shape.depth == 0 ? maxDepth : shape.depth;
+        }
+
+        /** @inheritDoc */
         override public function resetCounts():void
         {
             _pairs = 0;
+            _swept.resetCounts();
             _traversal.resetCounts();
         }
 
@@ -84,8 +134,8 @@ package starlogo.collision
         override public function countInto(statistics:CollisionStatistics):void
         {
             statistics.hierarchyTests += _pairs;
-            statistics.nodeVisits += _traversal.nodeVisits;
-            statistics.triangleTests += _traversal.triangleTests;
+            statistics.nodeVisits += _traversal.nodeVisits + _swept.nodeVisits;
+            statistics.triangleTests += _traversal.triangleTests + _swept.triangleTests;
         }
 
         private function structureOverlaps(hierarchical:WorldShape, other:WorldShape):Boolean

@@ -9,11 +9,12 @@ package starlogo.motion
      * @param a moves; half-extents may be 0
      * @param b in the space of a; likewise
      * @param way of a
+     * @param faceAxesOnly leaves out the axes of the edges, as boxBox does
      * @return from 0 to 1, or Way.NEVER
      *
      * @private
      */
-    public function boxBoxTouch(a:Box, b:Box, way:Way):Number
+    public function boxBoxTouch(a:Box, b:Box, way:Way, faceAxesOnly:Boolean = false):Number
     {
         var axisX:Vector3D = a.axisX;
         var aXx:Number = axisX.x;
@@ -47,9 +48,10 @@ package starlogo.motion
         var tY:Number = aYx * fromX + aYy * fromY + aYz * fromZ;
         var tZ:Number = aZx * fromX + aZy * fromY + aZz * fromZ;
         var gap:Number = way.rounding(centerA, centerB);
-        if (SWEEP.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1) == Way.NEVER)
+        var time:Number = SWEEP.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
+        if (time == Way.NEVER || faceAxesOnly)
         {
-            return Way.NEVER;
+            return time;
         }
         return SWEEP.edgesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap);
     }

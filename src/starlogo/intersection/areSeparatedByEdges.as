@@ -39,30 +39,11 @@ package starlogo.intersection
         var halfX:Number = b.halfX;
         var halfY:Number = b.halfY;
         var halfZ:Number = b.halfZ;
-        return isSeparatedBy(a, tX, tY, tZ, cosXX, cosYX, cosZX,
+        return isSeparatedByEdge(a, tX, tY, tZ, cosXX, cosYX, cosZX,
                 halfY * cosXY, halfY * cosYY, halfY * cosZY, halfZ * cosXZ, halfZ * cosYZ, halfZ * cosZZ)
-            || isSeparatedBy(a, tX, tY, tZ, cosXY, cosYY, cosZY,
+            || isSeparatedByEdge(a, tX, tY, tZ, cosXY, cosYY, cosZY,
                 halfZ * cosXZ, halfZ * cosYZ, halfZ * cosZZ, halfX * cosXX, halfX * cosYX, halfX * cosZX)
-            || isSeparatedBy(a, tX, tY, tZ, cosXZ, cosYZ, cosZZ,
+            || isSeparatedByEdge(a, tX, tY, tZ, cosXZ, cosYZ, cosZZ,
                 halfX * cosXX, halfX * cosYX, halfX * cosZX, halfY * cosXY, halfY * cosYY, halfY * cosZY);
     }
-}
-
-import starlogo.bounding.Box;
-
-/**
- * Whether the cross product of edge p of the other box and one of a's separates; q and r are the other box's other edges,
- * half of each, all in a's axes.
- */
-function isSeparatedBy(a:Box, tX:Number, tY:Number, tZ:Number, pX:Number, pY:Number, pZ:Number,
-        qX:Number, qY:Number, qZ:Number, rX:Number, rY:Number, rZ:Number):Boolean
-{
-    var x:Number = Math.abs(pX);
-    var y:Number = Math.abs(pY);
-    var z:Number = Math.abs(pZ);
-    var reachX:Number = a.halfY * z + a.halfZ * y + Math.abs(qZ * pY - qY * pZ) + Math.abs(rZ * pY - rY * pZ);
-    var reachY:Number = a.halfZ * x + a.halfX * z + Math.abs(qX * pZ - qZ * pX) + Math.abs(rX * pZ - rZ * pX);
-    var reachZ:Number = a.halfX * y + a.halfY * x + Math.abs(qY * pX - qX * pY) + Math.abs(rY * pX - rX * pY);
-    return Math.abs(tZ * pY - tY * pZ) > reachX || Math.abs(tX * pZ - tZ * pX) > reachY
-        || Math.abs(tY * pX - tX * pY) > reachZ;
 }

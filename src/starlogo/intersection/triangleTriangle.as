@@ -1,15 +1,14 @@
 package starlogo.intersection
 {
-    import starlogo.geometry.Tolerances;
-
     /**
-     * Whether two triangles meet: separating axes (Ericson, "Real-Time Collision Detection", §5.2.1).
+     * Whether two triangles meet: separating axes (Ericson, "Real-Time Collision Detection", §5.2.1), most of
+     * which need not be tried.
      *
-     * <p>The axes are the two normals, the nine cross products of an edge of each, and for triangles that are nearly in one
-     * plane the six directions in it at right angles to an edge. Each is projected on in full: however short and imprecise
-     * an axis is, it separates only triangles that have a gap, so that nearly parallel edges and needle-like triangles
-     * need no cases of their own. A triangle without area is a segment or a point; of two of them, the distance is
-     * computed.</p>
+     * <p>Most triangles are on one side of the other's plane. Of those that cross each other's planes, the pieces that they
+     * cut out of the line in both decide (Möller, "A fast triangle-triangle intersection test", Journal of Graphics Tools,
+     * 1997): where the pieces clearly overlap the triangles meet, and where they do not the edges that face each other give the
+     * one axis that can separate. The rest, triangles that just touch or are nearly in one plane, and needles, is left to
+     * TriangleAxes.</p>
      *
      * <p>Triangles that overlap, touch, or have a gap of no more than the tolerance always meet. The opposite error is
      * bounded by geometry, not by the tolerance: of triangles of size 1, those that are farther apart than 1e-7 are
@@ -26,7 +25,7 @@ package starlogo.intersection
      */
     public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, tolerance:Number):Boolean
     {
-        // All relative to a's first corner.
+        // all relative to a's first corner
         var x:Number = a[atA];
         var y:Number = a[int(atA + 1)];
         var z:Number = a[int(atA + 2)];
@@ -55,11 +54,23 @@ package starlogo.intersection
         var atP:Number = nx * px + ny * py + nz * pz;
         var atQ:Number = nx * qx + ny * qy + nz * qz;
         var atR:Number = nx * rx + ny * ry + nz * rz;
-        if (atP > 0 && atQ > 0 && atR > 0 || atP < 0 && atQ < 0 && atR < 0)
+        var near:Number;
+        var own:Number;
+        if ((atP > 0 && atQ > 0 && atR > 0) || (atP < 0 && atQ < 0 && atR < 0))
         {
+            near = atP < 0 ? -atP : atP;
+            own = atQ < 0 ? -atQ : atQ;
+            near = near < own ? near : own;
+            own = atR < 0 ? -atR : atR;
+            near = near < own ? near : own;
             // a needle's own corners need not be on the plane that was computed
-            if (separates(nx, ny, nz,
-                        ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
+            own = nx * ux + ny * uy + nz * uz;
+            own = own < 0 ? -own : own;
+            near -= own;
+            own = nx * vx + ny * vy + nz * vz;
+            own = own < 0 ? -own : own;
+            near -= own;
+            if (near > 0 && near * near > limit * areaA)
             {
                 return false;
             }
@@ -76,147 +87,167 @@ package starlogo.intersection
         var my:Number = fz * gx - fx * gz;
         var mz:Number = fx * gy - fy * gx;
         var areaB:Number = mx * mx + my * my + mz * mz;
-        atP = -mx * px - my * py - mz * pz;
-        atQ = atP + mx * ux + my * uy + mz * uz;
-        atR = atP + mx * vx + my * vy + mz * vz;
-        if (atP > 0 && atQ > 0 && atR > 0 || atP < 0 && atQ < 0 && atR < 0)
+        var at0:Number = -mx * px - my * py - mz * pz;
+        var atU:Number = at0 + mx * ux + my * uy + mz * uz;
+        var atV:Number = at0 + mx * vx + my * vy + mz * vz;
+        if ((at0 > 0 && atU > 0 && atV > 0) || (at0 < 0 && atU < 0 && atV < 0))
         {
-            if (separates(mx, my, mz,
-                        ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
+            near = at0 < 0 ? -at0 : at0;
+            own = atU < 0 ? -atU : atU;
+            near = near < own ? near : own;
+            own = atV < 0 ? -atV : atV;
+            near = near < own ? near : own;
+            own = mx * fx + my * fy + mz * fz;
+            own = own < 0 ? -own : own;
+            near -= own;
+            own = mx * gx + my * gy + mz * gz;
+            own = own < 0 ? -own : own;
+            near -= own;
+            if (near > 0 && near * near > limit * areaB)
             {
                 return false;
             }
         }
 
-        // The third edges.
-        var wx:Number = vx - ux;
-        var wy:Number = vy - uy;
-        var wz:Number = vz - uz;
-        var hx:Number = gx - fx;
-        var hy:Number = gy - fy;
-        var hz:Number = gz - fz;
-
-        // Squared heights over the longest edges, relative to these: what becomes of the normals' precision.
-        var longestA:Number = longest(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz, wx * wx + wy * wy + wz * wz);
-        var longestB:Number = longest(fx * fx + fy * fy + fz * fz, gx * gx + gy * gy + gz * gz, hx * hx + hy * hy + hz * hz);
-        var isFlatA:Boolean = areaA <= Tolerances.FLAT_TRIANGLE * longestA * longestA;
-        var isFlatB:Boolean = areaB <= Tolerances.FLAT_TRIANGLE * longestB * longestB;
-        if (isFlatA && isFlatB)
+        // Only where no rounding matters: neither a needle, and each corner well off the other's plane.
+        var lone:Number = at0 * atU;
+        var lone2:Number = at0 * atV;
+        var loneB:Number = atP * atQ;
+        var loneB2:Number = atP * atR;
+        var enoughA:Number = TriangleAxes.CLEARLY * limit * areaA;
+        var enoughB:Number = TriangleAxes.CLEARLY * limit * areaB;
+        if ((lone < 0 || lone2 < 0) && (loneB < 0 || loneB2 < 0)
+                && at0 * at0 > enoughB && atU * atU > enoughB && atV * atV > enoughB
+                && atP * atP > enoughA && atQ * atQ > enoughA && atR * atR > enoughA
+                && TriangleAxes.SLIMMEST * areaA > (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz)
+                && TriangleAxes.SLIMMEST * areaB > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz))
         {
-            return segmentsMeet(a, atA, b, atB, limit);
+            // along the line in both planes; each triangle has a corner alone on its side of it
+            var dx:Number = ny * mz - nz * my;
+            var dy:Number = nz * mx - nx * mz;
+            var dz:Number = nx * my - ny * mx;
+            var onU:Number = dx * ux + dy * uy + dz * uz;
+            var onV:Number = dx * vx + dy * vy + dz * vz;
+            var onP:Number = dx * px + dy * py + dz * pz;
+            var onQ:Number = dx * qx + dy * qy + dz * qz;
+            var onR:Number = dx * rx + dy * ry + dz * rz;
+            var isThirdA:Boolean = lone > 0;
+            var isSecondA:Boolean = lone2 > 0;
+            var beginA:Number;
+            var endA:Number;
+            if (isThirdA)
+            {
+                beginA = onV - onV * atV / (atV - at0);
+                endA = onV + (onU - onV) * atV / (atV - atU);
+            }
+            else if (isSecondA)
+            {
+                beginA = onU - onU * atU / (atU - at0);
+                endA = onU + (onV - onU) * atU / (atU - atV);
+            }
+            else
+            {
+                beginA = onU * at0 / (at0 - atU);
+                endA = onV * at0 / (at0 - atV);
+            }
+            var isThirdB:Boolean = loneB > 0;
+            var isSecondB:Boolean = loneB2 > 0;
+            var beginB:Number;
+            var endB:Number;
+            if (isThirdB)
+            {
+                beginB = onR + (onP - onR) * atR / (atR - atP);
+                endB = onR + (onQ - onR) * atR / (atR - atQ);
+            }
+            else if (isSecondB)
+            {
+                beginB = onQ + (onP - onQ) * atQ / (atQ - atP);
+                endB = onQ + (onR - onQ) * atQ / (atQ - atR);
+            }
+            else
+            {
+                beginB = onP + (onQ - onP) * atP / (atP - atQ);
+                endB = onP + (onR - onP) * atP / (atP - atR);
+            }
+            // in order: the first edge of a at the low end, or at the high
+            var lowA:Number = beginA < endA ? beginA : endA;
+            var highA:Number = beginA < endA ? endA : beginA;
+            var lowB:Number = beginB < endB ? beginB : endB;
+            var highB:Number = beginB < endB ? endB : beginB;
+            var overlap:Number = highA < highB ? highA : highB;
+            near = lowA > lowB ? lowA : lowB;
+            overlap -= near;
+            onU = onU < 0 ? -onU : onU;
+            onV = onV < 0 ? -onV : onV;
+            onQ -= onP;
+            onQ = onQ < 0 ? -onQ : onQ;
+            onR -= onP;
+            onR = onR < 0 ? -onR : onR;
+            if (overlap > TriangleAxes.UNSURE * (onU + onV + onQ + onR))
+            {
+                return true;
+            }
+            if (overlap < 0)
+            {
+                // the edges through the ends that face each other
+                var isFirst:Boolean = highA < lowB;
+                var ex:Number = ux;
+                var ey:Number = uy;
+                var ez:Number = uz;
+                var facing:Number = isFirst ? highA : lowA;
+                if (facing == beginA)
+                {
+                    if (isThirdA)
+                    {
+                        ex = vx;
+                        ey = vy;
+                        ez = vz;
+                    }
+                }
+                else
+                {
+                    ex = vx;
+                    ey = vy;
+                    ez = vz;
+                    if (isThirdA || isSecondA)
+                    {
+                        ex -= ux;
+                        ey -= uy;
+                        ez -= uz;
+                    }
+                }
+                var hx:Number = fx;
+                var hy:Number = fy;
+                var hz:Number = fz;
+                facing = isFirst ? lowB : highB;
+                if (facing == beginB)
+                {
+                    if (isThirdB)
+                    {
+                        hx = gx;
+                        hy = gy;
+                        hz = gz;
+                    }
+                }
+                else
+                {
+                    hx = gx;
+                    hy = gy;
+                    hz = gz;
+                    if (isThirdB || isSecondB)
+                    {
+                        hx -= fx;
+                        hy -= fy;
+                        hz -= fz;
+                    }
+                }
+                if (TriangleAxes.separates(ey * hz - ez * hy, ez * hx - ex * hz, ex * hy - ey * hx,
+                            ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
+                {
+                    return false;
+                }
+            }
         }
-
-        if (separates(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(uy * gz - uz * gy, uz * gx - ux * gz, ux * gy - uy * gx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(uy * hz - uz * hy, uz * hx - ux * hz, ux * hy - uy * hx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * fz - vz * fy, vz * fx - vx * fz, vx * fy - vy * fx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * gz - vz * gy, vz * gx - vx * gz, vx * gy - vy * gx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * hz - vz * hy, vz * hx - vx * hz, vx * hy - vy * hx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * fz - wz * fy, wz * fx - wx * fz, wx * fy - wy * fx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * gz - wz * gy, wz * gx - wx * gz, wx * gy - wy * gx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * hz - wz * hy, wz * hx - wx * hz, wx * hy - wy * hx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
-        {
-            return false;
-        }
-
-        // In the plane of the one whose normal is the more precise.
-        if (isFlatA || (!isFlatB && areaA * longestB * longestB < areaB * longestA * longestA))
-        {
-            nx = mx;
-            ny = my;
-            nz = mz;
-        }
-        return !(separates(uy * nz - uz * ny, uz * nx - ux * nz, ux * ny - uy * nx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(vy * nz - vz * ny, vz * nx - vx * nz, vx * ny - vy * nx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(wy * nz - wz * ny, wz * nx - wx * nz, wx * ny - wy * nx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(fy * nz - fz * ny, fz * nx - fx * nz, fx * ny - fy * nx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(gy * nz - gz * ny, gz * nx - gx * nz, gx * ny - gy * nx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit)
-                || separates(hy * nz - hz * ny, hz * nx - hx * nz, hx * ny - hy * nx,
-                    ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit));
-    }
-}
-
-import flash.geom.Vector3D;
-import starlogo.bounding.Capsule;
-import starlogo.intersection.capsuleCapsule;
-
-const SEGMENT_A:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
-const SEGMENT_B:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
-
-function longest(a:Number, b:Number, c:Number):Number
-{
-    a = a > b ? a : b;
-    return a > c ? a : c;
-}
-
-/** Whether the projections of (0, u, v) and (p, q, r) on an axis have a gap whose square is more than the limit. */
-function separates(x:Number, y:Number, z:Number, ux:Number, uy:Number, uz:Number, vx:Number, vy:Number, vz:Number,
-        px:Number, py:Number, pz:Number, qx:Number, qy:Number, qz:Number, rx:Number, ry:Number, rz:Number, limit:Number):Boolean
-{
-    var u:Number = x * ux + y * uy + z * uz;
-    var v:Number = x * vx + y * vy + z * vz;
-    var p:Number = x * px + y * py + z * pz;
-    var q:Number = x * qx + y * qy + z * qz;
-    var r:Number = x * rx + y * ry + z * rz;
-    var low:Number = u < 0 ? u : 0;
-    low = v < low ? v : low;
-    var high:Number = u > 0 ? u : 0;
-    high = v > high ? v : high;
-    var gap:Number = 0;
-    if (p > high && q > high && r > high)
-    {
-        gap = p < q ? p : q;
-        gap = (r < gap ? r : gap) - high;
-    }
-    else if (p < low && q < low && r < low)
-    {
-        gap = p > q ? p : q;
-        gap = low - (r > gap ? r : gap);
-    }
-    return gap > 0 && gap * gap > limit * (x * x + y * y + z * z);
-}
-
-/** Whether the longest edges of two triangles without area are close. */
-function segmentsMeet(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, limit:Number):Boolean
-{
-    setLongestEdge(SEGMENT_A, a, atA);
-    setLongestEdge(SEGMENT_B, b, atB);
-    SEGMENT_A.radius = Math.sqrt(limit);
-    return capsuleCapsule(SEGMENT_A, SEGMENT_B);
-}
-
-function setLongestEdge(segment:Capsule, corners:Vector.<Number>, at:int):void
-{
-    var most:Number = -1;
-    for (var i:int = 0; i < 9; i += 3)
-    {
-        var k:int = (i + 3) % 9;
-        var x:Number = corners[at + k] - corners[at + i];
-        var y:Number = corners[at + k + 1] - corners[at + i + 1];
-        var z:Number = corners[at + k + 2] - corners[at + i + 2];
-        if (x * x + y * y + z * z > most)
-        {
-            most = x * x + y * y + z * z;
-            segment.start.x = corners[at + i];
-            segment.start.y = corners[at + i + 1];
-            segment.start.z = corners[at + i + 2];
-            segment.end.x = corners[at + k];
-            segment.end.y = corners[at + k + 1];
-            segment.end.z = corners[at + k + 2];
-        }
+        return !TriangleAxes.areSeparated(a, atA, b, atB, tolerance);
     }
 }

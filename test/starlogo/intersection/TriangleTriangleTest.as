@@ -3,6 +3,7 @@ package starlogo.intersection
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import evaluation.pairs.SeededRandom;
+    import starlogo.intersection.triangleTriangle;
     import support.TriangleDistance;
 
     /** The test of triangles against their distance: right about all that are not within 1e-7 of their size of touching. */

@@ -7,11 +7,12 @@ package starlogo.motion
     /**
      * The point of a capsule's segment that is nearest to a box, for a capsule in many places: all in the box's axes, mirrored so that
      * the segment points up each of them.
-     *
-     * @private
      */
-    public final class BoxSegment
+    internal final class BoxSegment
     {
+        /** For tests that are over before the next begins. */
+        internal static const SCRATCH:BoxSegment = new BoxSegment();
+
         /** From the box's middle to the segment's start, where the capsule stands. */
         public var x:Number;
 

@@ -13,6 +13,9 @@ package starlogo.motion
      */
     public final class BoxSweep
     {
+        /** For tests that are over before the next begins. */
+        internal static const SCRATCH:BoxSweep = new BoxSweep();
+
         // Entry by entry, b's axes in a's: the first is of b's axisX along a's axisX, the next of b's axisY along a's axisX.
         private var _xx:Number;
         private var _xy:Number;

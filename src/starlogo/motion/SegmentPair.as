@@ -7,11 +7,12 @@ package starlogo.motion
     /**
      * The nearest points of two capsules' segments, for one capsule in many places (Ericson, "Real-Time Collision Detection",
      * §5.1.9). What does not depend on the place is computed once.
-     *
-     * @private
      */
-    public final class SegmentPair
+    internal final class SegmentPair
     {
+        /** For tests that are over before the next begins. */
+        internal static const SCRATCH:SegmentPair = new SegmentPair();
+
         /** From the start of b's segment to that of a's, where the capsules stand. */
         public var x:Number;
 

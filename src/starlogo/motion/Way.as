@@ -14,6 +14,8 @@ package starlogo.motion
         /** The time of a touch that never comes. */
         public static const NEVER:Number = Infinity;
 
+        private static const TURNED:Way = new Way();
+
         /** From where the structure stands to where it is at time 0. */
         public var startX:Number = 0;
 
@@ -70,10 +72,11 @@ package starlogo.motion
             startZ = -way.startZ;
         }
 
-        /** Whether it leads nowhere, or so near that the square of its length vanishes. */
-        public function get isPoint():Boolean
+        /** The way of the other structure, while this one stands still; the next call overwrites it. */
+        internal static function turned(way:Way):Way
         {
-            return !(x * x + y * y + z * z > 0);
+            TURNED.turn(way);
+            return TURNED;
         }
 
         /**

@@ -31,13 +31,14 @@ package starlogo.motion
         var x:Vector3D = b.axisX;
         var y:Vector3D = b.axisY;
         var z:Vector3D = b.axisZ;
-        SWEEP.turn(aXx * x.x + aXy * x.y + aXz * x.z, aXx * y.x + aXy * y.y + aXz * y.z, aXx * z.x + aXy * z.y + aXz * z.z,
+        var sweep:BoxSweep = BoxSweep.SCRATCH;
+        sweep.turn(aXx * x.x + aXy * x.y + aXz * x.z, aXx * y.x + aXy * y.y + aXz * y.z, aXx * z.x + aXy * z.y + aXz * z.z,
                 aYx * x.x + aYy * x.y + aYz * x.z, aYx * y.x + aYy * y.y + aYz * y.z, aYx * z.x + aYy * z.y + aYz * z.z,
                 aZx * x.x + aZy * x.y + aZz * x.z, aZx * y.x + aZy * y.y + aZz * y.z, aZx * z.x + aZy * z.y + aZz * z.z);
         var wayX:Number = way.x;
         var wayY:Number = way.y;
         var wayZ:Number = way.z;
-        SWEEP.move(-(aXx * wayX + aXy * wayY + aXz * wayZ), -(aYx * wayX + aYy * wayY + aYz * wayZ),
+        sweep.move(-(aXx * wayX + aXy * wayY + aXz * wayZ), -(aYx * wayX + aYy * wayY + aYz * wayZ),
                 -(aZx * wayX + aZy * wayY + aZz * wayZ));
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
@@ -48,15 +49,11 @@ package starlogo.motion
         var tY:Number = aYx * fromX + aYy * fromY + aYz * fromZ;
         var tZ:Number = aZx * fromX + aZy * fromY + aZz * fromZ;
         var gap:Number = way.rounding(centerA, centerB);
-        var time:Number = SWEEP.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
+        var time:Number = sweep.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
         if (time == Way.NEVER || faceAxesOnly)
         {
             return time;
         }
-        return SWEEP.edgesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap);
+        return sweep.edgesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap);
     }
 }
-
-import starlogo.motion.BoxSweep;
-
-const SWEEP:BoxSweep = new BoxSweep();

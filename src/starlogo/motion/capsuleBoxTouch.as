@@ -16,7 +16,7 @@ package starlogo.motion
      */
     public function capsuleBoxTouch(capsule:Capsule, box:Box, way:Way):Number
     {
-        var segment:BoxSegment = SEGMENT;
+        var segment:BoxSegment = BoxSegment.SCRATCH;
         segment.relate(capsule, box);
         segment.turn(way.startX, way.startY, way.startZ);
         var fromX:Number = segment.x + segment.wayX;
@@ -69,7 +69,3 @@ package starlogo.motion
         return time;
     }
 }
-
-import starlogo.motion.BoxSegment;
-
-const SEGMENT:BoxSegment = new BoxSegment();

@@ -16,10 +16,11 @@ package starlogo.motion
      */
     public function capsuleCapsuleTouch(a:Capsule, b:Capsule, way:Way):Number
     {
-        SEGMENTS.relate(a, b);
-        var fromX:Number = SEGMENTS.x + way.startX;
-        var fromY:Number = SEGMENTS.y + way.startY;
-        var fromZ:Number = SEGMENTS.z + way.startZ;
+        var segments:SegmentPair = SegmentPair.SCRATCH;
+        segments.relate(a, b);
+        var fromX:Number = segments.x + way.startX;
+        var fromY:Number = segments.y + way.startY;
+        var fromZ:Number = segments.z + way.startZ;
         var wayX:Number = way.x;
         var wayY:Number = way.y;
         var wayZ:Number = way.z;
@@ -29,10 +30,10 @@ package starlogo.motion
         var time:Number = 0;
         for (var step:int = 0; step < Newton.MOST_STEPS; step++)
         {
-            SEGMENTS.findNearest(fromX + time * wayX, fromY + time * wayY, fromZ + time * wayZ);
-            var x:Number = SEGMENTS.gapX;
-            var y:Number = SEGMENTS.gapY;
-            var z:Number = SEGMENTS.gapZ;
+            segments.findNearest(fromX + time * wayX, fromY + time * wayY, fromZ + time * wayZ);
+            var x:Number = segments.gapX;
+            var y:Number = segments.gapY;
+            var z:Number = segments.gapZ;
             var squared:Number = x * x + y * y + z * z;
             var closing:Number = -(x * wayX + y * wayY + z * wayZ);
             if (squared <= reach)
@@ -53,7 +54,3 @@ package starlogo.motion
         return time;
     }
 }
-
-import starlogo.motion.SegmentPair;
-
-const SEGMENTS:SegmentPair = new SegmentPair();

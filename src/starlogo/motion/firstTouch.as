@@ -34,29 +34,19 @@ package starlogo.motion
             case 2:
                 return sphereBoxTouch(a as Sphere, b as Box, way);
             case 4:
-                return sphereCapsuleTouch(b as Sphere, a as Capsule, turned(way));
+                return sphereCapsuleTouch(b as Sphere, a as Capsule, Way.turned(way));
             case 5:
                 return capsuleCapsuleTouch(a as Capsule, b as Capsule, way);
             case 6:
                 return capsuleBoxTouch(a as Capsule, b as Box, way);
             case 8:
-                return sphereBoxTouch(b as Sphere, a as Box, turned(way));
+                return sphereBoxTouch(b as Sphere, a as Box, Way.turned(way));
             case 9:
-                return capsuleBoxTouch(b as Capsule, a as Box, turned(way));
+                return capsuleBoxTouch(b as Capsule, a as Box, Way.turned(way));
             case 10:
                 return boxBoxTouch(a as Box, b as Box, way);
             default:
                 throw new ArgumentError("there is no test of motion for " + a + " and " + b);
         }
     }
-}
-
-import starlogo.motion.Way;
-
-const TURNED:Way = new Way();
-
-function turned(way:Way):Way
-{
-    TURNED.turn(way);
-    return TURNED;
 }

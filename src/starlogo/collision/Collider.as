@@ -67,6 +67,12 @@ package starlogo.collision
             return contact;
         }
 
+        /** As contactOf, of two records that findRecordsAmong gave. */
+        internal function findContactOf(collider:AgentRecord, collidee:AgentRecord, out:Contact):void
+        {
+            _search.findContactOf(collider, collidee, out);
+        }
+
         /** As findCollisionsAmong, but gives the collider's records of the agents. */
         internal function findRecordsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<AgentRecord>):void
         {

@@ -6,7 +6,7 @@ package starlogo.collision
     public interface ContactSystem extends SelectiveCollisionSystem
     {
         /**
-         * How two agents touch that the last frame found: as they were then, wherever they have gone since.
+         * How two agents touch that the last frame found: where they were then, wherever they have gone since.
          *
          * @param collider the normal points to it
          * @param collidee another agent

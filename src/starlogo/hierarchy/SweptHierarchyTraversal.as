@@ -259,20 +259,10 @@ package starlogo.hierarchy
         private function relate(a:Placement, b:Placement, way:Way):void
         {
             var start:Placement = _start;
-            start.isIdentity = a.isIdentity;
-            start.size = a.size;
-            start.x = a.x + way.startX;
-            start.y = a.y + way.startY;
-            start.z = a.z + way.startZ;
-            start.r00 = a.r00;
-            start.r01 = a.r01;
-            start.r02 = a.r02;
-            start.r10 = a.r10;
-            start.r11 = a.r11;
-            start.r12 = a.r12;
-            start.r20 = a.r20;
-            start.r21 = a.r21;
-            start.r22 = a.r22;
+            start.copyFrom(a);
+            start.x += way.startX;
+            start.y += way.startY;
+            start.z += way.startZ;
             _pose.relate(start, b);
             var x:Number = -way.x / a.size;
             var y:Number = -way.y / a.size;

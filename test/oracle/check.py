@@ -4,7 +4,8 @@
     python3 check.py [--fixtures ../fixtures] [--prepared ../../bin/test-models] [--sample 300]
 
 Pairs: lengths, counts and families of every file; every record with a sphere by the textbook formula; of each file a
-sample in 60 digits. Placements: a sample by FCL, with rotations from SciPy. Fits: that each structure contains its
+sample in 60 digits. Motion: lengths and counts; of each file a sample by coal's distances at 100 moments of the way, and in 60 digits
+shortly before and after the touch. Placements: a sample by FCL, with rotations from SciPy. Fits: that each structure contains its
 points, and that no bound and no volume contradicts another. Exits with 1 at the first that is wrong.
 """
 import argparse
@@ -21,6 +22,8 @@ from fits import by_formula, read_points
 from geometry import SHAPES, exact_signed_distance
 from minima import distance_to_segment
 from models import PREPARED, Model
+from motion import exact_at, read_pairs
+from pairs import ask_coal, scaled
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -77,6 +80,37 @@ def check_pairs(folder, sample):
         print("%-20s %5d records, %4.1f %% collide; %d again in 60 digits%s" % (
             entry["file"], len(records), 100 * entry["colliding"] / len(records), len(chosen),
             "; all by the textbook, to %.0e" % worst if a_type.kind == "sphere" else ""))
+
+
+def check_motion(folder, pairs, sample):
+    with open(os.path.join(folder, "manifest.json")) as source:
+        manifest = json.load(source)
+    with open(os.path.join(pairs, "manifest.json")) as source:
+        entries = json.load(source)["files"]
+    for entry, of in zip(manifest["files"], entries):
+        with open(os.path.join(folder, entry["file"]), "rb") as source:
+            records = list(struct.iter_unpack("<6f2d3f", source.read()))
+        assert len(records) == entry["count"] == of["count"]
+        assert sum(r[6] <= 1 for r in records) == entry["touching"]
+        chosen = set(np.linspace(0, len(records) - 1, sample).astype(int))
+        asked = 0
+        for i, (a, b) in enumerate(read_pairs(pairs, of)):
+            if i not in chosen:
+                continue
+            offset, way, t = np.array(records[i][:3]), np.array(records[i][3:6]), records[i][6]
+            if 0 < t <= 1:
+                assert exact_at(a, b, offset, way, t - 1e-9) > 0 >= exact_at(a, b, offset, way, t + 1e-9), (entry["file"], i)
+            # coal's tolerances are absolute, and it errs where scales are mixed
+            large, small = sorted((a.bounding_radius(), b.bounding_radius()), reverse=True)
+            if small < 1e-2 * large:
+                continue
+            asked += 1
+            middle = b.core()[0]
+            for moment in np.linspace(0, 1, 101):
+                _, distance = ask_coal(*(scaled(s, middle, 1 / large) for s in (a.moved(offset + moment * way), b)))
+                assert distance > -1e-5 or t <= moment, (entry["file"], i, moment)
+        print("motion/%-20s %5d ways, %4.1f %% touch; %d again in 60 digits, %d of them by coal" % (
+            entry["file"], len(records), 100 * entry["touching"] / len(records), len(chosen), asked))
 
 
 def check_placements(folder, prepared, sample):
@@ -151,6 +185,7 @@ def main():
     parser.add_argument("--sample", type=int, default=300)
     arguments = parser.parse_args()
     check_pairs(os.path.join(arguments.fixtures, "pairs"), arguments.sample)
+    check_motion(os.path.join(arguments.fixtures, "motion"), os.path.join(arguments.fixtures, "pairs"), arguments.sample)
     check_placements(os.path.join(arguments.fixtures, "placements"), arguments.prepared, arguments.sample)
     check_fits(arguments.fixtures, arguments.prepared)
 

@@ -32,6 +32,13 @@ package starlogo.agents
         /** The smallest size. */
         public static const SMALLEST_SIZE:Number = 1e-120;
 
+        /**
+         * Whether any agent has ever swept: while none has, colliders need not look for those that do.
+         *
+         * @private
+         */
+        engine static var haveSwept:Boolean = false;
+
         private static var sCreated:int = 0;
 
         /**
@@ -51,6 +58,13 @@ package starlogo.agents
         engine var revision:int = 0;
 
         /**
+         * The revision of the last jump: no way led there.
+         *
+         * @private
+         */
+        engine var jumpRevision:int = -1;
+
+        /**
          * What the users of the agent keep with it, one record each.
          *
          * @private
@@ -68,6 +82,7 @@ package starlogo.agents
         private var _roll:Number = 0;
         private var _hierarchical:Boolean = false;
         private var _traversalDepth:int = 0;
+        private var _sweeps:Boolean = false;
         private var _rotationIsStale:Boolean = false;
         private var _transform:Matrix3D;
         private var _transformRevision:int = -1;
@@ -292,6 +307,40 @@ package starlogo.agents
                 _traversalDepth = value;
                 extentsChanged();
             }
+        }
+
+        /**
+         * Whether the agent collides with whatever it met on its way since the last frame, not only with what it overlaps now: so that it
+         * flies through nothing, however fast it is.
+         *
+         * <p>The way is the straight line from where the collider saw it in its last frame to where it is, both ends included. The other agent's own
+         * motion counts, whether that sweeps or not: the two are looked at as they move. What turns or grows is looked at as it
+         * is now. An agent has no way in the first frame that a collider sees it in, after a change of its shape, and after
+         * <code>jumpTo()</code>: in that frame it is where it is.</p>
+         */
+        public function get sweeps():Boolean
+        {
+            return _sweeps;
+        }
+
+        public function set sweeps(value:Boolean):void
+        {
+            _sweeps = value;
+            haveSwept = haveSwept || value;
+        }
+
+        /**
+         * Moves the agent to a place that no way leads to: one that sweeps meets nothing in between.
+         *
+         * @param x as in moveTo
+         * @param y as in moveTo
+         * @param z as in moveTo
+         * @throws RangeError as moveTo does
+         */
+        public function jumpTo(x:Number, y:Number, z:Number):void
+        {
+            moveTo(x, y, z);
+            jumpRevision = revision;
         }
 
         /**

@@ -15,7 +15,7 @@ package starlogo.collision
      * <p>An agent whose model a ModelLoader is still loading collides with nothing, and is counted in the statistics. Models
      * may be replaced and removed at any time.</p>
      */
-    public class Collider implements SelectiveCollisionSystem
+    public class Collider implements ContactSystem
     {
         private var _search:CollisionSearch;
 
@@ -53,6 +53,24 @@ package starlogo.collision
         public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
             return _search.find(agents, interests, out);
+        }
+
+        /** @inheritDoc */
+        public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+        {
+            if (collider == null || collidee == null || collider === collidee)
+            {
+                throw new ArgumentError("two agents are needed, not " + collider + " and " + collidee);
+            }
+            var contact:Contact = out || new Contact();
+            _search.findContact(collider, collidee, contact);
+            return contact;
+        }
+
+        /** As contactOf, of two records that findRecordsAmong gave. */
+        internal function findContactOf(collider:AgentRecord, collidee:AgentRecord, out:Contact):void
+        {
+            _search.findContactOf(collider, collidee, out);
         }
 
         /** As findCollisionsAmong, but gives the collider's records of the agents. */

@@ -16,6 +16,9 @@ package starlogo.collision
      * of this one. When a handler throws, the others are called all the same; update then throws the first error, and
      * <code>handlerErrors</code> has them all.</p>
      *
+     * <p>When somebody sweeps (<code>Agent.sweeps</code>), the pairs come in the order of the times at which they touch first on their ways: who takes a
+     * paintball out of the list at its first touch stops it there.</p>
+     *
      * <p>Of a pair, the handlers of the agent that is first in the list run before those of the other, each in the order
      * in which they were added. The breeds count that the two have when the pair's turn comes.</p>
      *
@@ -88,18 +91,50 @@ package starlogo.collision
          *
          * @param breed the breed of the collider, the agent whose handler it is; ANY_BREED for all agents
          * @param otherBreed the breed of the collidee, the agent that it meets; ANY_BREED for any other agent
-         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>
+         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>, or with a third argument,
+         *     <code>contact:Contact</code>: how the two touch, computed for handlers that take it only
          * @throws ArgumentError if one is null, or a breed has no name
          */
         public function onCollision(breed:String, otherBreed:String, handler:Function):void
         {
-            requireHandler(breed, otherBreed, handler);
-            _handlers.push(new CollisionHandler(breed, otherBreed, handler));
-            _tableIsStale = true;
+            addHandler(CollisionHandler.COLLISION, breed, otherBreed, handler);
         }
 
         /**
-         * Takes a handler away, in the words in which it was added. One that was added several times is taken away once. It is
+         * Adds a handler for the first frame of a touch: it is called before those of onCollision, and not again while the two touch.
+         *
+         * <p>A touch begins anew when one of the two has changed its breed, and with the first handler that asks about these breeds' touches.</p>
+         *
+         * @param breed as in onCollision
+         * @param otherBreed as in onCollision
+         * @param handler as in onCollision
+         * @throws ArgumentError if one is null, or a breed has no name
+         */
+        public function onCollisionStart(breed:String, otherBreed:String, handler:Function):void
+        {
+            addHandler(CollisionHandler.START, breed, otherBreed, handler);
+        }
+
+        /**
+         * Adds a handler for the end of a touch: it is called in the first frame in which the two do not touch any more, also when one of them
+         * has been taken out of the list, the collision system does not find it any more, or one has changed its breed: it is
+         * called for the breeds that they had when it began.
+         *
+         * <p>Ends come before all other calls of a frame, in the order in which the touches began. Each comes once for each
+         * direction whose start came; one of the two, or both, may be in no list any more.</p>
+         *
+         * @param breed as in onCollision
+         * @param otherBreed as in onCollision
+         * @param handler <code>function(collider:Agent, collidee:Agent):void</code>; a third argument would be null
+         * @throws ArgumentError if one is null, or a breed has no name
+         */
+        public function onCollisionEnd(breed:String, otherBreed:String, handler:Function):void
+        {
+            addHandler(CollisionHandler.END, breed, otherBreed, handler);
+        }
+
+        /**
+         * Takes a handler away, of onCollision, onCollisionStart or onCollisionEnd, in the words in which it was added. One that was added several times is taken away once. It is
          * not called again, in this frame either if a handler does it.
          *
          * @param breed as in onCollision
@@ -116,7 +151,7 @@ package starlogo.collision
                 var added:CollisionHandler = _handlers[i];
                 if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler)
                 {
-                    added.isRemoved = true;
+                    added.remove();
                     _handlers.splice(i, 1);
                     _tableIsStale = true;
                     return true;
@@ -150,11 +185,12 @@ package starlogo.collision
                 _table = new HandlerTable(_handlers);
                 _tableIsStale = false;
             }
-            findPairs(agents);
+            var system:CollisionSystem = _collisionSystem;
+            findPairs(system, agents);
             _isUpdating = true;
             try
             {
-                _calls.make(_table, agents, _handlerErrors);
+                _calls.make(_table, agents, _handlerErrors, system);
             }
             finally
             {
@@ -168,10 +204,9 @@ package starlogo.collision
             }
         }
 
-        private function findPairs(agents:Vector.<Agent>):void
+        private function findPairs(system:CollisionSystem, agents:Vector.<Agent>):void
         {
             var start:int = getTimer();
-            var system:CollisionSystem = _collisionSystem;
             var collider:Collider = system as Collider;
             var selective:SelectiveCollisionSystem = system as SelectiveCollisionSystem;
             if (collider != null)
@@ -191,6 +226,13 @@ package starlogo.collision
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.length >> 1;
             _statistics.findMs = getTimer() - start;
+        }
+
+        private function addHandler(kind:int, breed:String, otherBreed:String, handler:Function):void
+        {
+            requireHandler(breed, otherBreed, handler);
+            _handlers.push(new CollisionHandler(kind, breed, otherBreed, handler));
+            _tableIsStale = true;
         }
 
         private static function requireHandler(breed:String, otherBreed:String, handler:Function):void

@@ -36,6 +36,10 @@ package starlogo.collision
         private var _shapePairs:int = 0;
         private var _boxPairs:int = 0;
 
+        // Searches in which somebody sweeps, and whether the last was one.
+        private var _swept:SweptSearch;
+        private var _isSwept:Boolean = false;
+
         // The pair that areColliding asks about, and who it finds, if so.
         private var _asked:Vector.<AgentProxy> = new Vector.<AgentProxy>();
         private var _answer:Vector.<Agent> = new Vector.<Agent>();
@@ -50,6 +54,7 @@ package starlogo.collision
             _shapes = new ShapeCache(greatLand, strategy, _bins);
             _listed = new ListedShapes(_shapes, _bins);
             _strategy = strategy;
+            _swept = new SweptSearch(strategy);
         }
 
         /** What the last search did. */
@@ -105,6 +110,33 @@ package starlogo.collision
         public function findRecords(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<AgentRecord>):void
         {
             search(agents, interests, null, out);
+        }
+
+        /** How two agents touch that the last search saw, as Collider says. */
+        public function findContact(a:Agent, b:Agent, out:Contact):void
+        {
+            findContactOf(seenShapeOf(a), seenShapeOf(b), out);
+        }
+
+        /** The same of records that findRecords gave. */
+        public function findContactOf(a:AgentRecord, b:AgentRecord, out:Contact):void
+        {
+            _swept.findContact(a as WorldShape, b as WorldShape, _isSwept, out);
+        }
+
+        // As the last search has left it; now, if none has seen it.
+        private function seenShapeOf(agent:Agent):WorldShape
+        {
+            var shape:WorldShape = _shapes.find(agent);
+            if (shape.level == null)
+            {
+                shape = _shapes.shapeOf(agent);
+                if (shape.level == null)
+                {
+                    throw new ArgumentError(agent + ": its model is still loading");
+                }
+            }
+            return shape;
         }
 
         /** @inheritDoc */
@@ -240,6 +272,30 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var start:int = getTimer();
+            // nobody has ever swept in most games
+            if (Agent.haveSwept && SweptSearch.isNeeded(agents))
+            {
+                searchSwept(agents, interests, found, foundRecords);
+            }
+            else
+            {
+                searchStanding(agents, interests, found, foundRecords);
+            }
+            if (found != null)
+            {
+                found.length = _foundLength;
+            }
+            else
+            {
+                foundRecords.length = _foundLength;
+            }
+            _statistics.findMs = getTimer() - start;
+        }
+
+        private function searchStanding(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
+                foundRecords:Vector.<AgentRecord>):void
+        {
+            _isSwept = false;
             _listed.update(agents, interests);
             _listed.fillBins();
             _strategy.resetCounts();
@@ -256,27 +312,50 @@ package starlogo.collision
             _listed.somebodyLeft = false;
             _found = null;
             _foundRecords = null;
-            if (found != null)
-            {
-                found.length = _foundLength;
-            }
-            else
-            {
-                foundRecords.length = _foundLength;
-            }
-            report(agents.length);
-            _statistics.findMs = getTimer() - start;
+            report(agents.length, _bins, _listed.memberCount, _bins.pairCount - _skippedPairs - _shapePairs);
         }
 
-        private function report(agentCount:int):void
+        // Leaves the bins as they are for the next search that is none of these.
+        private function searchSwept(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
+                foundRecords:Vector.<AgentRecord>):void
+        {
+            if (!_isSwept)
+            {
+                _swept.noteShapes(_listed.shapes);
+            }
+            _isSwept = false;
+            _listed.update(agents, interests);
+            _strategy.resetCounts();
+            _swept.find(_listed.shapes, interests);
+            _isSwept = true;
+            var pairs:Vector.<WorldShape> = _swept.pairs;
+            _foundLength = _swept.length;
+            for (var i:int = 0; i < _foundLength; i++)
+            {
+                if (found != null)
+                {
+                    found[i] = pairs[i].agent;
+                }
+                else
+                {
+                    foundRecords[i] = pairs[i];
+                }
+            }
+            _skippedPairs = _swept.skippedPairs;
+            _boxPairs = 0;
+            report(agents.length, _swept.bins, _swept.memberCount, _swept.spherePairs);
+            _statistics.sweptPairs = _swept.sweptPairs;
+        }
+
+        private function report(agentCount:int, bins:Bins, members:int, spherePairs:int):void
         {
             _statistics.reset();
             _statistics.agents = agentCount;
-            _statistics.agentsSkipped = agentCount - _listed.memberCount - _listed.loadingCount;
+            _statistics.agentsSkipped = agentCount - members - _listed.loadingCount;
             _statistics.agentsLoading = _listed.loadingCount;
-            _statistics.binEntries = _bins.entryCount;
-            _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
-            _statistics.sphereSphereTests = _statistics.candidatePairs - _shapePairs;
+            _statistics.binEntries = bins.entryCount;
+            _statistics.candidatePairs = bins.pairCount - _skippedPairs;
+            _statistics.sphereSphereTests = spherePairs;
             _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);
             _statistics.collisions = _foundLength >> 1;

@@ -21,6 +21,9 @@ package starlogo.collision
         /** Pairs of agents that share a bin and overlap on the ground plane. */
         public var candidatePairs:int;
 
+        /** Pairs of which one agent sweeps, and that came near each other on their ways: each was tested along them. */
+        public var sweptPairs:int;
+
         /** Sphere-sphere tests. */
         public var sphereSphereTests:int;
 
@@ -74,7 +77,7 @@ package starlogo.collision
         /** Sets every number to 0. */
         public function reset():void
         {
-            agents = agentsSkipped = agentsLoading = binEntries = candidatePairs = 0;
+            agents = agentsSkipped = agentsLoading = binEntries = candidatePairs = sweptPairs = 0;
             sphereSphereTests = sphereCapsuleTests = sphereBoxTests = 0;
             capsuleCapsuleTests = capsuleBoxTests = boxBoxTests = 0;
             hierarchyTests = nodeVisits = triangleTests = 0;
@@ -89,6 +92,7 @@ package starlogo.collision
             agentsLoading = other.agentsLoading;
             binEntries = other.binEntries;
             candidatePairs = other.candidatePairs;
+            sweptPairs = other.sweptPairs;
             sphereSphereTests = other.sphereSphereTests;
             sphereCapsuleTests = other.sphereCapsuleTests;
             sphereBoxTests = other.sphereBoxTests;

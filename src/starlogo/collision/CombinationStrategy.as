@@ -1,5 +1,8 @@
 package starlogo.collision
 {
+    import starlogo.motion.Touch;
+    import starlogo.motion.Way;
+
     /** An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5). */
     internal final class CombinationStrategy extends ShapeStrategy
     {
@@ -66,6 +69,29 @@ package starlogo.collision
                 return _hierarchy.overlaps(a, b);
             }
             return _tightestFit.overlaps(a, b);
+        }
+
+        /** @inheritDoc */
+        override public function firstOverlap(a:WorldShape, b:WorldShape, way:Way):Number
+        {
+            if (a.isHierarchical || b.isHierarchical)
+            {
+                return _hierarchy.firstOverlap(a, b, way);
+            }
+            return _tightestFit.firstOverlap(a, b, way);
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(a:WorldShape, b:WorldShape, way:Way, time:Number, out:Touch):void
+        {
+            if (a.isHierarchical || b.isHierarchical)
+            {
+                _hierarchy.findTouch(a, b, way, time, out);
+            }
+            else
+            {
+                _tightestFit.findTouch(a, b, way, time, out);
+            }
         }
 
         /** @inheritDoc */

@@ -41,6 +41,9 @@ package starlogo.collision
         private var _turns:Vector.<int> = null;
         private var _turn:int;
 
+        private var _touches:FrameTouches = new FrameTouches();
+        private var _contacts:FrameContacts = new FrameContacts();
+
         /** No calls yet. */
         public function HandlerCalls()
         {
@@ -69,8 +72,9 @@ package starlogo.collision
          * @param table says which
          * @param agents the list, which handlers may change
          * @param errors takes what handlers throw
+         * @param system has found the pairs, and may know their contacts
          */
-        public function make(table:HandlerTable, agents:Vector.<Agent>, errors:Vector.<Error>):void
+        public function make(table:HandlerTable, agents:Vector.<Agent>, errors:Vector.<Error>, system:CollisionSystem):void
         {
             _table = table;
             _agents = agents;
@@ -83,6 +87,11 @@ package starlogo.collision
             _postponed.length = 0;
             _turns = null;
             count = 0;
+            var tracks:Boolean = table.tracks || _touches.hasAny;
+            if (tracks || table.takesContacts)
+            {
+                prepare(tracks, system);
+            }
             callThrough();
             while (_postponed.length > 0)
             {
@@ -102,7 +111,38 @@ package starlogo.collision
             _errors = null;
             _turns = null;
             _handlers = null;
+            _touches.end();
+            _contacts.end();
             _list.end();
+        }
+
+        // Before any handler runs: finds the contacts that are asked for, and the touches that go on. Then calls those who ask for the ends of
+        // the others.
+        private function prepare(tracks:Boolean, system:CollisionSystem):void
+        {
+            var length:int = pairs.length;
+            if (tracks)
+            {
+                _touches.begin(length >> 1);
+            }
+            _contacts.begin(system, _table.takesContacts ? length >> 1 : 0);
+            for (_pair = 0; _pair < length; _pair += 2)
+            {
+                lookUpHandlers();
+                if (_handlers.takesContacts)
+                {
+                    _contacts.find(_pair >> 1, pairs[_pair], pairs[int(_pair + 1)]);
+                }
+                if (_handlers.tracks)
+                {
+                    _touches.goOn(_pair >> 1, pairs[_pair].agent, pairs[int(_pair + 1)].agent);
+                }
+            }
+            _pair = 0;
+            if (tracks)
+            {
+                count += _touches.callEnds(_table, _errors);
+            }
         }
 
         // Each time that it throws, a handler has thrown.
@@ -156,6 +196,8 @@ package starlogo.collision
             var records:Vector.<AgentRecord> = pairs;
             var agents:Vector.<Agent> = _agents;
             var breedToken:Object = _table.interests.token;
+            var touches:Vector.<TouchRecord> = _touches.ofPairs;
+            var isTracking:Boolean = touches.length > 0;
             var call:int = _call;
             for (var pair:int = _pair; pair < end; pair += 2)
             {
@@ -181,6 +223,29 @@ package starlogo.collision
                 }
                 var handlers:Vector.<CollisionHandler> = _handlers.handlers;
                 var forwardCount:int = _handlers.forwardCount;
+                var isFirst:Boolean = false;
+                if (isTracking)
+                {
+                    if (_handlers.tracks && touches[pair >> 1] == null)
+                    {
+                        if (agents.length != _length || agents[firstIndex] !== first || agents[secondIndex] !== second)
+                        {
+                            _pair = pair;
+                            _call = 0;
+                            if (!areListed(first, second))
+                            {
+                                continue;
+                            }
+                        }
+                        _touches.start(pair >> 1, first, second);
+                    }
+                    isFirst = _touches.isFirst(pair >> 1);
+                    if (isFirst)
+                    {
+                        handlers = _handlers.firstHandlers;
+                        forwardCount = _handlers.firstForwardCount;
+                    }
+                }
                 var callCount:int = handlers.length;
                 while (call < callCount)
                 {
@@ -196,7 +261,7 @@ package starlogo.collision
                     }
                     var handler:CollisionHandler = handlers[call];
                     call++;
-                    if (!handler.isRemoved)
+                    if (handler.isPlain)
                     {
                         _pair = pair;
                         _call = call;
@@ -211,11 +276,35 @@ package starlogo.collision
                             toCall(first, second);
                         }
                     }
+                    else if (!handler.isRemoved)
+                    {
+                        _pair = pair;
+                        _call = call;
+                        count++;
+                        callWithContact(handler.handler, record, other, call > forwardCount);
+                    }
+                }
+                if (isFirst && (call > forwardCount || call == callCount))
+                {
+                    touches[pair >> 1].known |= TouchRecord.SECOND;
                 }
                 call = 0;
             }
             _pair = end;
             _call = 0;
+        }
+
+        private function callWithContact(toCall:Function, first:AgentRecord, second:AgentRecord, isBack:Boolean):void
+        {
+            var contact:Contact = _contacts.contactOf(_pair >> 1, first, second, isBack);
+            if (isBack)
+            {
+                toCall(second.agent, first.agent, contact);
+            }
+            else
+            {
+                toCall(first.agent, second.agent, contact);
+            }
         }
 
         // The breeds count that the two have now, for all of the pair's calls.

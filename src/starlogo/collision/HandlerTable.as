@@ -12,6 +12,12 @@ package starlogo.collision
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests = new BreedInterests();
 
+        /** Whether somebody asks when touches begin or end. */
+        public var tracks:Boolean = false;
+
+        /** Whether somebody asks for contacts. */
+        public var takesContacts:Boolean = false;
+
         private var _handlers:Vector.<Vector.<CollisionHandler>>;
         private var _pairs:Vector.<PairHandlers>;
 
@@ -23,6 +29,8 @@ package starlogo.collision
             for each (var handler:CollisionHandler in handlers)
             {
                 interests.add(handler.breed, handler.otherBreed);
+                tracks = tracks || handler.kind != CollisionHandler.COLLISION;
+                takesContacts = takesContacts || handler.takesContact;
             }
             var count:int = interests.breedCount;
             _handlers = new Vector.<Vector.<CollisionHandler>>(count * count, true);
@@ -47,6 +55,14 @@ package starlogo.collision
                 _pairs[place] = new PairHandlers(_handlers[place], _handlers[otherBreed * count + breed]);
             }
             return _pairs[place];
+        }
+
+        /** The handlers of colliders of one breed that met collidees of another, of all kinds; null if there are none. */
+        public function handlersFrom(breed:String, otherBreed:String):Vector.<CollisionHandler>
+        {
+            var index:int = interests.indexOf(breed);
+            var otherIndex:int = interests.indexOf(otherBreed);
+            return index < 0 || otherIndex < 0 ? null : _handlers[index * interests.breedCount + otherIndex];
         }
 
         private function enter(handler:CollisionHandler, breeds:Vector.<int>, otherBreeds:Vector.<int>):void

@@ -3,7 +3,11 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyTraversal;
+    import starlogo.hierarchy.SweptHierarchyTraversal;
+    import starlogo.motion.Touch;
+    import starlogo.motion.Way;
 
     use namespace engine;
 
@@ -18,6 +22,10 @@ package starlogo.collision
 
         private var _greatLand:GreatLand;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _swept:SweptHierarchyTraversal;
+        private var _turned:Way = new Way();
+        private var _placementA:Placement = new Placement();
+        private var _placementB:Placement = new Placement();
         private var _pairs:int = 0;
 
         /**
@@ -26,6 +34,7 @@ package starlogo.collision
         public function HierarchyStrategy(greatLand:GreatLand)
         {
             _greatLand = greatLand;
+            _swept = new SweptHierarchyTraversal(_traversal);
         }
 
         /** @inheritDoc */
@@ -74,9 +83,72 @@ package starlogo.collision
         }
 
         /** @inheritDoc */
+        override public function firstOverlap(a:WorldShape, b:WorldShape, way:Way):Number
+        {
+            _pairs++;
+            // the same way round whoever comes first, so that rounding is too
+            if (a.serial > b.serial && a.isHierarchical == b.isHierarchical || !a.isHierarchical)
+            {
+                _turned.turn(way);
+                way = _turned;
+                var first:WorldShape = b;
+                b = a;
+                a = first;
+            }
+            var placementA:Placement = seenPlacement(a, _placementA);
+            var placementB:Placement = seenPlacement(b, _placementB);
+            if (!b.isHierarchical)
+            {
+                return _swept.structureTouches(a.hierarchy, placementA, depthOf(a), b.structure, placementB, way);
+            }
+            return _swept.hierarchiesTouch(a.hierarchy, placementA, depthOf(a), b.hierarchy, placementB, depthOf(b), exact, way);
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(a:WorldShape, b:WorldShape, way:Way, time:Number, out:Touch):void
+        {
+            var placementA:Placement = seenPlacement(a, _placementA);
+            var placementB:Placement = seenPlacement(b, _placementB);
+            if (!a.isHierarchical)
+            {
+                _turned.turn(way);
+                _swept.findStructureTouch(b.hierarchy, placementB, depthOf(b), a.structure, placementA, _turned, time, out);
+                out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
+            }
+            else if (!b.isHierarchical)
+            {
+                _swept.findStructureTouch(a.hierarchy, placementA, depthOf(a), b.structure, placementB, way, time, out);
+            }
+            else
+            {
+                _swept.findTouch(a.hierarchy, placementA, depthOf(a), b.hierarchy, placementB, depthOf(b), exact, way, time, out);
+            }
+        }
+
+        // Where a shape was when it was computed, though its agent may have moved since.
+        private static function seenPlacement(shape:WorldShape, scratch:Placement):Placement
+        {
+            if (shape.revision == shape.agent.revision)
+            {
+                return shape.placement;
+            }
+            scratch.copyFrom(shape.placement);
+            scratch.x = shape.x - shape.offsetX;
+            scratch.y = shape.y - shape.offsetY;
+            scratch.z = shape.z - shape.offsetZ;
+            return scratch;
+        }
+
+        private function depthOf(shape:WorldShape):int
+        {
+            return shape.depth == 0 ? maxDepth : shape.depth;
+        }
+
+        /** @inheritDoc */
         override public function resetCounts():void
         {
             _pairs = 0;
+            _swept.resetCounts();
             _traversal.resetCounts();
         }
 
@@ -84,8 +156,8 @@ package starlogo.collision
         override public function countInto(statistics:CollisionStatistics):void
         {
             statistics.hierarchyTests += _pairs;
-            statistics.nodeVisits += _traversal.nodeVisits;
-            statistics.triangleTests += _traversal.triangleTests;
+            statistics.nodeVisits += _traversal.nodeVisits + _swept.nodeVisits;
+            statistics.triangleTests += _traversal.triangleTests + _swept.triangleTests;
         }
 
         private function structureOverlaps(hierarchical:WorldShape, other:WorldShape):Boolean

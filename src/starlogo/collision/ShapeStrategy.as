@@ -1,6 +1,8 @@
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
+    import starlogo.motion.Touch;
+    import starlogo.motion.Way;
 
     /**
      * What makes one collider differ from another: what stands for an agent's model, where that is in the world, and whether
@@ -45,6 +47,34 @@ package starlogo.collision
         public function overlaps(a:WorldShape, b:WorldShape):Boolean
         {
             throw new IllegalOperationError(this + " does not implement overlaps");
+        }
+
+        /**
+         * When two shapes, not both spheres, overlap for the first time as one moves: the first moment at which <code>overlaps()</code> would say
+         * so.
+         *
+         * @param a a shape where it is now
+         * @param b another
+         * @param way of the first, relative to the second
+         * @return from 0 to 1, or Way.NEVER
+         */
+        public function firstOverlap(a:WorldShape, b:WorldShape, way:Way):Number
+        {
+            throw new IllegalOperationError(this + " does not implement firstOverlap");
+        }
+
+        /**
+         * Where two shapes, not both spheres, touch that overlap.
+         *
+         * @param a as in firstOverlap
+         * @param b as in firstOverlap
+         * @param way as in firstOverlap
+         * @param time when they do first
+         * @param out takes it, the normal pointing from b to a, with b where it is now
+         */
+        public function findTouch(a:WorldShape, b:WorldShape, way:Way, time:Number, out:Touch):void
+        {
+            throw new IllegalOperationError(this + " does not implement findTouch");
         }
 
         /** Begins to count the tests of a search. */

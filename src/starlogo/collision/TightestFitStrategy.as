@@ -10,6 +10,11 @@ package starlogo.collision
     import starlogo.intersection.intersects;
     import starlogo.intersection.sphereSphere;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.motion.Touch;
+    import starlogo.motion.TouchFinder;
+    import starlogo.motion.Way;
+    import starlogo.motion.boxBoxTouch;
+    import starlogo.motion.firstTouch;
 
     /** Every agent is the tightest fitting structure of its model, put through the agent's whole transform (thesis §3). */
     internal final class TightestFitStrategy extends ShapeStrategy
@@ -18,6 +23,7 @@ package starlogo.collision
         public var tests:StructureTests = new StructureTests();
 
         private var _greatLand:GreatLand;
+        private var _finder:TouchFinder = new TouchFinder();
 
         // How often each test was made in this search, by the kinds of the structures.
         private var _tests:Vector.<int> = new Vector.<int>(16, true);
@@ -117,6 +123,44 @@ package starlogo.collision
             statistics.capsuleCapsuleTests += testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
             statistics.capsuleBoxTests += testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
             statistics.boxBoxTests += testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
+        }
+
+        /** @inheritDoc */
+        override public function firstOverlap(a:WorldShape, b:WorldShape, way:Way):Number
+        {
+            place(a);
+            place(b);
+            var structureA:BoundingStructure = a.worldStructure;
+            var structureB:BoundingStructure = b.worldStructure;
+            _tests[structureA.kind << 2 | structureB.kind]++;
+            if (tests.boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            {
+                return boxBoxTouch(Box(structureA), Box(structureB), way, true);
+            }
+            var time:Number = firstTouch(structureA, structureB, way);
+            if (time == Way.NEVER)
+            {
+                // no rounding hides what stands there
+                return intersects(structureA, structureB) ? 1 : Way.NEVER;
+            }
+            return time;
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(a:WorldShape, b:WorldShape, way:Way, time:Number, out:Touch):void
+        {
+            place(a);
+            place(b);
+            _finder.find(a.worldStructure, b.worldStructure, way.startX + time * way.x, way.startY + time * way.y,
+                    way.startZ + time * way.z, out);
+        }
+
+        private static function place(shape:WorldShape):void
+        {
+            if (shape.placedRevision != shape.revision)
+            {
+                shape.placeStructure();
+            }
         }
 
         private function passPreliminaryTests(a:WorldShape, b:WorldShape):Boolean

@@ -56,6 +56,9 @@ package starlogo.collision
         /** The structure around all of the hierarchy, in the model's space. */
         public var root:BoundingStructure = null;
 
+        /** The shape on its way; null until a search sweeps. */
+        public var motion:MovingProxy = null;
+
         /** The name of the model that it is bound to; null for none. */
         public var model:String = null;
 

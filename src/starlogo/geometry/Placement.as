@@ -60,6 +60,25 @@ package starlogo.geometry
         {
         }
 
+        /** Takes over size, rotation and position of another. */
+        public function copyFrom(other:Placement):void
+        {
+            x = other.x;
+            y = other.y;
+            z = other.z;
+            size = other.size;
+            isIdentity = other.isIdentity;
+            r00 = other.r00;
+            r01 = other.r01;
+            r02 = other.r02;
+            r10 = other.r10;
+            r11 = other.r11;
+            r12 = other.r12;
+            r20 = other.r20;
+            r21 = other.r21;
+            r22 = other.r22;
+        }
+
         /**
          * Sets the rotation: roll about x, then pitch about y, then heading about z, all about the world's axes.
          * Whole quarter turns are exact.

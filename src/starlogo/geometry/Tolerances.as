@@ -167,6 +167,13 @@ package starlogo.geometry
          */
         public static const GRAZING:Number = 1e-10;
 
+        /**
+         * How far apart two nearest points must be for the way between them to be the normal of a contact, as a fraction of the
+         * structures' size; and the sine of the angle up to which edges are parallel to each other or to a face for it. Smaller: normals
+         * are off by 1e-16 over it. Larger: depths are, by as much.
+         */
+        public static const DIRECTION:Number = 1e-9;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

@@ -1,0 +1,38 @@
+package starlogo.collision
+{
+    import flash.geom.Vector3D;
+
+    /**
+     * How two agents touch: when on their ways, where, and how deep. A handler that takes a third argument gets one; the next call
+     * overwrites it, so keep the numbers, or clone the vectors.
+     *
+     * <p>Of spheres, capsules and boxes it is exact. Of a hierarchy it is that of the first two nodes that touch, leaves or at the depth limit, or, where
+     * triangles decide, of the first two triangles; of a model that is inside of another without touching it, that of what stands around
+     * both.</p>
+     */
+    public final class Contact
+    {
+        /**
+         * When they touched first on the ways that they went since the last frame: 0 if they did at the beginning, 1 at the end. 1 as well
+         * where neither sweeps, or has a way.
+         */
+        public var time:Number = 1;
+
+        /** A point where they touch, in the world, in the middle of the overlap. */
+        public var point:Vector3D = new Vector3D();
+
+        /** The direction in which the collider gets free: from the collidee to the collider, a unit vector. */
+        public var normal:Vector3D = new Vector3D(0, 0, 1);
+
+        /**
+         * How far they overlap along the normal at that time, in patches: 0 if it is their first touch. Moved by as much along the
+         * normal, the collider just touches the collidee, which it does not overlap any more.
+         */
+        public var depth:Number = 0;
+
+        /** At the origin, upright. */
+        public function Contact()
+        {
+        }
+    }
+}

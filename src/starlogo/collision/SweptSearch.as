@@ -1,0 +1,364 @@
+package starlogo.collision
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.broadphase.AgentProxy;
+    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.PairSink;
+    import starlogo.engine;
+    import starlogo.intersection.sphereSphere;
+    import starlogo.motion.Touch;
+    import starlogo.motion.TouchFinder;
+    import starlogo.motion.Way;
+    import starlogo.motion.sphereSphereTouch;
+
+    use namespace engine;
+
+    /**
+     * A search in which somebody sweeps: the shapes go into bins with all of their ways, and pairs of which one sweeps are tested along
+     * them. It has bins of its own, so that those of other frames stay as they are.
+     *
+     * <p>A way is in at most four bins, however long it is: those of a level that is wide enough. But it meets everybody in
+     * a rectangle around it; whom it passes by, a few comparisons tell. So a frame costs time in proportion to the agents
+     * and to the pairs whose rectangles overlap, which of long ways across a crowd are many.</p>
+     */
+    internal final class SweptSearch extends PairSink
+    {
+        /** The pairs that were found, in the order of their times. */
+        public var pairs:Vector.<WorldShape> = new Vector.<WorldShape>();
+
+        /** How many shapes there are in twice as many pairs. */
+        public var length:int = 0;
+
+        /** The bins of these searches. */
+        public var bins:Bins = new Bins();
+
+        /** Shapes in them. */
+        public var memberCount:int = 0;
+
+        /** Pairs that nobody cares about. */
+        public var skippedPairs:int = 0;
+
+        /** Pairs of spheres that were tested. */
+        public var spherePairs:int = 0;
+
+        /** Pairs that were tested along their ways. */
+        public var sweptPairs:int = 0;
+
+        private var _strategy:ShapeStrategy;
+        private var _interests:Vector.<Boolean>;
+        private var _breedCount:int;
+
+        // Numbers the searches; one that sweeps nobody, however often, counts as one.
+        private var _search:int = 0;
+
+        // The pairs as they were found, and when they touch.
+        private var _found:Vector.<WorldShape> = new Vector.<WorldShape>();
+        private var _times:Vector.<Number> = new Vector.<Number>();
+        private var _order:TimeOrder = new TimeOrder();
+
+        private var _way:Way = new Way();
+        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
+        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+        private var _finder:TouchFinder = new TouchFinder();
+        private var _touch:Touch = new Touch();
+
+        /**
+         * @param strategy says what shapes agents have
+         */
+        public function SweptSearch(strategy:ShapeStrategy)
+        {
+            _strategy = strategy;
+        }
+
+        /** Whether anybody in a list sweeps. */
+        public static function isNeeded(agents:Vector.<Agent>):Boolean
+        {
+            for (var i:int = agents.length - 1; i >= 0; i--)
+            {
+                var agent:Agent = agents[i];
+                if (agent != null && agent.sweeps)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** Remembers where the shapes are of a search that was none of these. */
+        public function noteShapes(listed:Vector.<WorldShape>):void
+        {
+            _search++;
+            for (var i:int = 0; i < listed.length; i++)
+            {
+                if (listed[i].level != null)
+                {
+                    motionOf(listed[i]).noteShape(_search);
+                }
+            }
+        }
+
+        /**
+         * Finds the pairs that touch on their ways and that somebody cares about.
+         *
+         * @param listed the shapes, up to date
+         * @param interests the pairs of breeds; null for all
+         */
+        public function find(listed:Vector.<WorldShape>, interests:BreedInterests):void
+        {
+            _interests = interests == null ? null : interests.pairs;
+            _breedCount = interests == null ? 0 : interests.breedCount;
+            length = memberCount = skippedPairs = spherePairs = sweptPairs = 0;
+            bins.clear();
+            for (var i:int = 0; i < listed.length; i++)
+            {
+                var shape:WorldShape = listed[i];
+                if (shape.level == null)
+                {
+                    continue;
+                }
+                var motion:MovingProxy = motionOf(shape);
+                motion.takeWay(_search);
+                if (interests == null || shape.breedIndex >= 0)
+                {
+                    bins.fit(motion);
+                    bins.add(motion);
+                    memberCount++;
+                }
+            }
+            bins.findPairs(this);
+            _order.sort(_times, length >> 1);
+            var order:Vector.<int> = _order.order;
+            for (i = 0; i < length; i += 2)
+            {
+                var at:int = 2 * order[i >> 1];
+                pairs[i] = _found[at];
+                pairs[int(i + 1)] = _found[int(at + 1)];
+            }
+            _search++;
+            for (i = 0; i < listed.length; i++)
+            {
+                if (listed[i].level != null)
+                {
+                    listed[i].motion.notePlace(_search);
+                }
+            }
+        }
+
+        /** @inheritDoc */
+        override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
+        {
+            var motion:MovingProxy = proxy as MovingProxy;
+            var shape:WorldShape = motion.shape;
+            var row:int = shape.breedIndex * _breedCount;
+            for (var i:int = 0; i < count; i++)
+            {
+                // untyped, the cheapest of casts
+                var untyped:* = others[i];
+                var otherMotion:MovingProxy = untyped;
+                var other:WorldShape = otherMotion.shape;
+                if (_interests != null)
+                {
+                    if (!_interests[int(row + other.breedIndex)])
+                    {
+                        skippedPairs++;
+                        continue;
+                    }
+                }
+                var time:Number = firstOverlap(shape, other);
+                if (time == Way.NEVER)
+                {
+                    continue;
+                }
+                // as the list has them
+                var isLater:Boolean = shape.listIndex > other.listIndex;
+                _found[length] = isLater ? other : shape;
+                _found[int(length + 1)] = isLater ? shape : other;
+                _times[length >> 1] = time;
+                length += 2;
+            }
+        }
+
+        /**
+         * Where two shapes touch.
+         *
+         * @param a a shape as the last search saw it
+         * @param b another
+         * @param isSwept whether the last search was one of these
+         * @param out takes it
+         */
+        public function findContact(a:WorldShape, b:WorldShape, isSwept:Boolean, out:Contact):void
+        {
+            var isPassing:Boolean = isSwept && isPairSwept(a, b);
+            var time:Number = isPassing ? firstOverlap(a, b) : 1;
+            if (time == Way.NEVER)
+            {
+                isPassing = false;
+                time = 1;
+            }
+            if (!isPassing)
+            {
+                _way.endAfter(0, 0, 0);
+            }
+            var touch:Touch = _touch;
+            if (a.isSphere && b.isSphere)
+            {
+                takeSphere(a, _sphereA, a.halfX);
+                takeSphere(b, _sphereB, b.halfX);
+                _finder.find(_sphereA, _sphereB, _way.startX + time * _way.x, _way.startY + time * _way.y, _way.startZ + time * _way.z, touch);
+            }
+            else
+            {
+                _strategy.findTouch(a, b, _way, time, touch);
+            }
+            out.time = time;
+            out.depth = touch.depth;
+            out.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
+            out.point.setTo(touch.x, touch.y, touch.z);
+            if (isPassing)
+            {
+                // from where b is now to where it was
+                var motion:MovingProxy = b.motion;
+                out.point.x -= (1 - time) * motion.wayX;
+                out.point.y -= (1 - time) * motion.wayY;
+                out.point.z -= (1 - time) * motion.wayZ;
+            }
+        }
+
+        // Whether the last search, one of these, looked at two shapes along their ways.
+        private function isPairSwept(a:WorldShape, b:WorldShape):Boolean
+        {
+            return a.motion != null && b.motion != null && a.motion.seenIn == _search && b.motion.seenIn == _search
+                && (a.motion.isSweeping || b.motion.isSweeping);
+        }
+
+        // From 0 to 1, or Way.NEVER. Leaves the way of a pair of which one sweeps in _way.
+        private function firstOverlap(a:WorldShape, b:WorldShape):Number
+        {
+            var motionA:MovingProxy = a.motion;
+            var motionB:MovingProxy = b.motion;
+            if (!motionA.isSweeping && !motionB.isSweeping)
+            {
+                return areOverlapping(a, b) ? 1 : Way.NEVER;
+            }
+            var x:Number = motionA.wayX - motionB.wayX;
+            var y:Number = motionA.wayY - motionB.wayY;
+            var z:Number = motionA.wayZ - motionB.wayZ;
+            if (x == 0 && y == 0 && z == 0)
+            {
+                sweptPairs++;
+                _way.endAfter(0, 0, 0);
+                return areOverlapping(a, b) ? 0 : Way.NEVER;
+            }
+            if (passEachOther(a, b, x, y, z))
+            {
+                return Way.NEVER;
+            }
+            sweptPairs++;
+            _way.endAfter(x, y, z);
+            if (a.isSphere && b.isSphere)
+            {
+                spherePairs++;
+                takeSphere(a, _sphereA, a.radius);
+                takeSphere(b, _sphereB, b.radius);
+                var time:Number = sphereSphereTouch(_sphereA, _sphereB, _way);
+                if (time == Way.NEVER && sphereSphere(_sphereA, _sphereB))
+                {
+                    return 1;
+                }
+                return time;
+            }
+            return _strategy.firstOverlap(a, b, _way);
+        }
+
+        private function areOverlapping(a:WorldShape, b:WorldShape):Boolean
+        {
+            if (a.isSphere && b.isSphere)
+            {
+                spherePairs++;
+                takeSphere(a, _sphereA, a.radius);
+                takeSphere(b, _sphereB, b.radius);
+                return sphereSphere(_sphereA, _sphereB);
+            }
+            var reach:Number = a.reachZ + b.reachZ;
+            if (a.z - b.z > reach || b.z - a.z > reach)
+            {
+                return false;
+            }
+            return a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY && _strategy.overlaps(a, b);
+        }
+
+        // Whether the extents of two shapes, which now are where they are at the end of the way, never overlap in all directions at once.
+        private function passEachOther(a:WorldShape, b:WorldShape, x:Number, y:Number, z:Number):Boolean
+        {
+            var first:Number = 0;
+            var last:Number = 1;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var at:Number = b.x - a.x;
+                var speed:Number = x;
+                var reach:Number = a.reachX + b.reachX;
+                if (axis == 1)
+                {
+                    at = b.y - a.y;
+                    speed = y;
+                    reach = a.reachY + b.reachY;
+                }
+                else if (axis == 2)
+                {
+                    at = b.z - a.z;
+                    speed = z;
+                    reach = a.reachZ + b.reachZ;
+                }
+                // b from a at time 0, with a standing still: it comes down by the speed
+                at += speed;
+                if (speed < 0)
+                {
+                    speed = -speed;
+                    at = -at;
+                }
+                if (at < -reach)
+                {
+                    return true;
+                }
+                if (at > reach)
+                {
+                    if (at - reach > last * speed)
+                    {
+                        return true;
+                    }
+                    var enters:Number = (at - reach) / speed;
+                    first = enters > first ? enters : first;
+                }
+                if (at + reach < last * speed)
+                {
+                    last = (at + reach) / speed;
+                }
+                if (first > last)
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        private static function takeSphere(shape:WorldShape, sphere:Sphere, radius:Number):void
+        {
+            var center:Vector3D = sphere.center;
+            center.x = shape.x;
+            center.y = shape.y;
+            center.z = shape.z;
+            sphere.radius = radius;
+        }
+
+        private static function motionOf(shape:WorldShape):MovingProxy
+        {
+            if (shape.motion == null)
+            {
+                shape.motion = new MovingProxy(shape);
+            }
+            return shape.motion;
+        }
+    }
+}

@@ -1,0 +1,298 @@
+package starlogo.hierarchy
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.motion.Touch;
+    import starlogo.motion.TouchFinder;
+    import starlogo.motion.Way;
+    import starlogo.motion.firstTouch;
+
+    use namespace engine;
+
+    /**
+     * Decides when two hierarchies collide for the first time that pass each other, or one and a structure: the first moment of the way at
+     * which a HierarchyTraversal would say that they do.
+     *
+     * <p>To come to be inside of a closed surface without having been there at the beginning, a part of a model has to cross it,
+     * and its nodes have to touch. So the nodes, or the triangles, are looked at over time, and the standing test is asked at time 0;
+     * at time 1 too where nothing was found, so that no rounding hides what stands there.</p>
+     *
+     * <p>Scratch objects are reused: nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
+     *
+     * @private
+     */
+    public final class SweptHierarchyTraversal
+    {
+        // As in HierarchyTraversal.
+        private static const MUCH_LARGER:Number = 1e40;
+
+        // How much later a touch may be found again, by rounding.
+        private static const SAME_TIME:Number = 1e-9;
+
+        private var _standing:HierarchyTraversal;
+        private var _pose:RelativePose = new RelativePose();
+        private var _boxes:SweptBoxTrees;
+        private var _structures:SweptStructureTrees;
+        private var _exact:SweptPairTest;
+
+        // Where the first model is at time 0, and the second's way in its space.
+        private var _start:Placement = new Placement();
+        private var _wayX:Number;
+        private var _wayY:Number;
+        private var _wayZ:Number;
+        private var _point:Sphere = new Sphere(new Vector3D(), 0);
+        private var _way:Way = new Way();
+
+        // Whether triangles decided, of what was looked at last.
+        private var _isByTriangles:Boolean;
+
+        private var _finder:TouchFinder = new TouchFinder();
+
+        // By kind: a structure of the second model in the space of the first, at time 0.
+        private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
+                new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0),
+                new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)];
+
+        /**
+         * @param standing decides about models that stand still
+         */
+        public function SweptHierarchyTraversal(standing:HierarchyTraversal)
+        {
+            _standing = standing;
+            _boxes = new SweptBoxTrees(_pose);
+            _structures = new SweptStructureTrees(_pose);
+            _exact = new SweptPairTest(_pose);
+        }
+
+        /** Pairs of nodes that were visited since resetCounts. */
+        public function get nodeVisits():int
+        {
+            return _boxes.nodeVisits + _structures.nodeVisits;
+        }
+
+        /** Pairs of triangles that were tested since resetCounts. */
+        public function get triangleTests():int
+        {
+            return _exact.triangleTests;
+        }
+
+        /** Begins to count. */
+        public function resetCounts():void
+        {
+            _boxes.nodeVisits = _structures.nodeVisits = 0;
+            _exact.triangleTests = 0;
+        }
+
+        /**
+         * When two models collide by their hierarchies.
+         *
+         * @param a the first model's hierarchy
+         * @param placementA where the first model stands
+         * @param depthA how many levels of it are visited
+         * @param b the second model's hierarchy
+         * @param placementB where the second model stands
+         * @param depthB how many levels of that are visited
+         * @param exact whether, for two hierarchies of triangles, depths do not count and triangles decide
+         * @param way of the first model, relative to the second
+         * @return from 0 to 1, or Way.NEVER
+         */
+        public function hierarchiesTouch(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement,
+                depthB:int, exact:Boolean, way:Way):Number
+        {
+            if (placementB.size > MUCH_LARGER * placementA.size)
+            {
+                _way.turn(way);
+                return hierarchiesTouch(b, placementB, depthB, a, placementA, depthA, exact, _way);
+            }
+            relate(placementA, placementB, way);
+            if (_standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact))
+            {
+                return 0;
+            }
+            var time:Number = touchOfTrees(a, depthA, b, depthB, exact);
+            if (time == Way.NEVER)
+            {
+                moveToEnd(way);
+                return _standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact) ? 1 : Way.NEVER;
+            }
+            return time;
+        }
+
+        /**
+         * When a model's hierarchy collides with a structure.
+         *
+         * @param a the model's hierarchy
+         * @param placementA where the model stands
+         * @param depth how many levels of it are visited
+         * @param structure stands for another model, in that one's space
+         * @param placementB where the other model stands
+         * @param way of the first model, relative to the second
+         * @return from 0 to 1, or Way.NEVER
+         */
+        public function structureTouches(a:Hierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
+                placementB:Placement, way:Way):Number
+        {
+            if (placementB.size > MUCH_LARGER * placementA.size)
+            {
+                return pointTouches(a.root, placementA, structure, placementB, way);
+            }
+            relate(placementA, placementB, way);
+            if (_standing.structureOverlaps(a, _start, depth, structure, placementB))
+            {
+                return 0;
+            }
+            var time:Number = _structures.structureTouch(a.root, depth, structure, _wayX, _wayY, _wayZ);
+            if (time == Way.NEVER)
+            {
+                moveToEnd(way);
+                return _standing.structureOverlaps(a, _start, depth, structure, placementB) ? 1 : Way.NEVER;
+            }
+            return time;
+        }
+
+        /**
+         * Where two models touch that collide by their hierarchies: where the first two triangles, or the first two nodes that are leaves or
+         * at their depth limit, do; of a model that is inside of another, where the structures around both overlap.
+         *
+         * @param a as in hierarchiesTouch, and so are the others
+         * @param time when they do for the first time
+         * @param out takes it, in the world
+         */
+        public function findTouch(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
+                exact:Boolean, way:Way, time:Number, out:Touch):void
+        {
+            if (placementB.size > MUCH_LARGER * placementA.size)
+            {
+                _way.turn(way);
+                findTouch(b, placementB, depthB, a, placementA, depthA, exact, _way, time, out);
+                out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
+                return;
+            }
+            relate(placementA, placementB, way);
+            var found:Number = touchOfTrees(a, depthA, b, depthB, exact);
+            if (!(found <= time + SAME_TIME))
+            {
+                findTouchOf(a.root.bounds, b.root.bounds, time, out);
+            }
+            else if (_isByTriangles)
+            {
+                _exact.findTouch(time, out);
+            }
+            else
+            {
+                var areBoxes:Boolean = _boxes.firstA != null;
+                var nodeA:HierarchyNode = areBoxes ? _boxes.firstA : _structures.firstA;
+                var nodeB:HierarchyNode = areBoxes ? _boxes.firstB : _structures.firstB;
+                findTouchOf(nodeA.bounds, nodeB.bounds, time, out);
+            }
+            moveToWorld(placementA, way, time, out);
+        }
+
+        /**
+         * Where a model's hierarchy and a structure touch: where the first node that is a leaf or at its depth limit does, or where the
+         * structure around the model overlaps one that is inside.
+         *
+         * @param a as in structureTouches, and so are the others
+         * @param time when they do for the first time
+         * @param out takes it, in the world
+         */
+        public function findStructureTouch(a:Hierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
+                placementB:Placement, way:Way, time:Number, out:Touch):void
+        {
+            relate(placementA, placementB, way);
+            var found:Number = _structures.structureTouch(a.root, depth, structure, _wayX, _wayY, _wayZ);
+            var node:HierarchyNode = found <= time + SAME_TIME ? _structures.firstA : a.root;
+            findTouchOf(node.bounds, structure, time, out);
+            moveToWorld(placementA, way, time, out);
+        }
+
+        private function touchOfTrees(a:Hierarchy, depthA:int, b:Hierarchy, depthB:int, exact:Boolean):Number
+        {
+            _isByTriangles = exact && _exact.prepare(a, b, _wayX, _wayY, _wayZ);
+            if (_isByTriangles)
+            {
+                depthA = depthB = int.MAX_VALUE;
+            }
+            var decider:SweptPairTest = _isByTriangles ? _exact : null;
+            _boxes.firstA = null;
+            if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+            {
+                return _boxes.touch(a.root, depthA, b.root, depthB, _wayX, _wayY, _wayZ, decider);
+            }
+            return _structures.touch(a.root, depthA, b.root, depthB, _wayX, _wayY, _wayZ, decider);
+        }
+
+        // Of two structures in their models' spaces, at a time, in the space of the first.
+        private function findTouchOf(a:BoundingStructure, b:BoundingStructure, time:Number, out:Touch):void
+        {
+            var moved:BoundingStructure = b.place(_pose.placement, _moved[b.kind]);
+            _finder.find(a, moved, -time * _wayX, -time * _wayY, -time * _wayZ, out);
+            out.x += time * _wayX;
+            out.y += time * _wayY;
+            out.z += time * _wayZ;
+        }
+
+        private static function moveToWorld(a:Placement, way:Way, time:Number, out:Touch):void
+        {
+            var size:Number = a.size;
+            var x:Number = out.x * size;
+            var y:Number = out.y * size;
+            var z:Number = out.z * size;
+            out.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + way.startX + time * way.x;
+            out.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + way.startY + time * way.y;
+            out.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + way.startZ + time * way.z;
+            x = out.normalX;
+            y = out.normalY;
+            z = out.normalZ;
+            out.normalX = a.r00 * x + a.r01 * y + a.r02 * z;
+            out.normalY = a.r10 * x + a.r11 * y + a.r12 * z;
+            out.normalZ = a.r20 * x + a.r21 * y + a.r22 * z;
+            out.depth *= size;
+        }
+
+        // At time 0.
+        private function relate(a:Placement, b:Placement, way:Way):void
+        {
+            var start:Placement = _start;
+            start.copyFrom(a);
+            start.x += way.startX;
+            start.y += way.startY;
+            start.z += way.startZ;
+            _pose.relate(start, b);
+            var x:Number = -way.x / a.size;
+            var y:Number = -way.y / a.size;
+            var z:Number = -way.z / a.size;
+            _wayX = a.r00 * x + a.r10 * y + a.r20 * z;
+            _wayY = a.r01 * x + a.r11 * y + a.r21 * z;
+            _wayZ = a.r02 * x + a.r12 * y + a.r22 * z;
+        }
+
+        private function moveToEnd(way:Way):void
+        {
+            _start.x += way.x;
+            _start.y += way.y;
+            _start.z += way.z;
+        }
+
+        // The first model is so small that it is a point of the second's space.
+        private function pointTouches(root:HierarchyNode, placementA:Placement, structure:BoundingStructure, placementB:Placement,
+                way:Way):Number
+        {
+            _way.turn(way);
+            relate(placementB, placementA, _way);
+            var relative:Placement = _pose.placement;
+            _point.center.setTo(relative.x, relative.y, relative.z);
+            _point.radius = relative.size * root.radius;
+            _way.startX = _way.startY = _way.startZ = 0;
+            _way.x = _wayX;
+            _way.y = _wayY;
+            _way.z = _wayZ;
+            return firstTouch(_point, structure, _way);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package starlogo.motion
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * How to part two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest way is at right angles to
+     * two of the segments' directions, that is to a face of the one, or to an edge of each.
+     */
+    internal final class DeepTouch
+    {
+        private var _a:SegmentSum = new SegmentSum();
+        private var _b:SegmentSum = new SegmentSum();
+        private var _polygonA:Polygon = new Polygon();
+        private var _polygonB:Polygon = new Polygon();
+
+        // The shortest way so far.
+        private var _depth:Number;
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+
+        /** Nothing found yet. */
+        public function DeepTouch()
+        {
+        }
+
+        /**
+         * Finds the contact.
+         *
+         * @param a a Box, or a Capsule of which the axis counts
+         * @param b a Box
+         * @param radius how far a reaches beyond that
+         * @param x how far a is displaced
+         * @param y likewise
+         * @param z likewise
+         * @param out takes it
+         */
+        public function find(a:BoundingStructure, b:BoundingStructure, radius:Number, x:Number, y:Number, z:Number, out:Touch):void
+        {
+            _a.take(a, x, y, z);
+            _b.take(b, 0, 0, 0);
+            _depth = Infinity;
+            tryAll(_b, _b);
+            tryAll(_a, _a);
+            tryAll(_a, _b);
+            out.normalX = _x;
+            out.normalY = _y;
+            out.normalZ = _z;
+            _a.supportInto(_polygonA, -_x, -_y, -_z);
+            _b.supportInto(_polygonB, _x, _y, _z);
+            _polygonA.findCommonPoint(_polygonB, _x, _y, _z);
+            // as far out as the middle between the one's surface and the other's
+            out.x = _polygonA.x - radius / 2 * _x;
+            out.y = _polygonA.y - radius / 2 * _y;
+            out.z = _polygonA.z - radius / 2 * _z;
+            var depth:Number = _depth + radius;
+            out.depth = depth > 0 ? depth : 0;
+        }
+
+        private function tryAll(first:SegmentSum, second:SegmentSum):void
+        {
+            var u:Vector.<Number> = first.directions;
+            var v:Vector.<Number> = second.directions;
+            for (var i:int = 0; i < first.end; i += 3)
+            {
+                var ux:Number = u[i];
+                var uy:Number = u[int(i + 1)];
+                var uz:Number = u[int(i + 2)];
+                for (var k:int = first === second ? i + 3 : 0; k < second.end; k += 3)
+                {
+                    var vx:Number = v[k];
+                    var vy:Number = v[int(k + 1)];
+                    var vz:Number = v[int(k + 2)];
+                    tryAcross(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+                }
+            }
+        }
+
+        // A direction; the sine of the angle between the two is its length.
+        private function tryAcross(x:Number, y:Number, z:Number):void
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            if (length < Tolerances.DIRECTION)
+            {
+                return;
+            }
+            x /= length;
+            y /= length;
+            z /= length;
+            var along:Number = (_a.x - _b.x) * x + (_a.y - _b.y) * y + (_a.z - _b.z) * z;
+            if (along < 0)
+            {
+                along = -along;
+                x = -x;
+                y = -y;
+                z = -z;
+            }
+            var reach:Number = _a.reach(x, y, z) + _b.reach(x, y, z);
+            // what is shorter by rounding is not shorter
+            if (reach - along < _depth - Tolerances.ROUNDING * reach)
+            {
+                _depth = reach - along;
+                _x = x;
+                _y = y;
+                _z = z;
+            }
+        }
+    }
+}

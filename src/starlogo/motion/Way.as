@@ -1,0 +1,94 @@
+package starlogo.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * How one structure moves while another stands still: along a straight line, from time 0 to time 1, neither turning nor growing.
+     * Where both move, it is the one's way less the other's. Plain fields, because the tests read them.
+     *
+     * @private
+     */
+    public final class Way
+    {
+        /** The time of a touch that never comes. */
+        public static const NEVER:Number = Infinity;
+
+        private static const TURNED:Way = new Way();
+
+        /** From where the structure stands to where it is at time 0. */
+        public var startX:Number = 0;
+
+        /** @copy #startX */
+        public var startY:Number = 0;
+
+        /** @copy #startX */
+        public var startZ:Number = 0;
+
+        /** From where it is at time 0 to where it is at time 1. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** A way that leads nowhere. */
+        public function Way()
+        {
+        }
+
+        /** Makes it the way that has brought the structure to where it stands: that is its end. */
+        public function endAfter(x:Number, y:Number, z:Number):void
+        {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+            startX = -x;
+            startY = -y;
+            startZ = -z;
+        }
+
+        /** Makes it a part of another way, from one time of that to another; back, if the second is earlier. */
+        public function takePart(of:Way, from:Number, to:Number):void
+        {
+            startX = of.startX + from * of.x;
+            startY = of.startY + from * of.y;
+            startZ = of.startZ + from * of.z;
+            x = (to - from) * of.x;
+            y = (to - from) * of.y;
+            z = (to - from) * of.z;
+        }
+
+        /** Makes it the way of the other structure, while this one stands still. */
+        public function turn(way:Way):void
+        {
+            x = -way.x;
+            y = -way.y;
+            z = -way.z;
+            startX = -way.startX;
+            startY = -way.startY;
+            startZ = -way.startZ;
+        }
+
+        /** The way of the other structure, while this one stands still; the next call overwrites it. */
+        internal static function turned(way:Way):Way
+        {
+            TURNED.turn(way);
+            return TURNED;
+        }
+
+        /**
+         * The gap that is nothing but rounding between structures on this way (Tolerances.ROUNDING).
+         *
+         * @param a a point of the one that moves
+         * @param b a point of the other
+         */
+        internal function rounding(a:Vector3D, b:Vector3D):Number
+        {
+            return Tolerances.ROUNDING * (Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + Math.abs(b.x) + Math.abs(b.y) + Math.abs(b.z)
+                    + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package starlogo.motion
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+
+    /**
+     * When a box touches another on its way: separating axes over time, see BoxSweep.
+     *
+     * @param a moves; half-extents may be 0
+     * @param b in the space of a; likewise
+     * @param way of a
+     * @param faceAxesOnly leaves out the axes of the edges, as boxBox does
+     * @return from 0 to 1, or Way.NEVER
+     *
+     * @private
+     */
+    public function boxBoxTouch(a:Box, b:Box, way:Way, faceAxesOnly:Boolean = false):Number
+    {
+        var axisX:Vector3D = a.axisX;
+        var aXx:Number = axisX.x;
+        var aXy:Number = axisX.y;
+        var aXz:Number = axisX.z;
+        var axisY:Vector3D = a.axisY;
+        var aYx:Number = axisY.x;
+        var aYy:Number = axisY.y;
+        var aYz:Number = axisY.z;
+        var axisZ:Vector3D = a.axisZ;
+        var aZx:Number = axisZ.x;
+        var aZy:Number = axisZ.y;
+        var aZz:Number = axisZ.z;
+        var x:Vector3D = b.axisX;
+        var y:Vector3D = b.axisY;
+        var z:Vector3D = b.axisZ;
+        var sweep:BoxSweep = BoxSweep.SCRATCH;
+        sweep.turn(aXx * x.x + aXy * x.y + aXz * x.z, aXx * y.x + aXy * y.y + aXz * y.z, aXx * z.x + aXy * z.y + aXz * z.z,
+                aYx * x.x + aYy * x.y + aYz * x.z, aYx * y.x + aYy * y.y + aYz * y.z, aYx * z.x + aYy * z.y + aYz * z.z,
+                aZx * x.x + aZy * x.y + aZz * x.z, aZx * y.x + aZy * y.y + aZz * y.z, aZx * z.x + aZy * z.y + aZz * z.z);
+        var wayX:Number = way.x;
+        var wayY:Number = way.y;
+        var wayZ:Number = way.z;
+        sweep.move(-(aXx * wayX + aXy * wayY + aXz * wayZ), -(aYx * wayX + aYy * wayY + aYz * wayZ),
+                -(aZx * wayX + aZy * wayY + aZz * wayZ));
+        var centerA:Vector3D = a.center;
+        var centerB:Vector3D = b.center;
+        var fromX:Number = centerB.x - centerA.x - way.startX;
+        var fromY:Number = centerB.y - centerA.y - way.startY;
+        var fromZ:Number = centerB.z - centerA.z - way.startZ;
+        var tX:Number = aXx * fromX + aXy * fromY + aXz * fromZ;
+        var tY:Number = aYx * fromX + aYy * fromY + aYz * fromZ;
+        var tZ:Number = aZx * fromX + aZy * fromY + aZz * fromZ;
+        var gap:Number = way.rounding(centerA, centerB);
+        var time:Number = sweep.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
+        if (time == Way.NEVER || faceAxesOnly)
+        {
+            return time;
+        }
+        return sweep.edgesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap);
+    }
+}

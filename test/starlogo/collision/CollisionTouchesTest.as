@@ -1,0 +1,383 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.Effort;
+    import support.OwnVectorSystem;
+    import support.assertThrows;
+
+    /** When touches begin and end: handlers of onCollisionStart and onCollisionEnd. */
+    public class CollisionTouchesTest
+    {
+        private var _greatLand:GreatLand;
+        private var _collision:Collision;
+        private var _bear:Agent;
+        private var _ball:Agent;
+        private var _agents:Vector.<Agent>;
+        private var _calls:Array;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _collision = new Collision(new BinCollider(_greatLand));
+            _bear = new Agent("sphere", "bears");
+            _ball = new Agent("sphere", "balls");
+            _agents = new <Agent>[_bear, _ball];
+            _calls = [];
+        }
+
+        [Test]
+        public function beginsOnceAndEndsOnce():void
+        {
+            note("bears", "balls");
+            assertFrame("apart", 5, "");
+            assertFrame("first", 0.5, "start bears balls,stay bears balls");
+            assertFrame("second", 0.4, "stay bears balls");
+            assertFrame("third", 0.4, "stay bears balls");
+            assertFrame("gone", 5, "end bears balls");
+            assertFrame("still gone", 5, "");
+            assertFrame("again", 0.5, "start bears balls,stay bears balls");
+        }
+
+        [Test]
+        public function eachDirectionHasItsOwn():void
+        {
+            note("balls", "bears");
+            note("bears", Collision.ANY_BREED);
+            assertFrame("first", 0.5, "start bears balls,stay bears balls,start balls bears,stay balls bears");
+            assertFrame("second", 0.5, "stay bears balls,stay balls bears");
+            // whoever is first in the list now
+            _agents.reverse();
+            assertFrame("the other way round", 0.5, "stay balls bears,stay bears balls");
+            assertFrame("gone", 5, "end bears balls,end balls bears");
+        }
+
+        [Test]
+        public function withinABreedBothWays():void
+        {
+            _ball.breed = "bears";
+            _collision.onCollisionStart("bears", "bears", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push(collider === _bear ? "bear" : "ball");
+                });
+            assertFrame("first", 0.5, "bear,ball");
+            assertFrame("second", 0.5, "");
+        }
+
+        [Test]
+        public function theEndOfWhoIsTakenOut():void
+        {
+            note("bears", "balls");
+            assertFrame("first", 0.5, "start bears balls,stay bears balls");
+            _agents.length = 1;
+            assertFrame("taken out", 0.5, "end bears balls");
+            _agents.push(_ball);
+            assertFrame("back", 0.5, "start bears balls,stay bears balls");
+            _agents.length = 0;
+            assertFrame("both taken out", 0.5, "end bears balls");
+        }
+
+        [Test]
+        public function takenOutAndBackInBetweenIsOneTouch():void
+        {
+            note("bears", "balls");
+            assertFrame("first", 0.5, "start bears balls,stay bears balls");
+            _agents.length = 0;
+            _agents.push(_ball, _bear);
+            assertFrame("second", 0.5, "stay bears balls");
+        }
+
+        [Test]
+        public function whoIsTakenOutBeforeItsTurnNeverTouched():void
+        {
+            var other:Agent = new Agent("sphere", "bears");
+            other.moveTo(0.2, 0.2, 0);
+            _agents.push(other);
+            _collision.onCollisionStart("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("start");
+                    _agents.splice(_agents.indexOf(_ball), 1);
+                });
+            _collision.onCollisionEnd("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("end");
+                });
+            assertFrame("one of two bears", 0.1, "start");
+            assertFrame("its end", 0.1, "end");
+            assertFrame("no more", 0.1, "");
+        }
+
+        [Test]
+        public function theDirectionThatWasNotReachedHasNoEnd():void
+        {
+            note("balls", "bears");
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _agents.length = 0;
+                });
+            _collision.onCollisionEnd("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("end");
+                });
+            assertFrame("the bear is first", 0.5, "");
+            assertFrame("and has an end", 0.5, "end");
+        }
+
+        [Test]
+        public function anotherBreedIsAnotherTouch():void
+        {
+            note("bears", "balls");
+            note("bears", "walls");
+            assertFrame("first", 0.5, "start bears balls,stay bears balls");
+            _ball.breed = "walls";
+            assertFrame("a wall", 0.5, "end bears balls,start bears walls,stay bears walls");
+            _ball.breed = "trees";
+            assertFrame("nobody asks about trees", 0.5, "end bears walls");
+            _ball.breed = "balls";
+            assertFrame("a ball", 0.5, "start bears balls,stay bears balls");
+        }
+
+        [Test]
+        public function anotherSystemMayEndIt():void
+        {
+            note("bears", "balls");
+            assertFrame("spheres", 0.5, "start bears balls,stay bears balls");
+            _collision.collisionSystem = new TightestFitCollider(_greatLand);
+            assertFrame("the same", 0.4, "stay bears balls");
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[]);
+            assertFrame("finds nobody", 0.4, "end bears balls");
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_ball, _bear]);
+            assertFrame("finds them far apart", 40, "start bears balls,stay bears balls");
+        }
+
+        [Test]
+        public function handlersMayComeAndGo():void
+        {
+            var start:Function = function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("late start");
+                };
+            var end:Function = function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("late end");
+                };
+            assertFrame("nobody asks", 0.5, "");
+            _collision.onCollisionStart("bears", "balls", start);
+            assertFrame("somebody asks", 0.5, "late start");
+            _collision.onCollisionStart("bears", "balls", start);
+            _collision.onCollisionEnd("bears", "balls", end);
+            assertFrame("too late for this touch's start", 0.5, "");
+            assertFrame("but not for its end", 5, "late end");
+            assertTrue(_collision.removeHandler("bears", "balls", start));
+            assertTrue(_collision.removeHandler("bears", "balls", start));
+            assertTrue(!_collision.removeHandler("bears", "balls", start));
+            assertFrame("again", 0.5, "");
+            assertTrue(_collision.removeHandler("bears", "balls", end));
+            assertFrame("nobody is left", 5, "");
+        }
+
+        [Test]
+        public function whatIsThrownStopsNobody():void
+        {
+            var thrower:Function = function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("thrown");
+                    throw new Error("x");
+                };
+            _collision.onCollisionStart("bears", "balls", thrower);
+            _collision.onCollisionEnd("bears", "balls", thrower);
+            note("bears", "balls");
+            _ball.moveTo(0.5, 0, 0);
+            assertThrows(Error, /x/, _collision.update, _agents);
+            assertEquals("thrown,start bears balls,stay bears balls", _calls.join());
+            _calls = [];
+            _ball.moveTo(5, 0, 0);
+            assertThrows(Error, /x/, _collision.update, _agents);
+            assertEquals("thrown,end bears balls", _calls.join());
+            assertEquals(2, _collision.statistics.handlerCalls);
+        }
+
+        [Test]
+        public function aThirdArgumentIsTheContact():void
+        {
+            var contacts:Array = [];
+            var take:Function = function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    contacts.push(contact);
+                    _calls.push(contact == null ? "null" : collider.breed + " " + contact.depth.toFixed(3) + " " + contact.normal.x);
+                };
+            _collision.onCollisionStart("bears", "balls", take);
+            _collision.onCollision("balls", "bears", take);
+            _collision.onCollisionEnd("bears", "balls", take);
+            _ball.size = 0.5;
+            _bear.size = 0.5;
+            assertFrame("first", 0.375, "bears 0.125 -1,balls 0.125 1");
+            assertTrue("one object", contacts[0] === contacts[1]);
+            assertFrame("second", 0.4, "balls 0.100 1");
+            assertFrame("gone", 4, "null");
+            // of a system that does not know
+            _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_bear, _ball]);
+            assertFrame("somebody else's", 4, "bears 0.000 -1,balls 0.000 1");
+        }
+
+        [Test]
+        public function startsAndEndsPairUpInALongGame():void
+        {
+            var random:SeededRandom = new SeededRandom(601);
+            var touching:Object = {};
+            var breeds:Array = ["bears", "balls", "walls"];
+            var systems:Array = [new BinCollider(_greatLand), new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand)];
+            var meddle:Function = function():void
+                {
+                    var choice:int = _agents.length == 0 ? 6 : random.integer(0, 60);
+                    if (choice == 0 && _agents.length > 10)
+                    {
+                        _agents.splice(random.integer(0, _agents.length - 1), 1);
+                    }
+                    else if (choice == 1)
+                    {
+                        _agents.push(newcomer(random, breeds));
+                    }
+                    else if (choice == 2)
+                    {
+                        random.pick(arrayOf(_agents)).shape = random.pick(["sphere", "cube"]);
+                    }
+                    else if (choice == 3)
+                    {
+                        random.pick(arrayOf(_agents)).breed = random.pick(breeds);
+                    }
+                    else if (choice == 4)
+                    {
+                        _collision.collisionSystem = random.pick(systems);
+                    }
+                    else if (choice == 5)
+                    {
+                        throw new Error("now and then");
+                    }
+                };
+            for each (var breed:String in breeds)
+            {
+                for each (var other:String in breeds)
+                {
+                    addPair(breed, other, touching, meddle);
+                }
+            }
+            _agents.length = 0;
+            for (var i:int = 0; i < 40; i++)
+            {
+                _agents.push(newcomer(random, breeds));
+            }
+            var frames:int = Effort.choose(400, 5000);
+            for (var frame:int = 0; frame < frames; frame++)
+            {
+                for each (var agent:Agent in _agents)
+                {
+                    agent.moveTo(agent.x * 0.99 + 0.2 * random.normal(), agent.y * 0.99 + 0.2 * random.normal(), 0);
+                }
+                if (_agents.length < 30)
+                {
+                    _agents.push(newcomer(random, breeds));
+                }
+                updateQuietly();
+            }
+            _agents.length = 0;
+            // those who were thrown out by the last handlers have their ends here
+            updateQuietly();
+            for (var key:String in touching)
+            {
+                assertEquals(key + " has not ended", false, touching[key]);
+            }
+            var starts:int = _calls.length;
+            assertTrue("starts: " + starts, starts > 2 * frames);
+            trace("  " + frames + " frames, " + starts + " starts, each with its end");
+        }
+
+        private function addPair(breed:String, other:String, touching:Object, meddle:Function):void
+        {
+            // its order in the list of handlers differs from pair to pair
+            _collision.onCollisionEnd(breed, other, function(collider:Agent, collidee:Agent):void
+                {
+                    var key:String = breed + " " + collider.id + " " + other + " " + collidee.id;
+                    assertEquals(key + " ends", true, touching[key]);
+                    touching[key] = false;
+                    meddle();
+                });
+            _collision.onCollisionStart(breed, other, function(collider:Agent, collidee:Agent):void
+                {
+                    var key:String = breed + " " + collider.id + " " + other + " " + collidee.id;
+                    assertTrue(key + " begins", !touching[key]);
+                    touching[key] = true;
+                    _calls.push(key);
+                    meddle();
+                });
+            _collision.onCollision(breed, other, function(collider:Agent, collidee:Agent):void
+                {
+                    meddle();
+                });
+        }
+
+        private function updateQuietly():void
+        {
+            try
+            {
+                _collision.update(_agents);
+            }
+            catch (error:Error)
+            {
+                for each (error in _collision.handlerErrors)
+                {
+                    assertEquals("now and then", error.message);
+                }
+            }
+        }
+
+        private static function newcomer(random:SeededRandom, breeds:Array):Agent
+        {
+            var agent:Agent = new Agent(random.pick(["sphere", "cube"]), random.pick(breeds));
+            agent.moveTo(random.between(-4, 4), random.between(-4, 4), 0);
+            return agent;
+        }
+
+        private static function arrayOf(agents:Vector.<Agent>):Array
+        {
+            var result:Array = [];
+            for each (var agent:Agent in agents)
+            {
+                result.push(agent);
+            }
+            return result;
+        }
+
+        // All three kinds of handlers.
+        private function note(breed:String, other:String):void
+        {
+            _collision.onCollision(breed, other, noting("stay"));
+            _collision.onCollisionEnd(breed, other, noting("end", breed, other));
+            _collision.onCollisionStart(breed, other, noting("start"));
+        }
+
+        private function noting(word:String, breed:String = null, other:String = null):Function
+        {
+            return function(collider:Agent, collidee:Agent):void
+                {
+                    var isAny:Boolean = other == null || other == Collision.ANY_BREED;
+                    _calls.push(word + " " + (breed || collider.breed) + " " + (isAny ? collidee.breed : other));
+                };
+        }
+
+        private function assertFrame(name:String, x:Number, calls:String):void
+        {
+            _ball.moveTo(x, 0, 0);
+            _calls = [];
+            _collision.update(_agents);
+            assertEquals(name, calls, _calls.join());
+        }
+    }
+}

@@ -1,0 +1,169 @@
+package starlogo.motion
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.intersects;
+    import support.assertThrows;
+
+    /** Contacts part what overlaps, and lie in the middle of it. */
+    public class TouchFinderTest
+    {
+        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
+        private static const TOUCHING:Number = 1e-6;
+
+        private var _finder:TouchFinder = new TouchFinder();
+        private var _touch:Touch = new Touch();
+
+        [Test]
+        public function movingAlongTheNormalByTheDepthLeavesATouch():void
+        {
+            var random:SeededRandom = new SeededRandom(401);
+            var shapes:RandomStructures = new RandomStructures(random);
+            var parted:int = 0;
+            while (parted < 10000)
+            {
+                var a:BoundingStructure = shapes.ofKind(random.pick(KINDS), 1, 0.7);
+                var b:BoundingStructure = shapes.ofKind(random.pick(KINDS), 1, 0.7);
+                if (intersects(a, b))
+                {
+                    _finder.find(a, b, 0, 0, 0, _touch);
+                    checkParts("overlap " + parted, a, b);
+                    parted++;
+                }
+            }
+        }
+
+        [Test]
+        public function middlesCoincide():void
+        {
+            for each (var a:BoundingStructure in specials())
+            {
+                for each (var b:BoundingStructure in specials())
+                {
+                    _finder.find(a, b, 0, 0, 0, _touch);
+                    checkParts(a + " in " + b, a, b);
+                }
+            }
+        }
+
+        [Test]
+        public function choosesUpwardsWhereNothingElseIsNearer():void
+        {
+            var ball:Sphere = new Sphere(new Vector3D(1, 2, 3), 0.5);
+            checkNormal(ball, ball, 0, 0, 1, 1);
+            var level:Capsule = new Capsule(new Vector3D(0, 2, 3), new Vector3D(3, 2, 3), 0.25);
+            checkNormal(ball, level, 0, 0, 1, 0.75);
+            checkNormal(level, level, 0, 0, 1, 0.5);
+            var upright:Capsule = new Capsule(new Vector3D(1, 2, 0), new Vector3D(1, 2, 9), 0.25);
+            checkNormal(ball, upright, 1, 0, 0, 0.75);
+            // segments that cross: at right angles to both, to the side where the first one's middle is
+            var across:Capsule = new Capsule(new Vector3D(1, 0, 3), new Vector3D(1, 3, 3), 0.25);
+            checkNormal(across, level, 0, 0, 1, 0.5, true);
+        }
+
+        [Test]
+        public function leavesABoxThroughItsNearestFace():void
+        {
+            var box:Box = cube(1, 2, 3);
+            var ball:Sphere = new Sphere(new Vector3D(0.9, -0.5, 0.5), 0.25);
+            checkNormal(ball, box, 1, 0, 0, 0.35);
+            var rod:Capsule = new Capsule(new Vector3D(0, -1.75, 0), new Vector3D(0.5, -1.5, 0.5), 0.25);
+            checkNormal(rod, box, 0, -1, 0, 0.75);
+        }
+
+        [Test]
+        public function thePointOfTwoFacesIsInTheMiddleOfTheirOverlap():void
+        {
+            var low:Box = cube(1, 1, 1);
+            _finder.find(cube(1, 1, 1), low, 1.5, -0.5, 1.9, _touch);
+            assertPoint("faces", 0.75, -0.25, 0.95);
+            assertNear("depth", 0.1, _touch.depth);
+            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, 0, 0, 1.2, _touch);
+            assertPoint("a capsule on a face", -0.25, 0, 0.85);
+            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, 0, 0, 0.9, _touch);
+            assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
+        }
+
+        [Test]
+        public function cylindersAreNotCollided():void
+        {
+            var cylinder:Cylinder = new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1);
+            assertThrows(ArgumentError, /contact/, function():void
+                {
+                    _finder.find(cylinder, cylinder, 0, 0, 0, _touch);
+                });
+            assertThrows(ArgumentError, /motion/, function():void
+                {
+                    firstTouch(cylinder, cylinder, new Way());
+                });
+        }
+
+        private function checkParts(name:String, a:BoundingStructure, b:BoundingStructure):void
+        {
+            var touch:Touch = _touch;
+            var normal:Vector3D = new Vector3D(touch.normalX, touch.normalY, touch.normalZ);
+            assertNear(name + ": a unit vector", 1, normal.length);
+            assertTrue(name + ": depth " + touch.depth, touch.depth >= 0);
+            assertTrue(name + ": moved by less, they overlap", intersects(moved(a, normal, Math.max(0, touch.depth - TOUCHING)), b));
+            assertFalse(name + ": moved by more, they do not", intersects(moved(a, normal, touch.depth + TOUCHING), b));
+            // the point: half the depth from the surface of either
+            var dot:Sphere = new Sphere(new Vector3D(touch.x, touch.y, touch.z), TOUCHING);
+            assertTrue(name + ": the point is in the first", intersects(moved(a, normal, touch.depth / 2), dot));
+            assertTrue(name + ": the point is in the second", intersects(moved(b, normal, -touch.depth / 2), dot));
+            assertFalse(name + ": on the surface of the first", intersects(moved(a, normal, touch.depth / 2 + 3 * TOUCHING), dot));
+            assertFalse(name + ": on the surface of the second", intersects(moved(b, normal, -touch.depth / 2 - 3 * TOUCHING), dot));
+        }
+
+        private function checkNormal(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, depth:Number,
+                orOpposite:Boolean = false):void
+        {
+            _finder.find(a, b, 0, 0, 0, _touch);
+            var sign:Number = orOpposite && _touch.normalX * x + _touch.normalY * y + _touch.normalZ * z < 0 ? -1 : 1;
+            assertNear(a + " in " + b, x, sign * _touch.normalX);
+            assertNear(a + " in " + b, y, sign * _touch.normalY);
+            assertNear(a + " in " + b, z, sign * _touch.normalZ);
+            assertNear(a + " in " + b, depth, _touch.depth);
+            checkParts(a + ", " + b, a, b);
+        }
+
+        private function assertPoint(name:String, x:Number, y:Number, z:Number):void
+        {
+            assertNear(name, x, _touch.x);
+            assertNear(name, y, _touch.y);
+            assertNear(name, z, _touch.z);
+        }
+
+        private static function assertNear(name:String, expected:Number, actual:Number):void
+        {
+            assertTrue(name + ": " + actual + ", not " + expected, Math.abs(actual - expected) <= 1e-8);
+        }
+
+        private static function moved(structure:BoundingStructure, direction:Vector3D, distance:Number):BoundingStructure
+        {
+            return structure.clone().translate(new Vector3D(distance * direction.x, distance * direction.y, distance * direction.z));
+        }
+
+        private static function cube(halfX:Number, halfY:Number, halfZ:Number):Box
+        {
+            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, halfX, halfY, halfZ);
+        }
+
+        // All about one point.
+        private static function specials():Array
+        {
+            return [new Sphere(new Vector3D(), 1), new Sphere(new Vector3D(), 0),
+                    new Capsule(new Vector3D(-1, 0, 0), new Vector3D(1, 0, 0), 0.5), new Capsule(new Vector3D(0, -1, -1), new Vector3D(0, 1, 1), 0.25),
+                    new Capsule(new Vector3D(0, 0, -1), new Vector3D(0, 0, 1), 0), new Capsule(new Vector3D(), new Vector3D(), 0.5),
+                    cube(1, 2, 3), cube(1, 1, 0), cube(0.5, 0, 0), cube(0, 0, 0),
+                    new Box(new Vector3D(), new Vector3D(0.6, 0.8, 0), new Vector3D(-0.8, 0.6, 0), Vector3D.Z_AXIS, 1, 0.5, 0.7)];
+        }
+    }
+}

@@ -21,6 +21,9 @@ export const EXTERNALS = {
 /** Public classes of the engine that the module lacks, and why. */
 export const LEFT_OUT = new Map([["starlogo.diagnostics.CollisionMonitor", "it draws on Flash's stage"]]);
 
+/** The adapters to Away3D, which is Flash's, and their tests. */
+export const isAway3d = (name) => /\bAway3d|\baway3d\b/.test(name);
+
 /** The classes of Flash that the engine's own names speak of: the module's users get them too. */
 export const FROM_FLASH = [
 	"flash.geom.Vector3D",
@@ -37,6 +40,6 @@ export const FROM_FLASH = [
 /** The declarations that the module exports, by qualified name: the engine's public ones, and those of Flash. */
 export function publicSignatures() {
 	const types = readSignatures(SOURCES);
-	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !types.get(qname).isPrivate && !LEFT_OUT.has(qname));
+	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !types.get(qname).isPrivate && !LEFT_OUT.has(qname) && !isAway3d(qname));
 	return new Map([...own, ...FROM_FLASH].map((qname) => [qname, types.get(qname)]));
 }

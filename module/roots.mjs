@@ -6,7 +6,7 @@
  */
 import { mkdirSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { ROOT, publicSignatures } from "./names.mjs";
+import { ROOT, isAway3d, publicSignatures } from "./names.mjs";
 
 const [folder, withTests] = process.argv.slice(2);
 const LANGUAGE = "org.apache.royale.utils.Language";
@@ -15,7 +15,7 @@ const names = [...publicSignatures().keys()];
 names.push("standin.Machine", LANGUAGE);
 if (withTests) {
 	// test/standins compares the stand-ins with Flash's own classes, which are not here
-	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !file.startsWith("standins")).sort();
+	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !file.startsWith("standins") && !isAway3d(file)).sort();
 	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.scenes.Scenes", "support.RealModels", "support.Effort", "support.Fixtures");
 }
 

@@ -42,6 +42,8 @@ async function show() {
 		const view = await createView(main, argument);
 		if (mine !== turn) view.close();
 		else shown = { name, view };
+		// for the browser's console, and for tests
+		globalThis.playground = view;
 		main.dataset.ready = name;
 	} catch (error) {
 		if (mine !== turn) return;

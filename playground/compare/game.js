@@ -1,8 +1,9 @@
 /** A game of agents all over the ground, and what each collision system makes of it. Nothing here draws. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
 
-const HALF_WIDTH = 10;
+const HALF_WIDTH = 50;
 const STEP = 0.3;
+const SIZE = 5;
 
 /** The shapes of its agents, in turn. */
 export const CAST = ["bear", "dragon", "fireman", "seagull", "fortress", "person"];
@@ -10,7 +11,7 @@ export const CAST = ["bear", "dragon", "fireman", "seagull", "fortress", "person
 /** The systems that are compared with the exact one. */
 export const SYSTEMS = [CollisionBlocks.UNIT_SPHERES, CollisionBlocks.TIGHTEST_FITS, CollisionBlocks.HIERARCHIES, CollisionBlocks.COMBINATION];
 
-/** Walks on, turns a little every frame, and comes in on the other side. */
+/** The engine's own scattered scene (ScatteredScene.as): all walk on, turn a little every frame, and come in on the other side. */
 export class ScatteredGame {
 	agents = [];
 	#random = 20150601;
@@ -21,6 +22,7 @@ export class ScatteredGame {
 			const agent = new Agent(CAST[i % CAST.length]);
 			agent.moveTo(this.#between(-HALF_WIDTH, HALF_WIDTH), this.#between(-HALF_WIDTH, HALF_WIDTH), 0);
 			agent.heading = this.#between(0, 360);
+			agent.size = SIZE;
 			// every other one is the main character of a combination
 			agent.hierarchical = i % 2 === 0;
 			this.agents.push(agent);
@@ -35,7 +37,7 @@ export class ScatteredGame {
 		}
 	}
 
-	// the generator of the engine's own scenes (Knuth, TAOCP 2, §3.3.4)
+	// Knuth, TAOCP 2, §3.3.4
 	#between(low, high) {
 		this.#random = (Math.imul(this.#random, 1664525) + 1013904223) >>> 0;
 		return low + ((high - low) * this.#random) / 4294967296;

@@ -14,7 +14,7 @@ const GAME_COLOURS = { none: 0xaeb8c6, right: 0x3d9a5f, wrong: 0xf0a020, missed:
 const AGENTS = 150;
 const RANGES = { x: [-2, 2, 0.01], y: [-2, 2, 0.01], z: [-1, 3, 0.01], heading: [-180, 180, 1], pitch: [-180, 180, 1], roll: [-180, 180, 1], size: [0.2, 3, 0.01] };
 /** A ball beneath the dragon's wing: the box says yes, and the dragon no. */
-const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.35, y: 0.4, z: 0.02, size: 0.2 }];
+const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0.6, z: 0.1, size: 0.2 }];
 
 export async function createView(main) {
 	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
@@ -49,8 +49,8 @@ class CompareView {
 					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => this.#restart())),
 					this.#legend()),
 				h("div.screen", {}, this.gameHost)));
-		this.stage = new Stage(this.pairHost, { label: words.world, eye: [2.6, -4.2, 2.8], target: [0, 0, 0.4], ground: 6 });
-		this.gameStage = new Stage(this.gameHost, { label: words.gameWorld, eye: [0, -11, 24], target: [0, -0.5, 0], ground: 20 });
+		this.stage = new Stage(this.pairHost, { label: words.world, eye: [2, 2.9, 1.5], target: [0, 0, 0.4], ground: 6 });
+		this.gameStage = new Stage(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
 		orbitByKeys(this.stage, this.pairHost);
 		this.#buildVerdicts();
 		this.#drag();

@@ -62,12 +62,13 @@ export class Editor {
 		return Blockly.serialization.workspaces.save(this.workspace);
 	}
 
-	/** Shows a program; throws if Blockly finds none in it, and then shows what it did before. */
-	show(program) {
+	/** Shows a program, its scripts put in order if told; throws if Blockly finds none in it, and then shows what it did before. */
+	show(program, inOrder) {
 		const before = this.program;
 		this.loading = true;
 		try {
 			Blockly.serialization.workspaces.load(program, this.workspace);
+			if (inOrder) this.workspace.cleanUp();
 		} catch (error) {
 			Blockly.serialization.workspaces.load(before, this.workspace);
 			throw error;

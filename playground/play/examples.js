@@ -25,46 +25,43 @@ const touch = (BREED, OTHER, ...blocks) => ({ type: "starlogo_touch_start", fiel
 const start = (...blocks) => ({ type: "starlogo_start", inputs: { DO: inside(...blocks) } });
 const remove = (WHO) => ({ type: "starlogo_delete", fields: { WHO } });
 
-/** Scripts below one another, of which the first may stand beside the rest. */
-function program(...scripts) {
-	return { blocks: { languageVersion: 0, blocks: scripts.map(([x, y, script]) => ({ x, y, ...script })) } };
-}
+const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });
 
 const hit = (breed) => touch("paintballs", breed, paint("collidee", { block: { type: "starlogo_colour_of", fields: { WHO: "me" } } }), remove("me"));
 
 const paintball = program(
-	[20, 20, start(
+	start(
 		create(1, "bears", "bear", paint("me", colour("brown")), size(1.4), heading(0)),
 		create(10, "turtles", "turtle", scatter, paint("me", colour("green")), size(1.5)),
 		create(6, "seagulls", "seagull", scatter, up(0.8), paint("me", colour("white")), size(1.8)),
 		create(5, "walls", "wall", scatter, paint("me", colour("grey")), size(4)),
-	)],
-	[20, 800, key("up", "held", "bears", move(0.12))],
-	[20, 920, key("down", "held", "bears", move(-0.08))],
-	[20, 1040, key("left", "held", "bears", turn("left", number(3)))],
-	[20, 1160, key("right", "held", "bears", turn("right", number(3)))],
-	[20, 1280, key("space", "pressed", "bears", { type: "starlogo_hatch", fields: { BREED: "paintballs", SHAPE: "sphere" }, inputs: { DO: inside(size(0.3), up(0.5), move(0.9), paint("me", { block: { type: "starlogo_any_colour" } })) } })],
-	[20, 1540, each("paintballs", move(0.25), {
+	),
+	key("up", "held", "bears", move(0.12)),
+	key("down", "held", "bears", move(-0.08)),
+	key("left", "held", "bears", turn("left", number(3))),
+	key("right", "held", "bears", turn("right", number(3))),
+	key("space", "pressed", "bears", { type: "starlogo_hatch", fields: { BREED: "paintballs", SHAPE: "sphere" }, inputs: { DO: inside(size(0.3), up(0.5), move(0.9), paint("me", { block: { type: "starlogo_any_colour" } })) } }),
+	each("paintballs", move(0.25), {
 		type: "controls_if",
 		inputs: { IF0: { block: { type: "logic_compare", fields: { OP: "GT" }, inputs: { A: { block: { type: "starlogo_trait", fields: { TRAIT: "age" } } }, B: number(1.5) } } }, DO0: inside(remove("me")) },
-	})],
-	[20, 1780, each("turtles", move(0.02), turn("left", numbers(-4, 4)))],
-	[20, 1920, each("seagulls", move(0.05), turn("right", number(1)))],
-	[20, 2060, hit("turtles")],
-	[20, 2220, hit("seagulls")],
-	[20, 2380, hit("walls")],
-	[20, 2540, { type: "starlogo_collision", fields: { BREED: "bears", OTHER: "walls" }, inputs: { DO: inside({ type: "starlogo_back" }) } }],
+	}),
+	each("turtles", move(0.02), turn("left", numbers(-4, 4))),
+	each("seagulls", move(0.05), turn("right", number(1))),
+	hit("turtles"),
+	hit("seagulls"),
+	hit("walls"),
+	{ type: "starlogo_collision", fields: { BREED: "bears", OTHER: "walls" }, inputs: { DO: inside({ type: "starlogo_back" }) } },
 );
 
 /** One that stands still, and a ball beside it; who is touched turns red. */
 function nearMiss(shape, scale, x, y, z, ball) {
 	return program(
-		[20, 20, start(
+		start(
 			create(1, "turtles", shape, size(scale), paint("me", colour("blue"))),
 			create(1, "paintballs", "sphere", size(ball), go(x, y, z), paint("me", colour("yellow"))),
-		)],
-		[20, 480, touch("paintballs", "turtles", paint("collidee", colour("red")))],
-		[20, 620, { type: "starlogo_touch_end", fields: { BREED: "paintballs", OTHER: "turtles" }, inputs: { DO: inside(paint("collidee", colour("blue"))) } }],
+		),
+		touch("paintballs", "turtles", paint("collidee", colour("red"))),
+		{ type: "starlogo_touch_end", fields: { BREED: "paintballs", OTHER: "turtles" }, inputs: { DO: inside(paint("collidee", colour("blue"))) } },
 	);
 }
 
@@ -73,7 +70,7 @@ export const EXAMPLES = {
 	// all of the helmet is above the unit sphere
 	helmet: nearMiss("fireman", 4, 0, 0, 8.4, 0.5),
 	// in the box around the dragon, and nowhere near its body
-	wing: nearMiss("dragon", 8, 1.4, 1.6, 0.3, 0.5),
+	wing: nearMiss("dragon", 8, 0.8, 2.4, 0.4, 0.8),
 	// in the unit sphere of the wall, and a good way from it
 	wall: nearMiss("wall", 6, 1.5, 0, 1.5, 0.6),
 };

@@ -41,7 +41,7 @@ class PlayView {
 		this.world = world;
 		this.#build(main);
 		this.editor = new Editor(this.blocksHost, () => this.#changed());
-		this.stage = new Stage(this.worldHost, { label: words.world, eye: [-13, -17, 17], target: [0, 0, 0], ground: 2 * HALF_WIDTH });
+		this.stage = new Stage(this.worldHost, { label: words.world, eye: [-11, -19, 17], target: [0, -1, 0], ground: 2 * HALF_WIDTH });
 		this.#listen();
 		world.onSystem = (name) => {
 			this.system.value = name;
@@ -135,10 +135,10 @@ class PlayView {
 	}
 
 	#show(program, name) {
-		this.editor.show(program);
+		this.editor.show(program, name in EXAMPLES);
 		this.#name = name in EXAMPLES ? name : "own";
 		this.programs.value = this.#name;
-		keep(this.#name, program);
+		keep(this.#name, this.editor.program);
 		this.reset();
 	}
 

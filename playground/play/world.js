@@ -4,7 +4,7 @@ import { Rounds, breedOf, compile } from "./program.js";
 import { COLOURS } from "./colours.js";
 
 /** Half the width of the ground; who leaves it comes in on the other side. */
-export const HALF_WIDTH = 16;
+export const HALF_WIDTH = 12;
 export const FRAMES_A_SECOND = 60;
 const MOST_AGENTS = 2000;
 

@@ -22,11 +22,13 @@ export class Stage {
 
 	/**
 	 * @param {HTMLElement} host what it fills
-	 * @param {{label: string, eye: number[], target?: number[], ground?: number}} view what it is called, where it is seen from, how wide the ground is
+	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number}} view what it is called, where it is seen from,
+	 *     how wide the ground is and its cells are
 	 */
-	constructor(host, { label, eye, target = [0, 0, 0], ground = 0 }) {
+	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1 }) {
 		this.host = host;
 		this.ground = ground;
+		this.cell = cell;
 		try {
 			this.renderer = new WebGLRenderer({ antialias: true, powerPreference: "low-power" });
 		} catch {
@@ -69,7 +71,7 @@ export class Stage {
 			this.#grid.dispose();
 		}
 		if (this.ground > 0) {
-			this.#grid = new GridHelper(this.ground, this.ground, theme.middle, theme.grid);
+			this.#grid = new GridHelper(this.ground, this.ground / this.cell, theme.middle, theme.grid);
 			this.#grid.rotation.x = Math.PI / 2;
 			this.scene.add(this.#grid);
 		}

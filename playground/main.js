@@ -25,6 +25,7 @@ async function show() {
 	const { name, argument } = address();
 	if (shown?.name === name) {
 		shown.view.open?.(argument);
+		main.dataset.ready = name;
 		return;
 	}
 	const mine = ++turn;

@@ -33,7 +33,7 @@ class InspectView {
 		this.status = h("p.status", { role: "status" });
 		this.results = h("div.results");
 		main.replaceChildren(
-			h("section.picture", { "aria-label": words.model },
+			h("section.picture", { "aria-label": words.picture },
 				h("div.tools", {}, field(words.model, this.models), fileButton(words.choose, ".obj,.dae,.zae", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
 				this.status, h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, this.results, this.#settingsForm()));

@@ -68,9 +68,9 @@ function nearMiss(shape, scale, x, y, z, ball) {
 export const EXAMPLES = {
 	paintball,
 	// all of the helmet is above the unit sphere
-	helmet: nearMiss("fireman", 4, 0, 0, 8.4, 0.5),
+	helmet: nearMiss("fireman", 4, 0, 0, 8.8, 0.8),
 	// in the box around the dragon, and nowhere near its body
-	wing: nearMiss("dragon", 8, 0.8, 2.4, 0.4, 0.8),
+	wing: nearMiss("dragon", 8, 0.8, -2.6, 0.4, 0.8),
 	// in the unit sphere of the wall, and a good way from it
 	wall: nearMiss("wall", 6, 1.5, 0, 1.5, 0.6),
 };

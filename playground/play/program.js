@@ -62,11 +62,22 @@ function statements(block, world) {
 	for (let each = block; each; each = each.next?.block) {
 		const make = STATEMENTS[each.type];
 		if (!make) throw new ProgramError(`${each.type}?`, each.id);
-		if (each.enabled !== false) steps.push(make(each, world));
+		if (each.enabled !== false) steps.push(blamed(each, make(each, world)));
 	}
 	if (steps.length === 1) return steps[0];
 	return () => {
 		for (let i = 0; i < steps.length; i++) steps[i]();
+	};
+}
+
+/** A step whose errors, the engine's too, say which block they are about. */
+function blamed(block, step) {
+	return () => {
+		try {
+			step();
+		} catch (error) {
+			throw error instanceof ProgramError ? error : new ProgramError(error.message, block.id);
+		}
 	};
 }
 

@@ -32,6 +32,8 @@ class PlayView {
 	#owed = 0;
 	#shownAt = 0;
 	#frames = 0;
+	#ticks = 0;
+	#collisionMs = 0;
 	#broken = false;
 	#name = "paintball";
 	#begun = "";
@@ -151,6 +153,8 @@ class PlayView {
 		this.#name = "own";
 		this.programs.value = "own";
 		keep("own", this.editor.program);
+		// what is kept counts from now on, not what a link brought
+		if (location.hash.includes("/")) history.replaceState(null, "", "#play");
 	}
 
 	async #openFile(file) {
@@ -184,6 +188,7 @@ class PlayView {
 		const { program } = this.editor;
 		this.#begun = JSON.stringify(program);
 		this.#attempt(() => this.world.begin(program));
+		if (!this.#broken && this.world.agents.length === 0) this.#say(words.empty);
 		this.#draw();
 	}
 
@@ -215,6 +220,7 @@ class PlayView {
 		this.#running = false;
 		cancelAnimationFrame(this.#request);
 		this.runButton.textContent = words.run;
+		this.figures.fps.textContent = "–";
 		this.world.releaseAll();
 	}
 
@@ -222,8 +228,15 @@ class PlayView {
 		if (this.#running) this.stop();
 		if (this.#broken || this.#isStale()) this.reset();
 		if (this.#broken) return;
-		this.#attempt(() => this.world.step());
+		this.#tick();
+		if (!this.#broken) this.#say(words.frame(this.world.frame));
 		this.#draw();
+	}
+
+	#tick() {
+		this.#attempt(() => this.world.step());
+		this.#collisionMs += this.world.collisionMs;
+		this.#ticks++;
 	}
 
 	#frame(now) {
@@ -231,7 +244,7 @@ class PlayView {
 		this.#last = now;
 		while (this.#owed >= 1 && this.#running) {
 			this.#owed--;
-			this.#attempt(() => this.world.step());
+			this.#tick();
 		}
 		this.#frames++;
 		this.#draw(now);
@@ -268,8 +281,9 @@ class PlayView {
 
 	#tell(now) {
 		const { statistics } = this.world.collisions.collision;
-		const values = { ms: short(this.world.collisionMs), agents: this.world.agents.length, pairs: statistics.candidatePairs, tests: statistics.tests, collisions: statistics.collisions };
+		const values = { ms: short(this.#collisionMs / this.#ticks), agents: this.world.agents.length, pairs: statistics.candidatePairs, tests: statistics.tests, collisions: statistics.collisions };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
+		this.#ticks = this.#collisionMs = 0;
 		if (now > 0) {
 			this.figures.fps.textContent = Math.round((this.#frames * 1000) / (now - this.#shownAt));
 			this.#shownAt = now;

@@ -11,7 +11,8 @@ const MOST_AGENTS = 2000;
 /** An agent of a game, with what blocks ask about it. */
 class Being extends Agent {
 	born = 0;
-	before = [0, 0, 0];
+	/** Where it was when the frame began: x, y, z, heading. */
+	before = [0, 0, 0, 0];
 }
 
 export class World {
@@ -79,6 +80,7 @@ export class World {
 			agent.before[0] = agent.x;
 			agent.before[1] = agent.y;
 			agent.before[2] = agent.z;
+			agent.before[3] = agent.heading;
 		}
 		for (const { event, fields, seconds, run } of this.#scripts) {
 			if (this.#isDue(event, fields, seconds)) this.#forEach(fields.BREED, run);
@@ -133,7 +135,7 @@ export class World {
 			agent.jumpTo(parent.x, parent.y, parent.z);
 			agent.heading = parent.heading;
 		}
-		agent.before = [agent.x, agent.y, agent.z];
+		agent.before = [agent.x, agent.y, agent.z, agent.heading];
 		this.agents.push(agent);
 		this.traits.welcome(agent);
 		return agent;
@@ -163,8 +165,11 @@ export class World {
 		agent.heading = this.random() * 360;
 	}
 
+	/** Undoes the frame's steps and turns: who touches nobody before never gets stuck. */
 	goBack(agent) {
-		agent.jumpTo(...agent.before);
+		const [x, y, z, heading] = agent.before;
+		agent.jumpTo(x, y, z);
+		agent.heading = heading;
 	}
 
 	/** Colours an agent, or all of a breed. */

@@ -85,7 +85,6 @@ export function onThemeChange(listener) {
 }
 
 export const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches;
-export const prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** Numbers for people: three digits that say something. */
 export function short(value) {

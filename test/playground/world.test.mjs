@@ -180,3 +180,20 @@ test('nested endless loops name the inner one', () => {
 	const outer = { type: 'controls_whileUntil', id: 'outer', fields: { MODE: 'WHILE' }, inputs: { BOOL: always, ...inside(inner) } };
 	assert.throws(() => played(program(start(outer)), 0), { block: 'inner' });
 });
+
+test('who goes back from a wall never gets stuck in it', () => {
+	const world = played(parts.EXAMPLES.paintball, 0);
+	const bear = world.agents.find(({ breed }) => breed === 'bears');
+	const keys = ['up', 'left', 'up', 'down', 'right'];
+	let touched = 0;
+	for (let i = 0; i < 4000; i++) {
+		if (i % 40 === 0) {
+			world.releaseAll();
+			world.press(keys[Math.floor(world.random() * keys.length)]);
+		}
+		world.step();
+		touched += bear.before.every((each, k) => each === [bear.x, bear.y, bear.z, bear.heading][k]) ? 1 : 0;
+	}
+	assert.ok(touched > 20, `walls were met in ${touched} frames`);
+	assert.ok(touched < 3000, `stuck for ${touched} frames`);
+});

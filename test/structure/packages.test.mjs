@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
+import { codeOf, definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
 
 const MOST_LINES = 350;
 const REASON = 'This file is long because';
@@ -54,6 +54,16 @@ test('src uses nothing of test', () => {
 		wrong.push(...importsIn(text).filter((each) => !sources.has(each) && !each.startsWith('flash.')).map((each) => `${name} imports ${each}`));
 		wrong.push(...usesIn(name, text, onlyInTest).map((each) => `${name} uses ${each}`));
 	}
+	assert.equal(wrong.join('\n'), '');
+});
+
+test('no file of the engine declares a function outside of its package: it would be looked up by name in every call', () => {
+	const outside = (text) => /^(?:\w+ )?function \w+/m.exec(codeOf(text))?.[0];
+	assert.equal(outside('package a\n{\n    function b():void\n    {\n    }\n}\n\nfunction c():void\n{\n}\n'), 'function c');
+	const wrong = [...sources].filter(([name]) => isEngine(name)).flatMap(([name, file]) => {
+		const found = outside(read(file));
+		return found ? [`${name}: ${found}`] : [];
+	});
 	assert.equal(wrong.join('\n'), '');
 });
 

@@ -4,14 +4,11 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.agents.AgentRecord;
-    import starlogo.agents.CacheToken;
     import starlogo.bounding.Box;
     import starlogo.broadphase.AgentProxy;
-    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.intersection.boxBox;
 
     use namespace engine;
@@ -26,20 +23,11 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _bins:Bins = new Bins();
         private var _shapes:ShapeCache;
-        private var _frame:int = 0;
-
-        // The shapes of the last search, in the order of its list: mostly this one's is the same. Empty where they are not known
-        // to be the agents' own any more.
-        private var _listed:Vector.<WorldShape> = new Vector.<WorldShape>();
-
-        // Whether those in the bins may be others than those who belong there; and whether somebody who is in them left.
-        private var _membersAreStale:Boolean = true;
-        private var _somebodyLeft:Boolean = false;
+        private var _listed:ListedShapes;
 
         // The search under way. The pairs of breeds that count are in a square of this width; it is null where all do.
         private var _interests:Vector.<Boolean> = null;
         private var _breedCount:int = 0;
-        private var _breedToken:Object = null;
         private var _boxFacesOnly:Boolean = false;
         private var _found:Vector.<Agent> = null;
         private var _foundRecords:Vector.<AgentRecord> = null;
@@ -47,8 +35,6 @@ package starlogo.collision
         private var _skippedPairs:int = 0;
         private var _shapePairs:int = 0;
         private var _boxPairs:int = 0;
-        private var _memberCount:int = 0;
-        private var _loadingCount:int = 0;
 
         // The pair that areColliding asks about, and who it finds, if so.
         private var _asked:Vector.<AgentProxy> = new Vector.<AgentProxy>();
@@ -62,6 +48,7 @@ package starlogo.collision
         public function CollisionSearch(greatLand:GreatLand, strategy:ShapeStrategy)
         {
             _shapes = new ShapeCache(greatLand, strategy, _bins);
+            _listed = new ListedShapes(_shapes, _bins);
             _strategy = strategy;
         }
 
@@ -82,10 +69,7 @@ package starlogo.collision
             {
                 throw new ArgumentError(a + " is no pair with itself");
             }
-            if (_shapes.noteUse())
-            {
-                _listed.length = 0;
-            }
+            _listed.noteUse();
             var shapeA:WorldShape = _shapes.shapeOf(a);
             var shapeB:WorldShape = _shapes.shapeOf(b);
             if (shapeA.level == null || shapeB.level == null)
@@ -256,12 +240,8 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var start:int = getTimer();
-            enlist(agents);
-            updateShapes(interests);
-            if (_membersAreStale || !_bins.repeat())
-            {
-                fillBins();
-            }
+            _listed.update(agents, interests);
+            _listed.fillBins();
             _strategy.resetCounts();
             _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
@@ -272,8 +252,8 @@ package starlogo.collision
             _skippedPairs = 0;
             _shapePairs = 0;
             _boxPairs = 0;
-            _bins.findPairs(this, _somebodyLeft);
-            _somebodyLeft = false;
+            _bins.findPairs(this, _listed.somebodyLeft);
+            _listed.somebodyLeft = false;
             _found = null;
             _foundRecords = null;
             if (found != null)
@@ -292,166 +272,14 @@ package starlogo.collision
         {
             _statistics.reset();
             _statistics.agents = agentCount;
-            _statistics.agentsSkipped = agentCount - _memberCount - _loadingCount;
-            _statistics.agentsLoading = _loadingCount;
+            _statistics.agentsSkipped = agentCount - _listed.memberCount - _listed.loadingCount;
+            _statistics.agentsLoading = _listed.loadingCount;
             _statistics.binEntries = _bins.entryCount;
             _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
             _statistics.sphereSphereTests = _statistics.candidatePairs - _shapePairs;
             _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);
             _statistics.collisions = _foundLength >> 1;
-        }
-
-        // Makes the shapes listed those of a list of agents: mostly they are.
-        private function enlist(agents:Vector.<Agent>):void
-        {
-            if (_shapes.noteUse())
-            {
-                _listed.length = 0;
-            }
-            var listed:Vector.<WorldShape> = _listed;
-            var same:int = 0;
-            var most:int = listed.length < agents.length ? listed.length : agents.length;
-            while (same < most && listed[same].agent === agents[same])
-            {
-                same++;
-            }
-            if (same < listed.length)
-            {
-                _membersAreStale = _somebodyLeft = true;
-                listed.length = same;
-            }
-            if (same < agents.length)
-            {
-                _membersAreStale = true;
-                enlistFrom(same, agents);
-            }
-        }
-
-        // From there on, one by one; nobody may come twice.
-        private function enlistFrom(first:int, agents:Vector.<Agent>):void
-        {
-            var listed:Vector.<WorldShape> = _listed;
-            var frame:int = ++_frame;
-            for (var i:int = 0; i < first; i++)
-            {
-                listed[i].frame = frame;
-            }
-            var cacheToken:CacheToken = _shapes.token;
-            for (i = first; i < agents.length; i++)
-            {
-                var agent:Agent = agents[i];
-                if (agent == null)
-                {
-                    throw new ArgumentError("agents[" + i + "] is null");
-                }
-                var record:AgentRecord = agent.records;
-                if (record == null || record.cacheToken !== cacheToken)
-                {
-                    record = _shapes.find(agent);
-                }
-                // untyped, the cheapest of casts
-                var untyped:* = record;
-                var shape:WorldShape = untyped;
-                if (shape.frame == frame)
-                {
-                    throw new ArgumentError(agent + " is listed twice: agents[" + shape.listIndex + "] and agents[" + i + "]");
-                }
-                shape.frame = frame;
-                shape.listIndex = i;
-                listed[i] = shape;
-            }
-        }
-
-        // Brings the listed shapes up to date, and notes whether those who belong into the bins are still the same.
-        private function updateShapes(interests:BreedInterests):void
-        {
-            var breedToken:Object = interests == null ? null : interests.token;
-            var isStale:Boolean = _membersAreStale || breedToken !== _breedToken;
-            _breedToken = breedToken;
-            // in case that one can't be brought up to date
-            _membersAreStale = true;
-            var shapes:ShapeCache = _shapes;
-            var listed:Vector.<WorldShape> = _listed;
-            var count:int = listed.length;
-            var loading:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var shape:WorldShape = listed[i];
-                var agent:Agent = shape.agent;
-                if (shape.revision != agent.revision)
-                {
-                    var placement:Placement = shape.placement;
-                    if (shape.extentsRevision == placement.extentsRevision)
-                    {
-                        // as ShapeCache.update does
-                        var x:Number = placement.x + shape.offsetX;
-                        var y:Number = placement.y + shape.offsetY;
-                        var z:Number = placement.z + shape.offsetZ;
-                        shape.x = x;
-                        shape.y = y;
-                        shape.z = z;
-                        var reach:Number = shape.reachX;
-                        shape.minX = x - reach;
-                        shape.maxX = x + reach;
-                        reach = shape.reachY;
-                        shape.minY = y - reach;
-                        shape.maxY = y + reach;
-                        shape.revision = agent.revision;
-                        if (x * x + y * y + z * z >= shape.level.reachSquared)
-                        {
-                            shapes.update(shape, agent);
-                        }
-                    }
-                    else
-                    {
-                        var wasIn:Boolean = shape.level != null;
-                        if (!shapes.update(shape, agent))
-                        {
-                            loading++;
-                            _somebodyLeft = _somebodyLeft || wasIn;
-                            continue;
-                        }
-                    }
-                }
-                if (breedToken != null)
-                {
-                    if (shape.breedToken !== breedToken)
-                    {
-                        interests.lookUp(shape);
-                        isStale = _somebodyLeft = true;
-                    }
-                }
-            }
-            _loadingCount = loading;
-            _membersAreStale = isStale || shapes.levelsChanged;
-        }
-
-        private function fillBins():void
-        {
-            var takesAll:Boolean = _breedToken == null;
-            var listed:Vector.<WorldShape> = _listed;
-            var count:int = listed.length;
-            var members:int = 0;
-            _bins.clear();
-            for (var i:int = 0; i < count; i++)
-            {
-                var shape:WorldShape = listed[i];
-                var level:BinLevel = shape.level;
-                if (level != null)
-                {
-                    if (takesAll || shape.breedIndex >= 0)
-                    {
-                        // as Bins.add does
-                        level.proxies[level.count] = shape;
-                        level.count++;
-                        members++;
-                    }
-                }
-            }
-            _somebodyLeft = _somebodyLeft || members < _memberCount;
-            _memberCount = members;
-            _shapes.levelsChanged = _membersAreStale = false;
         }
     }
 }

@@ -40,17 +40,16 @@ package starlogo.models
 
         private static function decode(bytes:ByteArray, encoding:String):String
         {
-            switch (encoding)
+            if (encoding == UTF_8)
             {
-                case UTF_8:
-                    bytes.position = 0;
-                    return bytes.readUTFBytes(bytes.length);
-                case UTF_16_LOW_FIRST:
-                case UTF_16_HIGH_FIRST:
-                    return WideText.utf16(bytes, encoding == UTF_16_LOW_FIRST);
-                default:
-                    return WideText.latin(bytes, encoding == WINDOWS);
+                bytes.position = 0;
+                return bytes.readUTFBytes(bytes.length);
             }
+            if (encoding == UTF_16_LOW_FIRST || encoding == UTF_16_HIGH_FIRST)
+            {
+                return WideText.utf16(bytes, encoding == UTF_16_LOW_FIRST);
+            }
+            return WideText.latin(bytes, encoding == WINDOWS);
         }
 
         /** The text of a COLLADA document, or of the one in a zip archive. */

@@ -26,7 +26,7 @@ package
     public class Timing extends Sprite
     {
         // drawing the stage takes the player a good part of a shorter step
-        private static const STEP_MS:int = 60;
+        private static const STEP_MS:int = 150;
         private static const VIEW_MS:int = 250;
         private static const FRAME_RATE:int = 60;
         // the player takes longer to draw more than to collide them

@@ -36,9 +36,12 @@ package evaluation
             var results:Results = new Results();
             var task:GameTask = new GameTask("crowds", "a few", "BinCollider", scene, new BinCollider(greatLand), null, undefined, new Settings({repetitions: "1"}), results);
             assertEquals(0, task.colliding.length);
+            var steps:int = 0;
             while (!task.work())
             {
+                steps++;
             }
+            assertTrue(steps > 0);
             assertEquals(0, results.failures);
             return task;
         }

@@ -603,7 +603,8 @@ export class Program {
 				const isClass = this.#units.get(pathOf(args[1]))?.kind === "class" || ["Error", "RangeError", "TypeError"].includes(type);
 				const isCast = helper === "as" && args[2]?.value === true;
 				if (isClass && helper === "is") return `(${first} instanceof ${type})`;
-				if (isClass && !isCast && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : null)`;
+				const otherwise = isCast ? `${this.#helper("cast")}(${first}, ${type})` : "null";
+				if (isClass && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : ${otherwise})`;
 				return `${this.#helper(isCast ? "cast" : helper)}(${first}, ${type})`;
 			}
 			case "string":

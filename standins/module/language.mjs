@@ -14,8 +14,9 @@ export function $vector(length, zero) {
 
 /** `vector.length = length`, which is the new length as an expression. */
 export function $resize(vector, length, zero) {
-	if (length < vector.length) vector.length = length;
-	for (let i = vector.length; i < length; i++) vector.push(zero);
+	const before = vector.length;
+	vector.length = length;
+	if (length > before) vector.fill(zero, before);
 	return length;
 }
 

@@ -44,6 +44,7 @@ class Unit {
 		this.doc = "";
 		this.types = new Map(); // of members, by mangled name
 		this.statics = new Map(); // types of static members
+		this.constants = new Map(); // numbers that stand in place of their names: a class's static is looked up each time
 		this.members = []; // { name, node, doc, isStatic, kind: "method" | "get" | "set" }
 		this.fields = []; // { name, value }
 		this.staticValues = []; // { name, value, doc }
@@ -97,6 +98,7 @@ class Unit {
 			return;
 		}
 		types.set(name, /@type \{(.*)\}/.exec(doc)?.[1] ?? "*");
+		if (value?.type === "Literal" && typeof value.value === "number" && isStatic && /@const/.test(doc)) this.constants.set(name, value.raw);
 		if (value && isStatic) this.staticValues.push({ name, value, doc });
 		else if (value) this.fields.push({ name, value, doc });
 		else if (this.kind === "interface") this.members.push({ name, node: null, doc, isStatic, kind: "get" });
@@ -490,6 +492,8 @@ export class Program {
 		const found = path === "" ? null : this.#resolve(path);
 		if (found && found.qname !== LANGUAGE) {
 			if (found.rest[0] === "superClass_") throw new Error(`unexpected ${path}`);
+			const constant = found.rest.length === 1 ? this.#units.get(found.qname)?.constants.get(found.rest[0]) : undefined;
+			if (constant !== undefined) return `${constant} /* ${this.shortName(found.qname)}.${found.rest[0]} */`;
 			return [this.#reference(found.qname), ...found.rest.map((name) => this.#member(name))].join(".");
 		}
 		const target = this.#text(node.object);

@@ -17,7 +17,7 @@ if (withTests) {
 	// some compare the stand-ins with Flash's own classes, which are not here
 	const isForPlayers = (file) => readFileSync(join(ROOT, "test", file), "utf8").includes("standin.flash.");
 	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
-	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.scenes.Scenes", "support.RealModels", "support.Effort", "support.Fixtures");
+	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.Progress", "support.Effort", "support.Fixtures");
 }
 
 mkdirSync(join(folder, "org/apache/royale/utils"), { recursive: true });

@@ -23,6 +23,7 @@ export class Program {
 	#scopes = [];
 	#selfNames = [];
 	#beforeSuper = null;
+	#target = null; // what is assigned to
 
 	/**
 	 * @param files the compiler's files: { file, source }
@@ -32,7 +33,6 @@ export class Program {
 	constructor(files, externals, signatures = new Map()) {
 		this.externals = externals;
 		this.signatures = signatures;
-		this.used = new Set(); // the names of externals that the text uses
 		for (const { file, source } of files) {
 			for (const unit of unitsOf(file, source)) {
 				const isNamespace = pathOf(unit.main.callee) === "Namespace";
@@ -337,17 +337,13 @@ export class Program {
 			return own;
 		}
 		const external = this.externals[qname];
-		if (external) {
-			this.used.add(external);
-			return external;
-		}
+		if (external) return external;
 		if (BUILT_IN.has(qname)) return qname;
 		return `${this.#helper("missing")}(${JSON.stringify(qname)})`;
 	}
 
 	// A function of the language's stand-in, by a name that no ActionScript has.
 	#helper(name) {
-		this.used.add(`$${name}`);
 		return `$${name}`;
 	}
 
@@ -384,11 +380,18 @@ export class Program {
 		if (pathOf(node.property).startsWith(`${LANGUAGE}.`)) return target;
 		if (this.#typeOf(node.object) === "flash.utils.ByteArray") return `${target}.byteAt(${this.#text(node.property)})`;
 		if (this.#typeOf(node.object) === "flash.utils.Dictionary") return `${target}.get(${this.#text(node.property)})`;
+		if (this.#isMethodTaken(node)) return `${this.#helper("taken")}(${target}, ${this.#text(node.property)})`;
 		return `${target}[${this.#text(node.property)}]`;
+	}
+
+	// Whether a member of an object whose class is known is read by a name that is computed: a method comes as a closure.
+	#isMethodTaken(node) {
+		return node !== this.#target && this.#units.get(this.#typeOf(node.object))?.kind === "class";
 	}
 
 	#assignmentText(node) {
 		const left = node.left;
+		this.#target = left;
 		const rest = this.#restOfLogicalAssignment(node);
 		if (rest) return `${this.#text(left)} = ${this.#text(left)} ${rest.operator} (${rest.text})`;
 		if (left.type !== "MemberExpression") return null;

@@ -83,6 +83,11 @@ export function $bound(object, name) {
 	return closure;
 }
 
+/** `object[name]`, where it may be a method. */
+export function $taken(object, name) {
+	return typeof object[name] === "function" && name in Object.getPrototypeOf(object) ? $bound(object, name) : object[name];
+}
+
 /** A value in a variable of type String. */
 export function $string(value) {
 	return value === null || value === undefined ? null : String(value);

@@ -82,6 +82,7 @@ test('the report says how many times as fast the ES module is', async () => {
 		timed('crowds', '100 bears', 'TightestFitCollider', 0.5), timed('crowds', '100 bears', 'TightestFitCollider, literal', 1)];
 	const faster = timesAsFast(entries, others);
 	assert.deepEqual({ ...faster, low: faster.low.toFixed(3) }, { count: 2, low: '10.000', median: 35, high: 35 });
+	assert.match(moduleText({ player: 'Node', count: 3, low: 0.96, median: 4, high: 123 }), / 4\.0 times .* from 1\.0 to 123\./);
 	assert.equal(timesAsFast(entries, []), undefined);
 	assert.match(moduleText({ player: 'Node 20', ...faster }), /^In Node 20 the engine was 35 times as fast: .* 2 times, .* from 10 to 35\.$/);
 	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: { player: 'one' }, module: { player: 'No<de', ...faster }, exponents: [], entries });

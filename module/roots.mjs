@@ -6,7 +6,7 @@
  */
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { ROOT, publicSignatures } from "./names.mjs";
+import { AWAY3D, ROOT, publicSignatures } from "./names.mjs";
 
 const [folder, withTests] = process.argv.slice(2);
 const LANGUAGE = "org.apache.royale.utils.Language";
@@ -14,8 +14,8 @@ const LANGUAGE = "org.apache.royale.utils.Language";
 const names = [...publicSignatures().keys()];
 names.push("standin.Machine", LANGUAGE);
 if (withTests) {
-	// some compare the stand-ins with Flash's own classes, which are not here
-	const isForPlayers = (file) => readFileSync(join(ROOT, "test", file), "utf8").includes("standin.flash.");
+	// some compare the stand-ins with Flash's own classes, which are not here; nor is Away3D
+	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
 	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
 	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.Progress", "support.Effort", "support.Fixtures");
 }

@@ -46,7 +46,7 @@ ${draw}</script>
 
 /** How fast the ES module was, in words. */
 export function moduleText({ player, count, low, median, high }) {
-	const times = (ratio) => (ratio < 10 ? ratio.toFixed(1) : String(Math.round(ratio)));
+	const times = (ratio) => (ratio < 9.95 ? ratio.toFixed(1) : String(Math.round(ratio)));
 	return `In ${player} the engine was ${times(median)} times as fast: the median of ${count} times, which range from ${times(low)} to ${times(high)}.`;
 }
 

@@ -75,16 +75,19 @@ package starlogo.collision
                     happen(happens, kept);
                     _repeated += happens == "nothing" ? 1 : 0;
                     var name:String = type + ", game " + game + ", frame " + frame + ", " + happens;
-                    if (_random.chance(0.4))
+                    if (game % 2 == 0)
+                    {
+                        assertSame(name, CollisionSystem(new type(_land)).findCollisions(_agents), kept.findCollisions(_agents));
+                        assertEquals(name, 0, kept.statistics.agentsSkipped);
+                    }
+                    else
                     {
                         assertSame(name + ", among breeds", SelectiveCollisionSystem(new type(_land)).findCollisionsAmong(_agents, interests, new Vector.<Agent>()),
                                 SelectiveCollisionSystem(kept).findCollisionsAmong(_agents, interests, new Vector.<Agent>()));
                     }
-                    assertSame(name, CollisionSystem(new type(_land)).findCollisions(_agents), kept.findCollisions(_agents));
-                    assertEquals(name, 0, kept.statistics.agentsSkipped);
                 }
             }
-            assertTrue(_hits + " pairs", _hits > 8 * FRAMES * 5);
+            assertTrue(_hits + " pairs", _hits > 8 * FRAMES * 3);
             assertTrue(_repeated + " quiet frames", _repeated > 20);
         }
 
@@ -97,7 +100,8 @@ package starlogo.collision
                     agent.size = _random.logBetween(0.2, 6);
                     break;
                 case "far":
-                    agent.z = _random.pick([0, 3e9]);
+                    _agents[0].moveTo(_random.pick([0, 1e13]), 0, _random.pick([0, 3e9]));
+                    agent.moveTo(_agents[0].x + 0.25, 0, _agents[0].z);
                     break;
                 case "shape":
                     agent.shape = _random.pick(SHAPES);

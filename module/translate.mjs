@@ -21,7 +21,6 @@ export class Program {
 	#privateNames = new Map();
 	#unit;
 	#scopes = [];
-	#selfNames = [];
 	#beforeSuper = null;
 	#target = null; // what is assigned to
 

@@ -13,7 +13,7 @@ const FILES = ["language.mjs", "ByteArray.mjs", "xml.mjs", "machine.mjs"];
 /** What the compiler wrote into a folder. */
 export function translate(folder, signatures, externals = {}) {
 	const files = readdirSync(folder, { recursive: true })
-		.filter((file) => /^(starlogo|flash|standin|evaluation|headless|support|benchmark|[A-Z]\w*Tests?)\b.*\.js$/.test(file))
+		.filter((file) => file.endsWith(".js") && !/^(library|org|ModuleRoots)\b/.test(file))
 		.sort()
 		.map((file) => ({ file, source: readFileSync(join(folder, file), "utf8") }));
 	const own = Object.fromEntries(Object.entries(EXTERNALS).map(([qname, [, name]]) => [qname, name]));

@@ -18,11 +18,11 @@ export const EXTERNALS = {
 	"standin.Xml.parse": ["xml.mjs", "parseXml"],
 };
 
+/** The package that only a client with Away3D has. */
+export const AWAY3D = "starlogo.away3d";
+
 /** Public classes of the engine that the module lacks, and why. */
 export const LEFT_OUT = new Map([["starlogo.diagnostics.CollisionMonitor", "it draws on Flash's stage"]]);
-
-/** The adapters to Away3D, which is Flash's, and their tests. */
-export const isAway3d = (name) => /\bAway3d|\baway3d\b/.test(name);
 
 /** The classes of Flash that the engine's own names speak of: the module's users get them too. */
 export const FROM_FLASH = [
@@ -40,6 +40,6 @@ export const FROM_FLASH = [
 /** The declarations that the module exports, by qualified name: the engine's public ones, and those of Flash. */
 export function publicSignatures() {
 	const types = readSignatures(SOURCES);
-	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !types.get(qname).isPrivate && !LEFT_OUT.has(qname) && !isAway3d(qname));
+	const own = [...types.keys()].filter((qname) => qname.startsWith("starlogo.") && !qname.startsWith(AWAY3D) && !types.get(qname).isPrivate && !LEFT_OUT.has(qname));
 	return new Map([...own, ...FROM_FLASH].map((qname) => [qname, types.get(qname)]));
 }

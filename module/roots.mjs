@@ -4,9 +4,9 @@
  *
  *   node module/roots.mjs FOLDER [--tests]
  */
-import { mkdirSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { ROOT, isAway3d, publicSignatures } from "./names.mjs";
+import { AWAY3D, ROOT, publicSignatures } from "./names.mjs";
 
 const [folder, withTests] = process.argv.slice(2);
 const LANGUAGE = "org.apache.royale.utils.Language";
@@ -14,9 +14,10 @@ const LANGUAGE = "org.apache.royale.utils.Language";
 const names = [...publicSignatures().keys()];
 names.push("standin.Machine", LANGUAGE);
 if (withTests) {
-	// test/standins compares the stand-ins with Flash's own classes, which are not here
-	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !file.startsWith("standins") && !isAway3d(file)).sort();
-	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.scenes.Scenes", "support.RealModels", "support.Effort", "support.Fixtures");
+	// some compare the stand-ins with Flash's own classes, which are not here; nor is Away3D
+	const isForPlayers = (file) => ["standin.flash.", AWAY3D].some((name) => readFileSync(join(ROOT, "test", file), "utf8").includes(name));
+	const tests = readdirSync(join(ROOT, "test"), { recursive: true }).filter((file) => file.endsWith("Test.as") && !isForPlayers(file)).sort();
+	names.push(...tests.map((file) => file.slice(0, -3).replaceAll(/[\\/]/g, ".")), "evaluation.ModelFiles", "evaluation.Plan", "evaluation.Progress", "support.Effort", "support.Fixtures");
 }
 
 mkdirSync(join(folder, "org/apache/royale/utils"), { recursive: true });

@@ -6,134 +6,12 @@
  * getters and setters, `super`, plain arrays for Vectors, short names. All of a program goes into one module scope: classes first,
  * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
  */
-import { parse, parseExpressionAt } from "acorn";
+import { parseExpressionAt } from "acorn";
+import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, isLiteral, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
+import { unitsOf } from "./unit.mjs";
 
-const LANGUAGE = "org.apache.royale.utils.Language";
 const ENGINE_PREFIX = "starlogo_engine__";
 const BUILT_IN = new Set(["Array", "Boolean", "Function", "Number", "Object", "String", "Error", "RangeError", "TypeError"]);
-
-/** What one of the compiler's files defines: what it is named for first, then what only that file sees. */
-function unitsOf(file, source) {
-	const comments = [];
-	const program = parse(source, { ecmaVersion: 2022, preserveParens: true, onComment: comments });
-	const qnames = [...source.matchAll(/^goog\.provide\('([\w.]+)'\)/gm)].map((match) => match[1]);
-	return qnames.map((qname) => {
-		const isOwn = (path) => path === qname || path.startsWith(`${qname}.`) && !qnames.some((other) => other.length > qname.length && isWithin(path, other));
-		return new Unit({ file, source, comments, qname, isOwn, isInner: qname !== qnames[0] }, program);
-	}).filter((unit) => unit.main !== null);
-}
-
-function isWithin(path, qname) {
-	return path === qname || path.startsWith(`${qname}.`);
-}
-
-/** A class, an interface, a function of a package, or a variable of a file. */
-class Unit {
-	constructor({ file, source, comments, qname, isOwn, isInner }, program) {
-		this.source = source;
-		this.file = file;
-		this.comments = comments;
-		this.qname = qname;
-		this.isOwn = isOwn;
-		this.isInner = isInner; // only its file sees it
-		this.name = qname.split(".").pop();
-		this.mangled = isInner ? `${this.name}_` : qname.replaceAll(".", "_") + "_";
-		this.kind = "function";
-		this.base = null;
-		this.main = null; // the constructor, the package's function, or the variable's value
-		this.doc = "";
-		this.types = new Map(); // of members, by mangled name
-		this.statics = new Map(); // types of static members
-		this.members = []; // { name, node, doc, isStatic, kind: "method" | "get" | "set" }
-		this.fields = []; // { name, value }
-		this.staticValues = []; // { name, value, doc }
-		this.tests = [];
-		for (const statement of program.body) this.#read(statement);
-		if (this.kind === "function" && this.main && this.main.type !== "FunctionExpression") this.kind = "variable";
-	}
-
-	#read(statement) {
-		if (statement.type !== "ExpressionStatement") return;
-		const expression = statement.expression;
-		const doc = this.#docBefore(statement);
-		if (expression.type === "CallExpression") {
-			if (!this.isOwn(pathOf(expression.arguments[0]))) return;
-			if (pathOf(expression.callee) === "goog.inherits") this.base = pathOf(expression.arguments[1]);
-			else if (pathOf(expression.callee) === "Object.defineProperties") this.#readAccessors(expression);
-			return;
-		}
-		const left = expression.type === "AssignmentExpression" ? expression.left : expression;
-		const path = pathOf(left);
-		if (!this.isOwn(path)) return;
-		if (path === this.qname && expression.right) this.#readMain(expression.right, doc);
-		else if (path.startsWith(`${this.qname}.prototype.`)) this.#readMember(path.slice(this.qname.length + 11), expression.right, doc, false);
-		else if (path.startsWith(`${this.qname}.`)) this.#readMember(path.slice(this.qname.length + 1), expression.right, doc, true);
-	}
-
-	#readMain(node, doc) {
-		this.main = node;
-		this.doc = doc;
-		if (/@constructor/.test(doc)) this.kind = "class";
-		if (/@interface/.test(doc)) this.kind = "interface";
-	}
-
-	#readMember(name, value, doc, isStatic) {
-		if (name === "ROYALE_REFLECTION_INFO") this.#readTests(value);
-		if (name.startsWith("ROYALE_")) return;
-		const types = isStatic ? this.statics : this.types;
-		const accessor = /^(starlogo_engine__)?([gs]et)__(.*)$/.exec(name)?.slice(1);
-		if (accessor) {
-			accessor.splice(0, 3, name, accessor[1], (accessor[0] ?? "") + accessor[2]);
-			const lazy = isStatic ? lazyValue(value) : null;
-			if (lazy) this.staticValues.push({ name: accessor[2], value: lazy });
-			else if (!(isStatic && this.staticValues.some((known) => known.name === accessor[2]))) {
-				this.members.push({ name: accessor[2], node: value, doc, isStatic, kind: accessor[1] });
-			}
-			return;
-		}
-		if (value?.type === "FunctionExpression") {
-			types.set(name, /@return \{(.*)\}/.exec(doc)?.[1] ?? "void");
-			this.members.push({ name, node: value, doc, isStatic, kind: "method" });
-			return;
-		}
-		types.set(name, /@type \{(.*)\}/.exec(doc)?.[1] ?? "*");
-		if (value && isStatic) this.staticValues.push({ name, value, doc });
-		else if (value) this.fields.push({ name, value, doc });
-		else if (this.kind === "interface") this.members.push({ name, node: null, doc, isStatic, kind: "get" });
-	}
-
-	// An accessor whose other half is inherited.
-	#readAccessors(call) {
-		if (pathOf(call.arguments[0]) !== `${this.qname}.prototype`) return;
-		for (const property of call.arguments[1].properties) {
-			for (const half of property.value.properties) {
-				const path = half.value.type === "MemberExpression" ? pathOf(half.value) : "";
-				if (path !== "" && !path.startsWith(`${this.qname}.`)) {
-					this.members.push({ name: nameOf(property.key), node: null, doc: "", isStatic: false, kind: nameOf(half.key) });
-				}
-			}
-		}
-	}
-
-	// The metadata that FlexUnit reads: [{ name, kind: "Test", args: { expects: "ArgumentError" } }]
-	#readTests(info) {
-		const text = this.source.slice(info.start, info.end);
-		if (!/metadata:/.test(text)) return;
-		const methods = new Function(`return (${text})()`)().methods?.() ?? {};
-		for (const [name, method] of Object.entries(methods)) {
-			for (const tag of method.metadata?.() ?? []) {
-				const args = Object.fromEntries((tag.args ?? []).map((arg) => [arg.key || arg.value, arg.value]));
-				this.tests.push({ name: name.replace("|", ""), kind: tag.name, args });
-			}
-		}
-	}
-
-	#docBefore(statement) {
-		const comment = this.comments.filter((each) => each.type === "Block" && each.end <= statement.start).pop();
-		const isNext = comment && /^\s*$/.test(this.source.slice(comment.end, statement.start));
-		return isNext ? `/*${comment.value}*/` : "";
-	}
-}
 
 /** A program of the compiler's files, and what it needs from elsewhere. */
 export class Program {
@@ -143,8 +21,8 @@ export class Program {
 	#privateNames = new Map();
 	#unit;
 	#scopes = [];
-	#selfNames = [];
 	#beforeSuper = null;
+	#target = null; // what is assigned to
 
 	/**
 	 * @param files the compiler's files: { file, source }
@@ -154,7 +32,6 @@ export class Program {
 	constructor(files, externals, signatures = new Map()) {
 		this.externals = externals;
 		this.signatures = signatures;
-		this.used = new Set(); // the names of externals that the text uses
 		for (const { file, source } of files) {
 			for (const unit of unitsOf(file, source)) {
 				const isNamespace = pathOf(unit.main.callee) === "Namespace";
@@ -459,17 +336,13 @@ export class Program {
 			return own;
 		}
 		const external = this.externals[qname];
-		if (external) {
-			this.used.add(external);
-			return external;
-		}
+		if (external) return external;
 		if (BUILT_IN.has(qname)) return qname;
 		return `${this.#helper("missing")}(${JSON.stringify(qname)})`;
 	}
 
 	// A function of the language's stand-in, by a name that no ActionScript has.
 	#helper(name) {
-		this.used.add(`$${name}`);
 		return `$${name}`;
 	}
 
@@ -490,6 +363,8 @@ export class Program {
 		const found = path === "" ? null : this.#resolve(path);
 		if (found && found.qname !== LANGUAGE) {
 			if (found.rest[0] === "superClass_") throw new Error(`unexpected ${path}`);
+			const constant = found.rest.length === 1 ? this.#units.get(found.qname)?.constants.get(found.rest[0]) : undefined;
+			if (constant !== undefined) return `${constant} /* ${this.shortName(found.qname)}.${found.rest[0]} */`;
 			return [this.#reference(found.qname), ...found.rest.map((name) => this.#member(name))].join(".");
 		}
 		const target = this.#text(node.object);
@@ -504,11 +379,18 @@ export class Program {
 		if (pathOf(node.property).startsWith(`${LANGUAGE}.`)) return target;
 		if (this.#typeOf(node.object) === "flash.utils.ByteArray") return `${target}.byteAt(${this.#text(node.property)})`;
 		if (this.#typeOf(node.object) === "flash.utils.Dictionary") return `${target}.get(${this.#text(node.property)})`;
+		if (this.#isMethodTaken(node)) return `${this.#helper("taken")}(${target}, ${this.#text(node.property)})`;
 		return `${target}[${this.#text(node.property)}]`;
+	}
+
+	// Whether a member of an object whose class is known is read by a name that is computed: a method comes as a closure.
+	#isMethodTaken(node) {
+		return node !== this.#target && this.#units.get(this.#typeOf(node.object))?.kind === "class";
 	}
 
 	#assignmentText(node) {
 		const left = node.left;
+		this.#target = left;
 		const rest = this.#restOfLogicalAssignment(node);
 		if (rest) return `${this.#text(left)} = ${this.#text(left)} ${rest.operator} (${rest.text})`;
 		if (left.type !== "MemberExpression") return null;
@@ -603,7 +485,8 @@ export class Program {
 				const isClass = this.#units.get(pathOf(args[1]))?.kind === "class" || ["Error", "RangeError", "TypeError"].includes(type);
 				const isCast = helper === "as" && args[2]?.value === true;
 				if (isClass && helper === "is") return `(${first} instanceof ${type})`;
-				if (isClass && !isCast && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : null)`;
+				const otherwise = isCast ? `${this.#helper("cast")}(${first}, ${type})` : "null";
+				if (isClass && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : ${otherwise})`;
 				return `${this.#helper(isCast ? "cast" : helper)}(${first}, ${type})`;
 			}
 			case "string":
@@ -714,127 +597,4 @@ export class Program {
 
 function rank(unit) {
 	return unit.qname.startsWith("starlogo.") ? 0 : 1;
-}
-
-/** An expression without the parentheses around it. */
-function bare(node) {
-	return node.type === "ParenthesizedExpression" ? bare(node.expression) : node;
-}
-
-/** The names of a chain like a.b.c, else "". */
-function pathOf(given) {
-	const node = given && bare(given);
-	if (!node) return "";
-	if (node.type === "Identifier") return node.name;
-	if (node.type !== "MemberExpression" || node.computed) return "";
-	const start = pathOf(node.object);
-	return start === "" ? "" : `${start}.${node.property.name}`;
-}
-
-function nameOf(key) {
-	return key.type === "Literal" ? String(key.value) : key.name;
-}
-
-function childrenOf(node) {
-	const children = [];
-	for (const [key, value] of Object.entries(node)) {
-		if (key === "type" || key === "start" || key === "end") continue;
-		for (const child of Array.isArray(value) ? value : [value]) {
-			if (child && typeof child.type === "string") children.push(child);
-		}
-	}
-	return children.sort((a, b) => a.start - b.start);
-}
-
-// What stands between two parts of an expression: operators and the compiler's comments.
-function gap(text) {
-	return text.includes("/*") ? text.replace(/\/\*[\s\S]*?\*\/ ?/g, "") : text;
-}
-
-/** What the compiler computes when a static is first asked for: `get__X = function() { var value = ...; ... }`. */
-function lazyValue(node) {
-	const first = node?.type === "FunctionExpression" ? node.body.body[0] : null;
-	const isLazy = first?.type === "VariableDeclaration" && first.declarations[0].id.name === "value" &&
-		node.body.body[1]?.expression?.callee && pathOf(node.body.body[1].expression.callee) === "Object.defineProperties";
-	return isLazy ? first.declarations[0].init : null;
-}
-
-function isLiteral(given) {
-	const node = bare(given);
-	switch (node.type) {
-		case "Literal":
-			return true;
-		case "UnaryExpression":
-			return isLiteral(node.argument);
-		case "BinaryExpression":
-			return isLiteral(node.left) && isLiteral(node.right);
-		case "Identifier":
-			return node.name === "NaN";
-		default:
-			return false;
-	}
-}
-
-/** The element type of `Language.synthVector('T')`, else null. */
-function vectorType(given) {
-	const node = bare(given);
-	return node.type === "CallExpression" && pathOf(node.callee) === `${LANGUAGE}.synthVector` ? node.arguments[0].value : null;
-}
-
-/** `p = typeof p !== 'undefined' ? p : value`. */
-function parameterDefault(statement) {
-	const expression = statement.type === "ExpressionStatement" ? statement.expression : null;
-	if (expression?.type !== "AssignmentExpression" || expression.right.type !== "ConditionalExpression") return null;
-	const test = expression.right.test;
-	const isDefault = test.type === "BinaryExpression" && test.left.type === "UnaryExpression" && test.left.operator === "typeof" &&
-		test.left.argument.name === expression.left.name && test.right.value === "undefined";
-	return isDefault ? { name: expression.left.name, value: expression.right.alternate } : null;
-}
-
-function isFieldAssignment(statement) {
-	const expression = statement.type === "ExpressionStatement" ? statement.expression : null;
-	return expression?.type === "AssignmentExpression" && expression.operator === "=" && expression.left.type === "MemberExpression" &&
-		expression.left.object.type === "ThisExpression" && !expression.left.computed;
-}
-
-function isBaseCall(statement) {
-	const call = statement.type === "ExpressionStatement" ? statement.expression : null;
-	return call?.type === "CallExpression" && call.callee.property?.name === "base" && call.arguments[1]?.value === "constructor";
-}
-
-/** `X.base(this, 'name', ...)` or `X.superClass_.name.apply(this, ...)`. */
-function superCall(node, qname) {
-	const path = pathOf(node.callee);
-	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2), accessor: null };
-	const match = /\.superClass_\.(?:([gs]et)__)?(\w+)\.(apply|call)$/.exec(path);
-	if (!match) return null;
-	const list = match[3] === "call" ? node.arguments.slice(1) : node.arguments[1]?.elements ?? [];
-	return { name: match[2], arguments: list, accessor: match[1] ?? null };
-}
-
-/** The compiler's statements for "for each (var x in list)". */
-function forEach(first, second) {
-	const declared = first?.type === "VariableDeclaration" ? first.declarations[0] : null;
-	if (!/^foreachiter\d+_target$/.test(declared?.id.name ?? "")) return null;
-	if (second?.type !== "ForInStatement") throw new Error("a \"for each\" is not as expected");
-	const [variable, ...rest] = second.body.body;
-	const isDeclared = variable.type === "VariableDeclaration";
-	return { variable: isDeclared ? variable.declarations[0].id : variable.expression.left, isDeclared, over: declared.init, body: { type: "BlockStatement", body: rest, start: second.body.start, end: second.body.end } };
-}
-
-/** A comment without what only the compiler's types are for. */
-function docOf(comment) {
-	const lines = comment.replace(/^\/\*+/, "").replace(/\*\/$/, "").split("\n")
-		.map((line) => line.replace(/^\s*\*? ?/, "").trimEnd())
-		.filter((line) => !/^@(param|return|type|constructor|extends|implements|private|package|protected|nocollapse|const|export|interface|override|final|see starlogo\.engine)\b/.test(line))
-		.map((line) => line.replace(/^@as(param|return)/, "@$1"));
-	while (lines.length > 0 && lines[0] === "") lines.shift();
-	while (lines.length > 0 && lines.at(-1) === "") lines.pop();
-	if (lines.length === 0) return "";
-	if (lines.length === 1) return `/** ${lines[0]} */\n`;
-	return `/**\n${lines.map((line) => ` * ${line}`.trimEnd()).join("\n")}\n */\n`;
-}
-
-function indent(text) {
-	return text.split("\n").map((line) => (line === "" ? "" : `    ${line.replace(/^( +)(?! ?\*)/, (spaces) => spaces + spaces)}`)).join("\n");
 }

@@ -14,8 +14,9 @@ export function $vector(length, zero) {
 
 /** `vector.length = length`, which is the new length as an expression. */
 export function $resize(vector, length, zero) {
-	if (length < vector.length) vector.length = length;
-	for (let i = vector.length; i < length; i++) vector.push(zero);
+	const before = vector.length;
+	vector.length = length;
+	if (length > before) vector.fill(zero, before);
 	return length;
 }
 
@@ -80,6 +81,11 @@ export function $bound(object, name) {
 		own.set(method, closure);
 	}
 	return closure;
+}
+
+/** `object[name]`, where it may be a method. */
+export function $taken(object, name) {
+	return typeof object[name] === "function" && name in Object.getPrototypeOf(object) ? $bound(object, name) : object[name];
 }
 
 /** A value in a variable of type String. */

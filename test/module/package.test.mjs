@@ -51,7 +51,7 @@ function check(result) {
 	assert.equal(result.calls, 4);
 	assert.deepEqual(result.pairs, [true, true, true, true, true, true, true]);
 	assert.ok(result.volumes.every((volume) => volume > 1 && volume < 50), String(result.volumes));
-	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "dragon", "zipped"]);
+	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "zipped"]);
 	assert.match(result.loaded.find((name) => name.startsWith("model ")), /^model "nothing": its file can't be fetched: .*nothing\.obj/);
 	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
 	assert.match(result.errors[1], /^ModelError: model "broken", line 1: expected a vertex/);
@@ -208,7 +208,7 @@ test("its source map names the readable build", () => {
 test("it runs in Node", async () => {
 	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
 	check(await use(sampleModule, `${base}/assets`, bear, new Uint8Array(archive)));
-	assert.ok(sampleModule.log.includes("400 of 400"), sampleModule.log.join("; "));
+	assert.ok(sampleModule.log.includes("500 of 500"), sampleModule.log.join("; "));
 });
 
 test("bundled by esbuild it runs in Node, and what is not used is left out", async () => {

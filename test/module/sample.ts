@@ -44,6 +44,7 @@ import {
 	ModelEvent,
 	ModelLoader,
 	ModelReceiver,
+	ModelSource,
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
@@ -60,6 +61,7 @@ import {
 	TightestFitCollider,
 	Tolerances,
 	Vector3D,
+	Wireframes,
 	ZAlignedBoxFitter,
 	boxBox,
 	capsuleBox,
@@ -146,6 +148,7 @@ export function testPairs(): boolean[] {
 	matrix.appendRotation(45, Vector3D.Z_AXIS);
 	moved.rotate(matrix);
 	const cylinder = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
+	log.push(`${Wireframes.ofStructure(box).length / 6} lines`);
 	log.push(`${cylinder.volume}, ${Tolerances.TOUCHING}, ${new Placement().size}`);
 	return [
 		sphereSphere(sphere, sphere), sphereCapsule(sphere, capsule), sphereBox(sphere, box), capsuleCapsule(capsule, capsule),
@@ -166,6 +169,8 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	loader.load("dragon", `${base}/dragon.dae`);
 	loader.load("nothing", `${base}/nothing.obj`);
 	loader.loadBytes("zipped", bytes);
+	const source: ModelSource = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
+	loader.loadFrom(source);
 	return new Promise((resolve) => dispatcher.addEventListener(Event.COMPLETE, () => resolve(loaded.sort())));
 }
 

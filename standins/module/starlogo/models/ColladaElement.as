@@ -99,7 +99,19 @@ package starlogo.models
         public function get identified():Vector.<ColladaElement>
         {
             var found:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-            addIdentified(_node, found);
+            var pending:Array = _node.children.concat().reverse();
+            while (pending.length > 0)
+            {
+                var node:Object = pending.pop();
+                if (attributeOf(node, "id") != "")
+                {
+                    found.push(new ColladaElement(node));
+                }
+                for (var i:int = node.children.length - 1; i >= 0; i--)
+                {
+                    pending.push(node.children[i]);
+                }
+            }
             return found;
         }
 
@@ -117,18 +129,6 @@ package starlogo.models
         private static function attributeOf(node:Object, name:String):String
         {
             return name in node.attributes ? node.attributes[name] : "";
-        }
-
-        private static function addIdentified(node:Object, found:Vector.<ColladaElement>):void
-        {
-            for each (var inside:Object in node.children)
-            {
-                if (attributeOf(inside, "id") != "")
-                {
-                    found.push(new ColladaElement(inside));
-                }
-                addIdentified(inside, found);
-            }
         }
 
         private static function placeOf(node:Object):String

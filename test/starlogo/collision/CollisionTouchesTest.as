@@ -241,7 +241,7 @@ package starlogo.collision
                     {
                         _agents.splice(random.integer(0, _agents.length - 1), 1);
                     }
-                    else if (choice == 1)
+                    else if (choice == 1 && _agents.length < 60)
                     {
                         _agents.push(newcomer(random, breeds));
                     }
@@ -274,7 +274,7 @@ package starlogo.collision
             {
                 _agents.push(newcomer(random, breeds));
             }
-            var frames:int = Effort.choose(400, 5000);
+            var frames:int = Effort.choose(300, 3000);
             for (var frame:int = 0; frame < frames; frame++)
             {
                 for each (var agent:Agent in _agents)

@@ -6,6 +6,7 @@ package
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
+    import benchmark.PausesBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
     import headless.Host;
@@ -18,7 +19,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark];
+                HierarchicalCrowdBenchmark, PausesBenchmark];
 
         private var _pending:Array;
 
@@ -34,6 +35,7 @@ package
 
         private function start():void
         {
+            trace("in " + Host.player);
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
         }
 

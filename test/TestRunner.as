@@ -6,6 +6,7 @@ package
     import org.flexunit.runner.Request;
     import support.Effort;
     import support.Fixtures;
+    import support.Garbage;
     import support.TestFilter;
     import support.TestReporter;
     import support.TestStage;
@@ -26,6 +27,8 @@ package
         {
             TestStage.stage = stage;
             Effort.isFull = loaderInfo.parameters["full"] == "true";
+            Garbage.isCounted = loaderInfo.parameters["collects"] == "false";
+            Garbage.isCollected = loaderInfo.parameters["player"] == "avmshell" && !Garbage.isCounted;
             var filter:TestFilter = new TestFilter(loaderInfo.parameters["test"]);
             var classes:Array = filter.classesOf(AllTests.CLASSES);
             _request = Request.classes.apply(null, classes);

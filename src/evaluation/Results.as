@@ -1,6 +1,6 @@
 package evaluation
 {
-    import flash.system.Capabilities;
+    import headless.Host;
 
     /** What was measured: entries as docs/timing-report.md describes them. */
     public final class Results
@@ -82,7 +82,7 @@ package evaluation
         /** All of it as JSON. */
         public function toText():String
         {
-            return JSON.stringify({player: Capabilities.version, entries: _entries}, null, 1);
+            return JSON.stringify({player: Host.player, entries: _entries}, null, 1);
         }
     }
 }

@@ -1,6 +1,7 @@
 package headless
 {
     import flash.external.ExternalInterface;
+    import flash.system.Capabilities;
     import flash.utils.getTimer;
 
     /**
@@ -45,6 +46,12 @@ package headless
         {
             var ms:* = tell("headless.now");
             return ms == null ? getTimer() : ms;
+        }
+
+        /** What the program runs in, and which version of it. */
+        public static function get player():String
+        {
+            return tell("headless.player") || Capabilities.version;
         }
 
         private static function tell(name:String, ...args):*

@@ -3,7 +3,9 @@ import path from 'node:path';
 import { chromium } from 'playwright-core';
 import { serve } from './server.mjs';
 
-const ruffle = path.dirname(createRequire(import.meta.url).resolve('@ruffle-rs/ruffle'));
+const require = createRequire(import.meta.url);
+const ruffle = path.dirname(require.resolve('@ruffle-rs/ruffle'));
+const { version } = require('@ruffle-rs/ruffle/package.json');
 
 const page = `<!doctype html>
 <html>
@@ -59,6 +61,7 @@ export async function play(options, on) {
 		await tab.evaluate(start, {
 			url: '/swf/' + path.basename(options.swf),
 			parameters: options.parameters,
+			name: `Ruffle ${version}`,
 		});
 		return { screenshot: (file) => tab.screenshot({ path: file }).then(() => undefined), close };
 	} catch (error) {
@@ -91,12 +94,13 @@ function watchMemory() {
 }
 
 /** Runs in the page: starts the player. */
-async function start({ url, parameters }) {
+async function start({ url, parameters, name }) {
 	window.headless = {
 		// the answer comes later than the call, and the SWF does not wait for it
 		writeFile: (file, text) => { window.headlessWriteFile(file, text); },
 		now: () => performance.now(),
 		memory: () => window.playerMemory?.buffer.byteLength ?? -1,
+		player: () => name,
 		exit: (status) => { window.headlessExit(status); },
 	};
 	const player = window.RufflePlayer.newest().createPlayer();

@@ -10,17 +10,21 @@
  *   --stall seconds         how long the SWF may give no sign of life (default: 120)
  *   --screenshot file.png   a picture of the stage when the SWF is done, or when it fails
  *   --size 800x600          the stage in pixels
+ *   --player avmshell       Adobe's VM instead of Ruffle, for a SWF compiled for it: AVMSHELL names the folder of its shell
+ *   --start file.abc        what starts the SWF there (default: bin/avm/start.abc)
+ *   --no-gc                 collects no garbage there: memory then tells what was allocated
  *
  * The SWF's side of it is src/headless/Host.as. Exit status: the SWF's own; 70 when it threw, crashed the player or
- * stalled; 69 when there is no browser; 64 for wrong arguments.
+ * stalled; 69 when there is no browser, or no shell; 64 for wrong arguments.
  */
 import { access, mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { play } from './player.mjs';
+import * as avmshell from './shell.mjs';
 
 const USAGE = 64;
-const NO_BROWSER = 69;
+const NO_PLAYER = 69;
 const FAILED = 70;
 
 class RunError extends Error {
@@ -40,6 +44,9 @@ function readArguments() {
 			stall: { type: 'string', default: '120' },
 			screenshot: { type: 'string' },
 			size: { type: 'string', default: '800x600' },
+			player: { type: 'string', default: 'ruffle' },
+			start: { type: 'string', default: 'bin/avm/start.abc' },
+			'no-gc': { type: 'boolean', default: false },
 		},
 	});
 	if (positionals.length !== 1) {
@@ -50,8 +57,14 @@ function readArguments() {
 	if (!width || !(stall > 0)) {
 		throw new RunError(`--size must be like 800x600 and --stall a number of seconds: ${values.size}, ${values.stall}`, USAGE);
 	}
+	if (!['ruffle', 'avmshell'].includes(values.player)) {
+		throw new RunError(`--player must be ruffle or avmshell: ${values.player}`, USAGE);
+	}
 	return {
 		swf: positionals[0],
+		player: values.player,
+		start: values.start,
+		collects: !values['no-gc'],
 		parameters: pairs(values.param),
 		folders: pairs(values.mount),
 		out: values.out,
@@ -75,9 +88,20 @@ function pairs(list) {
 async function browserPath() {
 	const chrome = process.env.CHROME || '/usr/bin/chromium';
 	await access(chrome).catch(() => {
-		throw new RunError(`there is no browser at ${chrome}: install Chromium, or name one in CHROME`, NO_BROWSER);
+		throw new RunError(`there is no browser at ${chrome}: install Chromium, or name one in CHROME`, NO_PLAYER);
 	});
 	return chrome;
+}
+
+/** Starts the SWF in the player that was asked for. */
+async function start(options, on) {
+	if (options.player === 'ruffle') {
+		return play({ ...options, chrome: await browserPath() }, on);
+	}
+	const shell = await avmshell.shellFolder().catch((error) => {
+		throw new RunError(error.message, NO_PLAYER);
+	});
+	return avmshell.play({ ...options, shell }, on);
 }
 
 /** Plays the SWF to its end; resolves with its exit status. */
@@ -85,7 +109,6 @@ async function run(options) {
 	await access(options.swf).catch(() => {
 		throw new RunError(`there is no SWF at ${options.swf}`, USAGE);
 	});
-	const chrome = await browserPath();
 	let lastSign = Date.now();
 	const writes = [];
 	let end;
@@ -93,7 +116,7 @@ async function run(options) {
 		end = { resolve, fail: (message) => reject(new RunError(message, FAILED)) };
 	});
 	ended.catch(() => {}); // reported below, after the player has started
-	const player = await play({ ...options, chrome }, {
+	const player = await start(options, {
 		trace: (text) => {
 			lastSign = Date.now();
 			console.log(text);

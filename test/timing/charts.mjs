@@ -2,7 +2,7 @@ import { bySubject, castOf, growth } from './figures.mjs';
 
 /**
  * What the page draws, by figure: {kind, height, labels or series, unit}. Colours are names that the page's style knows:
- * engine, literal, thesis, and one for each collider.
+ * engine, jit, literal, thesis, and one for each collider.
  */
 export function chartsOf(entries) {
 	const of = (figure) => entries.filter((entry) => entry.figure === figure);
@@ -33,6 +33,7 @@ function compared(entries, ours, unit, factor = 1) {
 	const subjects = bySubject(entries);
 	return bars(subjects.map(([name]) => name), unit, [
 		{ name: 'this engine', color: 'engine', values: subjects.map(([, found]) => scaled(ours(found).value, factor)) },
+		{ name: 'this engine, JIT', color: 'jit', values: subjects.map(([, found]) => scaled(ours(found).beside, factor)) },
 		{ name: 'literal algorithm', color: 'literal', values: subjects.map(([, found]) => scaled(found.literal?.value, factor)) },
 		{ name: 'thesis, 2015', color: 'thesis', values: subjects.map(([, found]) => scaled(found.engine.thesis, factor)) },
 	]);
@@ -78,6 +79,7 @@ function crowds(entries) {
 		.map(([name, found]) => ({ name: [collider.replace('Collider', ''), castOf({ subject: name })], entry: found[collider], literal: found[`${collider}, literal`] })));
 	return bars(rows.map(({ name }) => name), `ms a frame of ${count} agents`, [
 		{ name: 'this engine', color: 'engine', values: rows.map(({ entry }) => entry.value) },
+		{ name: 'this engine, JIT', color: 'jit', values: rows.map(({ entry }) => scaled(entry.beside)) },
 		{ name: 'literal algorithm', color: 'literal', values: rows.map(({ literal }) => scaled(literal?.value)) },
 		{ name: 'thesis, 2015', color: 'thesis', values: rows.map(({ entry }) => scaled(entry.thesis)) },
 	], { line: [40, 'a frame at 25 a second'] });

@@ -39,6 +39,7 @@ export function faster(ours, literal) {
 const multiple = (entry) => (entry?.multiple ? ratio(entry.multiple) : '');
 const thesisTime = (entry) => (entry?.thesis === undefined ? '' : time(entry.thesis));
 const times = (value) => (value === undefined ? '' : ratio(value));
+const beside = (entry) => (entry?.beside === undefined ? '' : entry.beside === null ? 'noisy' : time(entry.beside));
 const short = (entry) => (!entry ? '' : entry.refused ? 'noisy' : time(entry.value));
 
 /** The least of a model's volumes that the thesis's algorithms give, by number. */
@@ -54,14 +55,14 @@ function volumeRows(entries) {
 }
 
 function modelRows(entries, more) {
-	return bySubject(entries).map(([model, found]) => [model, ...more(found), measured(found.engine), multiple(found.engine),
+	return bySubject(entries).map(([model, found]) => [model, ...more(found), measured(found.engine), multiple(found.engine), beside(found.engine),
 		short(found.literal), times(faster(found.engine, found.literal)), thesisTime(found.engine)]);
 }
 
 function testRows(entries) {
 	return bySubject(entries).map(([test, found]) => {
 		const { engine, literal } = found;
-		return [test, measured(engine), multiple(engine), multiple(found['engine, all hit']), short(literal), multiple(literal),
+		return [test, measured(engine), multiple(engine), multiple(found['engine, all hit']), beside(engine), short(literal), multiple(literal),
 			times(faster(engine, literal)), thesisTime(engine), engine.thesis ? ratio(engine.thesis / THESIS_SPHERE_TEST) : ''];
 	});
 }
@@ -70,16 +71,19 @@ function gameRows(entries) {
 	return bySubject(entries).flatMap(([scene, found]) => Object.keys(found).filter((name) => !name.endsWith(', literal')).map((name, i) => {
 		const entry = found[name];
 		const literal = found[`${name}, literal`];
-		return [i === 0 ? scene : '', name.replace('Collider', ''), measured(entry), multiple(entry), short(literal), times(faster(entry, literal)),
+		return [i === 0 ? scene : '', name.replace('Collider', ''), measured(entry), multiple(entry), beside(entry), short(literal), times(faster(entry, literal)),
 			thesisTime(entry), String(entry.collisions), entry.agrees ? 'yes' : 'NO'];
 	}));
 }
 
 function scatteredRows(entries) {
 	return growth(entries).flatMap(({ cast, exponents, exponentsByWork }) => {
-		const games = bySubject(entries.filter((entry) => castOf(entry) === cast)).map(([scene, found]) => [scene,
-			...COLLIDERS.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
-			Object.values(found).every((entry) => entry.agrees) ? 'yes' : 'NO']);
+		const games = bySubject(entries.filter((entry) => castOf(entry) === cast)).flatMap(([scene, found]) => {
+			const jit = COLLIDERS.map((name) => beside(found[name]));
+			const game = [scene, ...COLLIDERS.map((name) => measured(found[name])), range(Object.values(found).map((entry) => entry.collisions)),
+				Object.values(found).every((entry) => entry.agrees) ? 'yes' : 'NO'];
+			return jit.some(Boolean) ? [game, ['  JIT', ...jit, '', '']] : [game];
+		});
 		const row = (name, values) => [name, ...COLLIDERS.map((collider) => values[collider]?.toFixed(2) ?? ''), '', ''];
 		return [...games, row('exponent', exponents), row('  and of pairs', exponentsByWork)];
 	});
@@ -126,36 +130,37 @@ export const FIGURES = [
 	},
 	{
 		id: 'fits', title: 'Figure 6-2: time to find the tightest fit',
-		head: ['model', 'vertices', 'tightest', 'engine', '× sphere test', 'literal', 'faster', 'thesis'],
+		head: ['model', 'vertices', 'tightest', 'engine', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
 		rows: (entries) => modelRows(entries, (found) => [String(found.engine.vertices), found.engine.tightest]),
 		note: 'Literal: the thesis\'s search for the oriented box alone, every vertex in each of 729 rotations (a ninth is timed).',
 	},
 	{
 		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
-		head: ['model', 'engine', '× sphere test', 'literal', 'faster', 'thesis'],
+		head: ['model', 'engine', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
 		rows: (entries) => modelRows(entries, () => []),
 		note: 'Of an agent that has moved and turned, both included. The engine does this once for an agent that has moved, the'
 			+ ' literal collider for either agent of each pair.',
 	},
 	{
 		id: 'tests', title: 'Figure 6-4: time of an intersection test',
-		head: ['test', 'engine', '× sphere', 'all hit', 'literal', '× sphere', 'faster', 'thesis', '× sphere'],
+		head: ['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'faster', 'thesis', '× sphere'],
 		rows: testRows,
 		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
 			+ ' same run, the thesis\'s as one of its own. A literal test that is right is the engine\'s and not repeated.',
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
-		head: ['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'literal', 'faster', 'thesis'],
+		head: ['model', 'vertices', 'of triangles', 'of vertices', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
 		rows: (entries) => bySubject(entries).map(([model, found]) => [model, String(found.engine.vertices), measured(found.engine),
-			measured(found['engine, vertices']), multiple(found['engine, vertices']), short(found.literal),
+			measured(found['engine, vertices']), multiple(found['engine, vertices']),
+			beside(found['engine, vertices']), short(found.literal),
 			times(faster(found['engine, vertices'], found.literal)), thesisTime(found.engine)]),
 		note: 'Ten levels, nodes of five vertices or fewer not split. The engine builds of triangles; of vertices alone, as the thesis'
 			+ ' does, to compare.',
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
-		head: ['crowd', 'collider', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
+		head: ['crowd', 'collider', 'engine', '× sphere', 'JIT', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
 		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
@@ -164,7 +169,7 @@ export const FIGURES = [
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
-		head: ['crowd', 'of them', 'engine', '× sphere', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
+		head: ['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
 		note: 'The thesis has no number here but says that it lies between those of the other two colliders.',
@@ -180,10 +185,10 @@ export const FIGURES = [
 	},
 	{
 		id: 'monitor', title: 'The monitor in a running game',
-		head: ['game', 'what', ''],
+		head: ['game', 'what', '', 'JIT'],
 		text: 2,
 		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
-			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`]),
+			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`, beside(entry)]),
 		note: 'A frame at 25 a second has 40 ms. What the player takes to draw the monitor is not in it. The CollisionRecorder costs what'
 			+ ' recording its collisions does.',
 	},

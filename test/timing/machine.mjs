@@ -20,7 +20,7 @@ export function versions(player) {
 	return {
 		engine: version(new URL('../../package.json', import.meta.url)),
 		commit: output('git', ['describe', '--always', '--dirty']),
-		player: `Ruffle ${version(new URL('@ruffle-rs/ruffle/package.json', modules))} as ${player}`,
+		player,
 		browser: output(process.env.CHROME || '/usr/bin/chromium', ['--version']),
 		compiler: `flex-sdk ${version(new URL('flex-sdk/package.json', modules))}`,
 		node: process.version,

@@ -25,6 +25,7 @@ export async function page(report) {
 <h1>Collision engine: timing report</h1>
 <p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on ${date} UTC. Blue is this engine,
 amber the thesis's algorithms word for word in the same player, grey the thesis's own numbers of 2015.</p>
+<p>${takenIn(report.versions)}</p>
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
 </header>
 <main>
@@ -41,6 +42,12 @@ ${draw}</script>
 </body>
 </html>
 `;
+}
+
+/** Which numbers were taken in which player. */
+function takenIn({ player, beside }) {
+	const green = beside ? ` Green, and named JIT: this engine in ${escape(beside)}, the machine of the Flash client, in a run of the same on the same computer.` : '';
+	return `All times but the thesis's were taken in ${escape(player ?? 'an unknown player')}${beside ? ', but for one colour.' : '.'}${green}`;
 }
 
 function section(figure, entries, charts) {
@@ -66,7 +73,7 @@ function table(figure, rows) {
 <tbody>${rows.map((row) => `<tr${rowClass(row)}>${columns.map((column) => cell(row[column], column)).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
 
-const rowClass = (row) => (row[0] === '  thesis' ? ' class="thesis"' : /^exponent|^  and/.test(row[0]) ? ' class="sum"' : '');
+const rowClass = (row) => (['  thesis', '  JIT'].includes(row[0]) ? ' class="thesis"' : /^exponent|^  and/.test(row[0]) ? ' class="sum"' : '');
 
 /** A cell's text: what is tightest stands out, a spread stands back. */
 function mark(text) {

@@ -2,13 +2,15 @@
 /**
  * Makes the report of a timing run: prints its tables, and writes report.json, report.csv and report.html.
  *
- *   node test/timing/report.mjs folder [older-report.json]
+ *   node test/timing/report.mjs folder [--compare=older-report.json] [--beside=folder]
  *
  * The folder has the results.json of the run; docs/timing-report.md describes report.json. With an older report, what
- * became faster or slower since then is printed.
+ * became faster or slower since then is printed. With another folder, that of a run in another player, its times stand beside.
  */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
+import { parseArgs } from 'node:util';
+import { addBeside } from './beside.mjs';
 import { comparison, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
@@ -16,21 +18,26 @@ import { machine, versions } from './machine.mjs';
 import { page } from './page.mjs';
 import { changes } from './statistics.mjs';
 
-const [folder, olderFile] = process.argv.slice(2);
+const { positionals: [folder], values } = parseArgs({
+	allowPositionals: true,
+	options: { compare: { type: 'string', default: '' }, beside: { type: 'string', default: '' } },
+});
 if (!folder) {
-	console.error('usage: report.mjs folder [older-report.json]');
+	console.error('usage: report.mjs folder [--compare=older-report.json] [--beside=folder]');
 	process.exit(64);
 }
-const results = JSON.parse(await readFile(path.join(folder, 'results.json'), 'utf8'));
+const resultsOf = async (run) => JSON.parse(await readFile(path.join(run, 'results.json'), 'utf8'));
+const results = await resultsOf(folder);
+const beside = values.beside ? await resultsOf(values.beside) : undefined;
 // first: the older report may be the one that is about to be replaced
-const older = olderFile ? JSON.parse(await readFile(olderFile, 'utf8')) : undefined;
+const older = values.compare ? JSON.parse(await readFile(values.compare, 'utf8')) : undefined;
 const report = {
 	schema: 1,
 	created: new Date().toISOString(),
 	machine: machine(),
-	versions: versions(results.player),
+	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
 	exponents: growth(results.entries.filter((entry) => entry.figure === 'scattered')),
-	entries: results.entries,
+	entries: beside ? addBeside(results.entries, beside.entries) : results.entries,
 };
 const file = (name) => path.join(folder, name);
 await writeFile(file('report.json'), JSON.stringify(report, null, 1) + '\n');
@@ -39,6 +46,7 @@ await writeFile(file('report.html'), await page(report));
 const text = tables(report.entries);
 await writeFile(file('timing.txt'), text + '\n');
 console.log(`\n${text}\n`);
+console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
 console.log('Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
 if (older) {
 	console.log('\n' + comparison(changes(older.entries, report.entries), older.created.slice(0, 16).replace('T', ' ')));

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { addBeside } from './beside.mjs';
 import { comparison, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { FIGURES, growth } from './figures.mjs';
@@ -54,6 +55,26 @@ test('tables are at most 100 columns wide and say what is not reported', () => {
 	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× +243 ms +36× +555 ms/);
 	assert.match(text, /±79 %, noisy/);
 	assert.match(text, /NO$/m);
+});
+
+test('what another player took stands beside, and nowhere else', async () => {
+	const others = [timed('fits', 'bear', 'engine', 0.31), timed('tests', 'boxBox', 'engine', null), timed('scattered', '1000 mix', 'BinCollider', 0.25),
+		timed('crowds', '100 bears', 'TightestFitCollider', 0.15), timed('fits', 'sphere', 'engine', 1)];
+	const both = addBeside(entries, others);
+	assert.equal(both.length, entries.length);
+	assert.equal(both.find((entry) => entry.subject === 'boxBox' && entry.variant === 'engine').beside, null);
+	const text = tables(both);
+	for (const line of text.split('\n')) {
+		assert.ok(line.length <= 100, line);
+	}
+	assert.match(text, /bear +547 +box +6\.80 ms ±3 % +27,200× +310 µs +243 ms/);
+	assert.match(text, /boxBox .* noisy /);
+	assert.match(text, /^1000 mix .*\n  JIT +250 µs$/m);
+	assert.doesNotMatch(tables(entries), /JIT/);
+	assert.match(csv(both), /,0\.31,/);
+	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: { player: 'one', beside: 'an<other' }, exponents: [], entries: both });
+	assert.match(html, /taken in one, but.*an&lt;other/);
+	assert.match(html, /this engine, JIT/);
 });
 
 test('a comparison names what changed beyond the noise, and nothing else', () => {

@@ -64,7 +64,7 @@ package starlogo.broadphase
         /** The level of the bins that it is entered in; null until Bins have assigned one. */
         public var level:BinLevel = null;
 
-        /** Its entries in at most four bins, in a ring. */
+        /** Its entries for at most four bins, in a ring; the first is for the bin where its rectangle begins. */
         internal var entry:BinEntry;
 
         /** Whether what collides is a sphere about the middle: spares the most common test a call. */
@@ -97,7 +97,7 @@ package starlogo.broadphase
             super(agent, cacheToken);
             placement = agent.placement;
             serial = agent.id;
-            entry = BinEntry.ring(this, 4);
+            entry = BinEntry.ring(this);
         }
     }
 }

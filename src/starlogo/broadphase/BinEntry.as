@@ -8,7 +8,7 @@ package starlogo.broadphase
 
         /**
          * Where the proxy's rectangle begins: bit 0 is set if in an earlier column than the bin's, bit 1 if in an earlier
-         * row.
+         * row. A proxy has one entry of each kind.
          */
         public var beginsEarlier:int;
 
@@ -20,20 +20,22 @@ package starlogo.broadphase
 
         /**
          * @param proxy whose entry it is
+         * @param beginsEarlier which of the proxy's entries it is, from 0 to 3
          */
-        public function BinEntry(proxy:AgentProxy)
+        public function BinEntry(proxy:AgentProxy, beginsEarlier:int)
         {
             this.proxy = proxy;
+            this.beginsEarlier = beginsEarlier;
         }
 
-        /** All the entries that a proxy will need. */
-        public static function ring(proxy:AgentProxy, count:int):BinEntry
+        /** All the entries that a proxy will need, in order. */
+        public static function ring(proxy:AgentProxy):BinEntry
         {
-            var first:BinEntry = new BinEntry(proxy);
+            var first:BinEntry = new BinEntry(proxy, 0);
             var last:BinEntry = first;
-            for (var i:int = 1; i < count; i++)
+            for (var i:int = 1; i < 4; i++)
             {
-                last.sibling = new BinEntry(proxy);
+                last.sibling = new BinEntry(proxy, i);
                 last = last.sibling;
             }
             last.sibling = first;

@@ -100,7 +100,8 @@ package starlogo.broadphase
             if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || isBeyondReach(proxy))
             {
                 var distance:Number = Math.abs(proxy.x) + Math.abs(proxy.y) + Math.abs(proxy.z);
-                level = levelFor(Math.max(4 * half, 2 * distance / BinLevel.REACH, MIN_WIDTH));
+                // two by two: Math.max of three makes an Array
+                level = levelFor(Math.max(Math.max(4 * half, 2 * distance / BinLevel.REACH), MIN_WIDTH));
                 proxy.level = level;
             }
             var padding:Number = level.padding;
@@ -245,11 +246,8 @@ package starlogo.broadphase
                     var link:BinEntry = heads[head];
                     if (enters)
                     {
-                        entry.beginsEarlier = beginsEarlier;
                         entry.next = link;
                         heads[head] = entry;
-                        entry = entry.sibling;
-                        entries++;
                     }
                     while (link != null)
                     {
@@ -285,11 +283,19 @@ package starlogo.broadphase
                         break;
                     }
                     // the next of 0, 1, 2, 3 that has no other bits
-                    beginsEarlier = (beginsEarlier - reaches) & reaches;
-                    bin = first + (beginsEarlier & 1);
-                    if (beginsEarlier > 1)
+                    entries++;
+                    beginsEarlier++;
+                    entry = entry.sibling;
+                    bin++;
+                    if (beginsEarlier == 2)
                     {
-                        bin += stride;
+                        bin = first + stride;
+                    }
+                    else if (reaches == 2)
+                    {
+                        beginsEarlier = 2;
+                        entry = entry.sibling;
+                        bin = first + stride;
                     }
                 }
                 if (found > 0)
@@ -298,7 +304,11 @@ package starlogo.broadphase
                     sink.onCandidates(proxy, candidates, found);
                 }
             }
-            entryCount += entries;
+            if (enters)
+            {
+                // each is in a bin, and some in others
+                entryCount += count + entries;
+            }
             pairCount += pairs;
         }
     }

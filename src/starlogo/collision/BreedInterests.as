@@ -27,6 +27,13 @@ package starlogo.collision
          */
         engine var token:Object = {};
 
+        /**
+         * Whether every pair of those breeds counts.
+         *
+         * @private
+         */
+        engine var areAll:Boolean = true;
+
         private var _breeds:Vector.<String> = new Vector.<String>();
         private var _hasAny:Boolean = false;
 
@@ -60,6 +67,11 @@ package starlogo.collision
             for (var i:int = 0; i < _added.length; i += 2)
             {
                 markPairs(indicesOf(_added[i]), indicesOf(_added[i + 1]));
+            }
+            areAll = true;
+            for each (var counts:Boolean in pairs)
+            {
+                areAll = areAll && counts;
             }
         }
 

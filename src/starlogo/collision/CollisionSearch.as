@@ -4,14 +4,11 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.agents.AgentRecord;
-    import starlogo.agents.CacheToken;
     import starlogo.bounding.Box;
     import starlogo.broadphase.AgentProxy;
-    import starlogo.broadphase.BinLevel;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.intersection.boxBox;
 
     use namespace engine;
@@ -26,29 +23,18 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _bins:Bins = new Bins();
         private var _shapes:ShapeCache;
-        private var _frame:int = 0;
-
-        // The shapes of the last search, in the order of its list: mostly this one's is the same. Empty where they are not known
-        // to be the agents' own any more.
-        private var _listed:Vector.<WorldShape> = new Vector.<WorldShape>();
-
-        // Whether those in the bins may be others than those who belong there; and whether somebody who is in them left.
-        private var _membersAreStale:Boolean = true;
-        private var _somebodyLeft:Boolean = false;
+        private var _listed:ListedShapes;
 
         // The search under way. The pairs of breeds that count are in a square of this width; it is null where all do.
         private var _interests:Vector.<Boolean> = null;
         private var _breedCount:int = 0;
-        private var _breedToken:Object = null;
         private var _boxFacesOnly:Boolean = false;
         private var _found:Vector.<Agent> = null;
         private var _foundRecords:Vector.<AgentRecord> = null;
         private var _foundLength:int = 0;
         private var _skippedPairs:int = 0;
-        private var _spherePairs:int = 0;
+        private var _shapePairs:int = 0;
         private var _boxPairs:int = 0;
-        private var _memberCount:int = 0;
-        private var _loadingCount:int = 0;
 
         // Searches in which somebody sweeps, and whether the last was one.
         private var _swept:SweptSearch;
@@ -66,6 +52,7 @@ package starlogo.collision
         public function CollisionSearch(greatLand:GreatLand, strategy:ShapeStrategy)
         {
             _shapes = new ShapeCache(greatLand, strategy, _bins);
+            _listed = new ListedShapes(_shapes, _bins);
             _strategy = strategy;
             _swept = new SweptSearch(strategy);
         }
@@ -87,10 +74,7 @@ package starlogo.collision
             {
                 throw new ArgumentError(a + " is no pair with itself");
             }
-            if (_shapes.noteUse())
-            {
-                _listed.length = 0;
-            }
+            _listed.noteUse();
             var shapeA:WorldShape = _shapes.shapeOf(a);
             var shapeB:WorldShape = _shapes.shapeOf(b);
             if (shapeA.level == null || shapeB.level == null)
@@ -128,7 +112,7 @@ package starlogo.collision
             search(agents, interests, null, out);
         }
 
-        /** How two agents touch that the last search saw, as Collider says. */
+        /** How two agents touch that the last search saw, as ContactSystem says. */
         public function findContact(a:Agent, b:Agent, out:Contact):void
         {
             findContactOf(seenShapeOf(a), seenShapeOf(b), out);
@@ -158,8 +142,10 @@ package starlogo.collision
         /** @inheritDoc */
         override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
         {
-            var interests:Vector.<Boolean> = _interests;
-            var row:int = proxy.breedIndex * _breedCount;
+            if (_interests != null)
+            {
+                count = keepInteresting(proxy, others, count);
+            }
             // untyped, the cheapest of casts
             var untyped:* = proxy;
             var shape:WorldShape = untyped;
@@ -167,30 +153,29 @@ package starlogo.collision
             var x:Number = shape.x;
             var y:Number = shape.y;
             var z:Number = shape.z;
+            var reachZ:Number = shape.reachZ;
             var radius:Number = shape.radius;
             var box:Box = shape.box;
+            var boxFacesOnly:Boolean = _boxFacesOnly;
             var agent:Agent = shape.agent;
             var listIndex:int = shape.listIndex;
             var found:Vector.<Agent> = _found;
-            var foundRecords:Vector.<AgentRecord> = _foundRecords;
             var length:int = _foundLength;
+            if (box != null)
+            {
+                if (shape.placedRevision != shape.revision)
+                {
+                    shape.placeStructure();
+                }
+            }
             for (var i:int = 0; i < count; i++)
             {
                 untyped = others[i];
                 var other:WorldShape = untyped;
-                if (interests != null)
-                {
-                    if (!interests[int(row + other.breedIndex)])
-                    {
-                        _skippedPairs++;
-                        continue;
-                    }
-                }
                 var dz:Number = z - other.z;
                 if (isSphere && other.isSphere)
                 {
                     // without a call, like the next
-                    _spherePairs++;
                     var dx:Number = x - other.x;
                     var dy:Number = y - other.y;
                     var radii:Number = radius + other.radius;
@@ -201,7 +186,8 @@ package starlogo.collision
                 }
                 else
                 {
-                    var reach:Number = shape.reachZ + other.reachZ;
+                    _shapePairs++;
+                    var reach:Number = reachZ + other.reachZ;
                     if (dz > reach || dz < -reach)
                     {
                         continue;
@@ -210,15 +196,11 @@ package starlogo.collision
                     if (box != null && otherBox != null)
                     {
                         _boxPairs++;
-                        if (shape.placedRevision != shape.revision)
-                        {
-                            shape.placeStructure();
-                        }
                         if (other.placedRevision != other.revision)
                         {
                             other.placeStructure();
                         }
-                        if (!boxBox(box, otherBox, _boxFacesOnly))
+                        if (!boxBox(box, otherBox, boxFacesOnly))
                         {
                             continue;
                         }
@@ -229,25 +211,56 @@ package starlogo.collision
                     }
                 }
                 // as the list has them
-                var isLater:Boolean = listIndex > other.listIndex;
                 if (found == null)
                 {
-                    foundRecords[length] = isLater ? other : shape;
-                    foundRecords[int(length + 1)] = isLater ? shape : other;
+                    keepRecords(shape, other, length);
                 }
-                else if (isLater)
-                {
-                    found[length] = other.agent;
-                    found[int(length + 1)] = agent;
-                }
-                else
+                else if (listIndex < other.listIndex)
                 {
                     found[length] = agent;
                     found[int(length + 1)] = other.agent;
                 }
+                else
+                {
+                    found[length] = other.agent;
+                    found[int(length + 1)] = agent;
+                }
                 length += 2;
             }
             _foundLength = length;
+        }
+
+        private function keepRecords(shape:WorldShape, other:WorldShape, place:int):void
+        {
+            if (shape.listIndex < other.listIndex)
+            {
+                _foundRecords[place] = shape;
+                _foundRecords[int(place + 1)] = other;
+            }
+            else
+            {
+                _foundRecords[place] = other;
+                _foundRecords[int(place + 1)] = shape;
+            }
+        }
+
+        // Of those that a proxy may meet, the ones of breeds that count; they move to the beginning.
+        private function keepInteresting(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):int
+        {
+            var interests:Vector.<Boolean> = _interests;
+            var row:int = proxy.breedIndex * _breedCount;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:AgentProxy = others[i];
+                if (interests[int(row + other.breedIndex)])
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            _skippedPairs += count - kept;
+            return kept;
         }
 
         // One of the two is null.
@@ -259,7 +272,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var start:int = getTimer();
-            // nobody has ever swept in most games
+            // in most games nobody ever sweeps
             if (Agent.haveSwept && SweptSearch.isNeeded(agents))
             {
                 searchSwept(agents, interests, found, foundRecords);
@@ -283,42 +296,40 @@ package starlogo.collision
                 foundRecords:Vector.<AgentRecord>):void
         {
             _isSwept = false;
-            enlist(agents);
-            updateShapes(interests);
-            if (_membersAreStale || !_bins.repeat())
-            {
-                fillBins();
-            }
+            _listed.update(agents, interests);
+            _listed.fillBins();
             _strategy.resetCounts();
-            _interests = interests == null ? null : interests.pairs;
+            _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
             _boxFacesOnly = _strategy.boxFacesOnly;
             _found = found;
             _foundRecords = foundRecords;
             _foundLength = 0;
             _skippedPairs = 0;
-            _spherePairs = 0;
+            _shapePairs = 0;
             _boxPairs = 0;
-            _bins.findPairs(this, _somebodyLeft);
-            _somebodyLeft = false;
+            _bins.findPairs(this, _listed.somebodyLeft);
+            _listed.somebodyLeft = false;
             _found = null;
             _foundRecords = null;
-            report(agents.length, _memberCount, _bins);
+            report(agents.length, _listed.memberCount, _bins);
+            _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
+            _statistics.sphereSphereTests += _statistics.candidatePairs - _shapePairs;
+            _statistics.boxBoxTests += _boxPairs;
         }
 
-        // Leaves the bins as they are for the next search that is none of these.
+        // The bins stay as they are for the next search that is none of these.
         private function searchSwept(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
                 foundRecords:Vector.<AgentRecord>):void
         {
             if (!_isSwept)
             {
-                _swept.noteShapes(_listed);
+                _swept.noteShapes(_listed.shapes);
             }
             _isSwept = false;
-            enlist(agents);
-            updateShapes(interests);
+            _listed.update(agents, interests);
             _strategy.resetCounts();
-            _swept.find(_listed, interests);
+            _swept.find(_listed.shapes, interests);
             _isSwept = true;
             var pairs:Vector.<WorldShape> = _swept.pairs;
             _foundLength = _swept.length;
@@ -333,177 +344,19 @@ package starlogo.collision
                     foundRecords[i] = pairs[i];
                 }
             }
-            _skippedPairs = _swept.skippedPairs;
-            _spherePairs = _swept.spherePairs;
-            _boxPairs = 0;
             report(agents.length, _swept.memberCount, _swept.bins);
-            _statistics.sweptPairs = _swept.sweptPairs;
+            _swept.countInto(_statistics);
         }
 
         private function report(agentCount:int, members:int, bins:Bins):void
         {
             _statistics.reset();
             _statistics.agents = agentCount;
-            _statistics.agentsSkipped = agentCount - members - _loadingCount;
-            _statistics.agentsLoading = _loadingCount;
+            _statistics.agentsSkipped = agentCount - members - _listed.loadingCount;
+            _statistics.agentsLoading = _listed.loadingCount;
             _statistics.binEntries = bins.entryCount;
-            _statistics.candidatePairs = bins.pairCount - _skippedPairs;
-            _statistics.sphereSphereTests = _spherePairs;
-            _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);
             _statistics.collisions = _foundLength >> 1;
-        }
-
-        // Makes the shapes listed those of a list of agents: mostly they are.
-        private function enlist(agents:Vector.<Agent>):void
-        {
-            if (_shapes.noteUse())
-            {
-                _listed.length = 0;
-            }
-            var listed:Vector.<WorldShape> = _listed;
-            var same:int = 0;
-            var most:int = listed.length < agents.length ? listed.length : agents.length;
-            while (same < most && listed[same].agent === agents[same])
-            {
-                same++;
-            }
-            if (same < listed.length)
-            {
-                _membersAreStale = _somebodyLeft = true;
-                listed.length = same;
-            }
-            if (same < agents.length)
-            {
-                _membersAreStale = true;
-                enlistFrom(same, agents);
-            }
-        }
-
-        // From there on, one by one; nobody may come twice.
-        private function enlistFrom(first:int, agents:Vector.<Agent>):void
-        {
-            var listed:Vector.<WorldShape> = _listed;
-            var frame:int = ++_frame;
-            for (var i:int = 0; i < first; i++)
-            {
-                listed[i].frame = frame;
-            }
-            var cacheToken:CacheToken = _shapes.token;
-            for (i = first; i < agents.length; i++)
-            {
-                var agent:Agent = agents[i];
-                if (agent == null)
-                {
-                    throw new ArgumentError("agents[" + i + "] is null");
-                }
-                var record:AgentRecord = agent.records;
-                if (record == null || record.cacheToken !== cacheToken)
-                {
-                    record = _shapes.find(agent);
-                }
-                // untyped, the cheapest of casts
-                var untyped:* = record;
-                var shape:WorldShape = untyped;
-                if (shape.frame == frame)
-                {
-                    throw new ArgumentError(agent + " is listed twice: agents[" + shape.listIndex + "] and agents[" + i + "]");
-                }
-                shape.frame = frame;
-                shape.listIndex = i;
-                listed[i] = shape;
-            }
-        }
-
-        // Brings the listed shapes up to date, and notes whether those who belong into the bins are still the same.
-        private function updateShapes(interests:BreedInterests):void
-        {
-            var breedToken:Object = interests == null ? null : interests.token;
-            var isStale:Boolean = _membersAreStale || breedToken !== _breedToken;
-            _breedToken = breedToken;
-            // in case that one can't be brought up to date
-            _membersAreStale = true;
-            var shapes:ShapeCache = _shapes;
-            var listed:Vector.<WorldShape> = _listed;
-            var count:int = listed.length;
-            var loading:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var shape:WorldShape = listed[i];
-                var agent:Agent = shape.agent;
-                if (shape.revision != agent.revision)
-                {
-                    var placement:Placement = shape.placement;
-                    if (shape.extentsRevision == placement.extentsRevision)
-                    {
-                        // as ShapeCache.update does
-                        var x:Number = placement.x + shape.offsetX;
-                        var y:Number = placement.y + shape.offsetY;
-                        var z:Number = placement.z + shape.offsetZ;
-                        shape.x = x;
-                        shape.y = y;
-                        shape.z = z;
-                        var reach:Number = shape.reachX;
-                        shape.minX = x - reach;
-                        shape.maxX = x + reach;
-                        reach = shape.reachY;
-                        shape.minY = y - reach;
-                        shape.maxY = y + reach;
-                        shape.revision = agent.revision;
-                        if (x * x + y * y + z * z >= shape.level.reachSquared)
-                        {
-                            shapes.update(shape, agent);
-                        }
-                    }
-                    else
-                    {
-                        var wasIn:Boolean = shape.level != null;
-                        if (!shapes.update(shape, agent))
-                        {
-                            loading++;
-                            _somebodyLeft = _somebodyLeft || wasIn;
-                            continue;
-                        }
-                    }
-                }
-                if (breedToken != null)
-                {
-                    if (shape.breedToken !== breedToken)
-                    {
-                        interests.lookUp(shape);
-                        isStale = _somebodyLeft = true;
-                    }
-                }
-            }
-            _loadingCount = loading;
-            _membersAreStale = isStale || shapes.levelsChanged;
-        }
-
-        private function fillBins():void
-        {
-            var takesAll:Boolean = _breedToken == null;
-            var listed:Vector.<WorldShape> = _listed;
-            var count:int = listed.length;
-            var members:int = 0;
-            _bins.clear();
-            for (var i:int = 0; i < count; i++)
-            {
-                var shape:WorldShape = listed[i];
-                var level:BinLevel = shape.level;
-                if (level != null)
-                {
-                    if (takesAll || shape.breedIndex >= 0)
-                    {
-                        // as Bins.add does
-                        level.proxies[level.count] = shape;
-                        level.count++;
-                        members++;
-                    }
-                }
-            }
-            _somebodyLeft = _somebodyLeft || members < _memberCount;
-            _memberCount = members;
-            _shapes.levelsChanged = _membersAreStale = false;
         }
     }
 }

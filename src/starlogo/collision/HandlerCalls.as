@@ -193,7 +193,7 @@ package starlogo.collision
         // From the next call on, those of the pairs before this one.
         private function callPairs(end:int):void
         {
-            var pairs:Vector.<AgentRecord> = this.pairs;
+            var records:Vector.<AgentRecord> = pairs;
             var agents:Vector.<Agent> = _agents;
             var breedToken:Object = _table.interests.token;
             var touches:Vector.<TouchRecord> = _touches.ofPairs;
@@ -201,8 +201,8 @@ package starlogo.collision
             var call:int = _call;
             for (var pair:int = _pair; pair < end; pair += 2)
             {
-                var record:AgentRecord = pairs[pair];
-                var other:AgentRecord = pairs[int(pair + 1)];
+                var record:AgentRecord = records[pair];
+                var other:AgentRecord = records[int(pair + 1)];
                 if (call == 0)
                 {
                     if (record.breedToken !== breedToken || other.breedToken !== breedToken || record.breedIndex != _breed

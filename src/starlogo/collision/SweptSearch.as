@@ -37,21 +37,17 @@ package starlogo.collision
         /** Shapes in them. */
         public var memberCount:int = 0;
 
-        /** Pairs that nobody cares about. */
-        public var skippedPairs:int = 0;
-
-        /** Pairs of spheres that were tested. */
-        public var spherePairs:int = 0;
-
-        /** Pairs that were tested along their ways. */
-        public var sweptPairs:int = 0;
-
         private var _strategy:ShapeStrategy;
         private var _interests:Vector.<Boolean>;
         private var _breedCount:int;
 
         // Numbers the searches; one that sweeps nobody, however often, counts as one.
         private var _search:int = 0;
+
+        // Pairs that nobody cares about, tests of spheres, and pairs that were tested along their ways.
+        private var _skippedPairs:int = 0;
+        private var _spherePairs:int = 0;
+        private var _sweptPairs:int = 0;
 
         // The pairs as they were found, and when they touch.
         private var _found:Vector.<WorldShape> = new Vector.<WorldShape>();
@@ -107,9 +103,9 @@ package starlogo.collision
          */
         public function find(listed:Vector.<WorldShape>, interests:BreedInterests):void
         {
-            _interests = interests == null ? null : interests.pairs;
+            _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
-            length = memberCount = skippedPairs = spherePairs = sweptPairs = 0;
+            length = memberCount = _skippedPairs = _spherePairs = _sweptPairs = 0;
             bins.clear();
             for (var i:int = 0; i < listed.length; i++)
             {
@@ -146,6 +142,14 @@ package starlogo.collision
             }
         }
 
+        /** Adds what the search did to statistics that have the strategy's counts. */
+        public function countInto(statistics:CollisionStatistics):void
+        {
+            statistics.candidatePairs = bins.pairCount - _skippedPairs;
+            statistics.sweptPairs = _sweptPairs;
+            statistics.sphereSphereTests += _spherePairs;
+        }
+
         /** @inheritDoc */
         override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
         {
@@ -162,7 +166,7 @@ package starlogo.collision
                 {
                     if (!_interests[int(row + other.breedIndex)])
                     {
-                        skippedPairs++;
+                        _skippedPairs++;
                         continue;
                     }
                 }
@@ -247,7 +251,7 @@ package starlogo.collision
             var z:Number = motionA.wayZ - motionB.wayZ;
             if (x == 0 && y == 0 && z == 0)
             {
-                sweptPairs++;
+                _sweptPairs++;
                 _way.endAfter(0, 0, 0);
                 return areOverlapping(a, b) ? 0 : Way.NEVER;
             }
@@ -255,11 +259,11 @@ package starlogo.collision
             {
                 return Way.NEVER;
             }
-            sweptPairs++;
+            _sweptPairs++;
             _way.endAfter(x, y, z);
             if (a.isSphere && b.isSphere)
             {
-                spherePairs++;
+                _spherePairs++;
                 takeSphere(a, _sphereA, a.radius);
                 takeSphere(b, _sphereB, b.radius);
                 var time:Number = sphereSphereTouch(_sphereA, _sphereB, _way);
@@ -276,7 +280,7 @@ package starlogo.collision
         {
             if (a.isSphere && b.isSphere)
             {
-                spherePairs++;
+                _spherePairs++;
                 takeSphere(a, _sphereA, a.radius);
                 takeSphere(b, _sphereB, b.radius);
                 return sphereSphere(_sphereA, _sphereB);

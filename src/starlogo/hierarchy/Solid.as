@@ -25,6 +25,12 @@ package starlogo.hierarchy
         /** Each triangle's extents: minX, minY, minZ, maxX, maxY, maxZ. */
         public var extents:Vector.<Number>;
 
+        /**
+         * Each triangle's plane: x, y, z of its unit normal, its place along that, and how far the triangle's own corners are off it.
+         * The normal of one without area is 0, and its corners are infinitely far.
+         */
+        public var planes:Vector.<Number>;
+
         /** Whether the surface closes, so that there is an inside. */
         public var isClosed:Boolean = false;
 

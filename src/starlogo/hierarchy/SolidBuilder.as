@@ -50,6 +50,7 @@ package starlogo.hierarchy
             _solid = new Solid(root);
             _solid.corners = new Vector.<Number>(9 * order.length, true);
             _solid.extents = new Vector.<Number>(6 * order.length, true);
+            _solid.planes = new Vector.<Number>(5 * order.length, true);
             _surfaceBuilder = new SurfaceBuilder(vertices, triangles);
             _root = root;
         }
@@ -96,6 +97,7 @@ package starlogo.hierarchy
                 {
                     placeAxis(i, 3 * _order[i], axis);
                 }
+                placePlane(i);
             }
             _next = end;
             if (end == _order.length)
@@ -115,6 +117,43 @@ package starlogo.hierarchy
             _solid.corners[9 * triangle + 6 + axis] = c;
             _solid.extents[6 * triangle + axis] = Math.min(a, b, c);
             _solid.extents[6 * triangle + 3 + axis] = Math.max(a, b, c);
+        }
+
+        private function placePlane(triangle:int):void
+        {
+            var corners:Vector.<Number> = _solid.corners;
+            var planes:Vector.<Number> = _solid.planes;
+            var at:int = 9 * triangle;
+            var x:Number = corners[at];
+            var y:Number = corners[at + 1];
+            var z:Number = corners[at + 2];
+            var ux:Number = corners[at + 3] - x;
+            var uy:Number = corners[at + 4] - y;
+            var uz:Number = corners[at + 5] - z;
+            var vx:Number = corners[at + 6] - x;
+            var vy:Number = corners[at + 7] - y;
+            var vz:Number = corners[at + 8] - z;
+            var normalX:Number = uy * vz - uz * vy;
+            var normalY:Number = uz * vx - ux * vz;
+            var normalZ:Number = ux * vy - uy * vx;
+            var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
+            var to:int = 5 * triangle;
+            if (!(length > 0))
+            {
+                planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;
+                planes[to + 4] = Infinity;
+                return;
+            }
+            normalX /= length;
+            normalY /= length;
+            normalZ /= length;
+            var place:Number = normalX * x + normalY * y + normalZ * z;
+            planes[to] = normalX;
+            planes[to + 1] = normalY;
+            planes[to + 2] = normalZ;
+            planes[to + 3] = place;
+            planes[to + 4] = Math.max(Math.abs(normalX * corners[at + 3] + normalY * corners[at + 4] + normalZ * corners[at + 5] - place),
+                    Math.abs(normalX * corners[at + 6] + normalY * corners[at + 7] + normalZ * corners[at + 8] - place));
         }
 
         private function takeSurface():void

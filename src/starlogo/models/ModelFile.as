@@ -7,8 +7,9 @@ package starlogo.models
     internal final class ModelFile
     {
         private static const UTF_8:String = "utf-8";
-        private static const UTF_16_LOW_FIRST:String = "unicode";
-        private static const UTF_16_HIGH_FIRST:String = "unicodeFFFE";
+        private static const UTF_16_LOW_FIRST:String = "utf-16le";
+        private static const UTF_16_HIGH_FIRST:String = "utf-16be";
+        private static const WINDOWS:String = "windows-1252";
         private static const HEAD_LENGTH:int = 1024;
         private static const DECLARATION_LENGTH:int = 100;
 
@@ -33,10 +34,22 @@ package starlogo.models
             {
                 checkText(name, bytes);
             }
-            bytes.position = 0;
-            var length:int = bytes.length;
-            var text:String = encoding == UTF_8 ? bytes.readUTFBytes(length) : bytes.readMultiByte(length, encoding);
+            var text:String = decode(bytes, encoding);
             return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
+        }
+
+        private static function decode(bytes:ByteArray, encoding:String):String
+        {
+            if (encoding == UTF_8)
+            {
+                bytes.position = 0;
+                return bytes.readUTFBytes(bytes.length);
+            }
+            if (encoding == UTF_16_LOW_FIRST || encoding == UTF_16_HIGH_FIRST)
+            {
+                return WideText.utf16(bytes, encoding == UTF_16_LOW_FIRST);
+            }
+            return WideText.latin(bytes, encoding == WINDOWS);
         }
 
         /** The text of a COLLADA document, or of the one in a zip archive. */

@@ -1,11 +1,11 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
-    import flash.utils.Endian;
     import org.flexunit.asserts.assertEquals;
     import support.Collada;
     import support.Failures;
     import support.Zip;
+    import support.encoded;
 
     public class ModelFileTest
     {
@@ -27,10 +27,22 @@ package starlogo.models
         {
             for each (var encoding:String in ["utf-8", "unicode", "unicodeFFFE", "iso-8859-1", "windows-1252"])
             {
-                var bytes:ByteArray = encoded('<?xml version="1.0" encoding="' + encoding + '"?>' + DOCUMENT,
+                var bytes:ByteArray = bytesOf('<?xml version="1.0" encoding="' + encoding + '"?>' + DOCUMENT,
                         encoding, []);
                 assertEquals(encoding, "0,1,2", ColladaModel.fromBytes("a", bytes).triangles.join());
             }
+        }
+
+        [Test]
+        public function everyByteIsTheRightLetter():void
+        {
+            assertEquals("\u20AC\u0178\u0081\u00E9A", WideText.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), true));
+            assertEquals("\u0080\u009F\u0081\u00E9A", WideText.latin(bytesOf("\u0080\u009F\u0081\u00E9A", "latin", []), false));
+            var long:String = new Array(2000).join("\u4E2D\uD83D\uDE00");
+            assertEquals(long, WideText.utf16(bytesOf(long, "unicode", []), true));
+            assertEquals("an odd byte", "ab", WideText.utf16(bytesOf("ab", "unicodeFFFE", [], 1), false));
+            assertEquals("a zero ends a text", "ab", WideText.utf16(bytesOf("ab\u0000c", "unicode", []), true));
+            assertEquals("", WideText.latin(new ByteArray(), true));
         }
 
         [Test]
@@ -49,8 +61,8 @@ package starlogo.models
         {
             fails("empty", null);
             fails("empty", new ByteArray());
-            fails("binary", encoded("\u0089PNG\r\n\u001A\n", "iso-8859-1", [], 40));
-            fails("binary", encoded("<COLLADA>\u00E9" + new Array(3000).join(" "), "utf-8", [], 40));
+            fails("binary", bytesOf("\u0089PNG\r\n\u001A\n", "iso-8859-1", [], 40));
+            fails("binary", bytesOf("<COLLADA>\u00E9" + new Array(3000).join(" "), "utf-8", [], 40));
             fails("no COLLADA document", Zip.of(["a.obj", OBJ]));
             fails("directory is missing", cut(Zip.of(["a.dae", DOCUMENT]), 30));
             fails("the file is empty", Zip.of(["a.dae", ""], false));
@@ -75,18 +87,17 @@ package starlogo.models
 
         private static function assertObj(encoding:String, mark:Array):void
         {
-            assertEquals(encoding, "0,1,2", ObjModel.fromBytes("a", encoded(OBJ, encoding, mark)).triangles.join());
+            assertEquals(encoding, "0,1,2", ObjModel.fromBytes("a", bytesOf(OBJ, encoding, mark)).triangles.join());
         }
 
-        private static function encoded(text:String, encoding:String, mark:Array, zeros:int = 0):ByteArray
+        private static function bytesOf(text:String, encoding:String, mark:Array, zeros:int = 0):ByteArray
         {
             var bytes:ByteArray = new ByteArray();
-            bytes.endian = Endian.LITTLE_ENDIAN;
             for each (var byte:int in mark)
             {
                 bytes.writeByte(byte);
             }
-            bytes.writeMultiByte(text, encoding);
+            bytes.writeBytes(encoded(text, encoding));
             bytes.length += zeros;
             return bytes;
         }

@@ -7,6 +7,7 @@ package starlogo.models
     import support.Mutations;
     import evaluation.pairs.SeededRandom;
     import support.Zip;
+    import support.encoded;
 
     /** Damaged files: each loads, or fails with a ModelError, and soon. */
     public class ModelMutationsTest
@@ -96,9 +97,7 @@ package starlogo.models
         private static function bytesOf(random:SeededRandom):Model
         {
             var isObj:Boolean = random.chance();
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeMultiByte(isObj ? OBJ : COLLADA, random.pick(["utf-8", "unicode"]));
-            bytes = Mutations.ofBytes(bytes, random);
+            var bytes:ByteArray = Mutations.ofBytes(encoded(isObj ? OBJ : COLLADA, random.pick(["utf-8", "unicode"])), random);
             return isObj ? ObjModel.fromBytes("mutation", bytes) : ColladaModel.fromBytes("mutation", bytes);
         }
 

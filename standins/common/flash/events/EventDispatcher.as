@@ -1,0 +1,144 @@
+package flash.events
+{
+    import standin.Machine;
+
+    /**
+     * Calls whoever listens: those of higher priority first, those of the same in the order in which they were added. Who is added or
+     * removed meanwhile is called, or not, from the next event on.
+     *
+     * <p>There is no display list: listeners of the capture phase are kept but never called. Listeners are kept until they are
+     * removed, weak references or not. What a listener throws goes to <code>Machine.uncaught</code>, and the next is called. So
+     * does an error event that nobody listens for, as in Flash; Ruffle drops those.</p>
+     */
+    public class EventDispatcher implements IEventDispatcher
+    {
+        private var _target:IEventDispatcher;
+        private var _listeners:Object = {};
+
+        /** @param target whose events these are; null is this dispatcher */
+        public function EventDispatcher(target:IEventDispatcher = null)
+        {
+            _target = target;
+        }
+
+        /**
+         * Who listens already goes on as before, with the same priority.
+         *
+         * @throws TypeError if the listener is null
+         */
+        public function addEventListener(type:String, listener:Function, useCapture:Boolean = false, priority:int = 0,
+                useWeakReference:Boolean = false):void
+        {
+            check(listener);
+            var all:Array = listenersTo(type);
+            if (indexOf(all, listener, useCapture) >= 0)
+            {
+                return;
+            }
+            var place:int = 0;
+            while (place < all.length && all[place].priority >= priority)
+            {
+                place++;
+            }
+            var added:Listener = new Listener(listener, useCapture, priority);
+            _listeners[type] = all.slice(0, place).concat([added], all.slice(place)); // a dispatch under way keeps its list
+            if (type == Event.ENTER_FRAME && Machine.frameListeners.indexOf(this) < 0)
+            {
+                Machine.frameListeners.push(this);
+            }
+        }
+
+        /** @throws TypeError if the listener is null */
+        public function removeEventListener(type:String, listener:Function, useCapture:Boolean = false):void
+        {
+            check(listener);
+            var all:Array = listenersTo(type);
+            var place:int = indexOf(all, listener, useCapture);
+            if (place < 0)
+            {
+                return;
+            }
+            _listeners[type] = all.slice(0, place).concat(all.slice(place + 1));
+            if (type == Event.ENTER_FRAME && all.length == 1)
+            {
+                Machine.frameListeners.splice(Machine.frameListeners.indexOf(this), 1);
+            }
+        }
+
+        public function hasEventListener(type:String):Boolean
+        {
+            return listenersTo(type).length > 0;
+        }
+
+        public function willTrigger(type:String):Boolean
+        {
+            return hasEventListener(type);
+        }
+
+        /**
+         * Calls the listeners with the event, or with its clone if it was dispatched before.
+         *
+         * @return false if a listener prevented the default
+         */
+        public function dispatchEvent(event:Event):Boolean
+        {
+            if (event.target != null)
+            {
+                event = event.clone();
+            }
+            var isHeard:Boolean = false;
+            for each (var listener:Listener in listenersTo(event.type))
+            {
+                if (listener.isCapturing || event.isStopped)
+                {
+                    continue;
+                }
+                isHeard = true;
+                event.arrive(_target == null ? this : _target);
+                try
+                {
+                    listener.call(event);
+                }
+                catch (error:*)
+                {
+                    Machine.uncaught(error);
+                }
+            }
+            if (!isHeard && event is ErrorEvent)
+            {
+                Machine.uncaught(new Error("Error #2044: Unhandled " + event.type + ":. text=" + ErrorEvent(event).text));
+            }
+            return !event.isDefaultPrevented();
+        }
+
+        public function toString():String
+        {
+            return "[object " + Machine.className(this).split("::").pop() + "]";
+        }
+
+        private function listenersTo(type:String):Array
+        {
+            return _listeners.hasOwnProperty(type) ? _listeners[type] : [];
+        }
+
+        private static function indexOf(listeners:Array, call:Function, isCapturing:Boolean):int
+        {
+            for (var i:int = 0; i < listeners.length; i++)
+            {
+                if (listeners[i].call == call && listeners[i].isCapturing == isCapturing)
+                {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
+        private static function check(listener:Function):void
+        {
+            if (listener == null)
+            {
+                throw new TypeError("Error #2007: Parameter listener must be non-null.");
+            }
+        }
+    }
+}

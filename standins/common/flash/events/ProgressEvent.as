@@ -1,0 +1,30 @@
+package flash.events
+{
+    /** So much is loaded. */
+    public class ProgressEvent extends Event
+    {
+        public static const PROGRESS:String = "progress";
+        public static const SOCKET_DATA:String = "socketData";
+
+        public var bytesLoaded:Number;
+        public var bytesTotal:Number;
+
+        public function ProgressEvent(type:String, bubbles:Boolean = false, cancelable:Boolean = false,
+                bytesLoaded:Number = 0, bytesTotal:Number = 0)
+        {
+            super(type, bubbles, cancelable);
+            this.bytesLoaded = bytesLoaded;
+            this.bytesTotal = bytesTotal;
+        }
+
+        override public function clone():Event
+        {
+            return new ProgressEvent(type, bubbles, cancelable, bytesLoaded, bytesTotal);
+        }
+
+        override public function toString():String
+        {
+            return formatToString("ProgressEvent", "type", "bubbles", "cancelable", "eventPhase", "bytesLoaded", "bytesTotal");
+        }
+    }
+}

@@ -1,0 +1,10 @@
+package flash.utils
+{
+    import standin.Machine;
+
+    /** Takes back what setTimeout promised. */
+    public function clearTimeout(id:uint):void
+    {
+        Machine.clearTimeout(id);
+    }
+}

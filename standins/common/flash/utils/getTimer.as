@@ -1,0 +1,10 @@
+package flash.utils
+{
+    import standin.Machine;
+
+    /** Milliseconds since some moment. */
+    public function getTimer():int
+    {
+        return Machine.timer == null ? int(Machine.now()) : Machine.timer();
+    }
+}

@@ -1,0 +1,7 @@
+package flash.display
+{
+    /** One frame. */
+    public dynamic class MovieClip extends Sprite
+    {
+    }
+}

@@ -1,0 +1,17 @@
+package flash.system
+{
+    import standin.Machine;
+
+    /** What is in use. */
+    public final class System
+    {
+        public static function get totalMemory():uint
+        {
+            return Machine.memory();
+        }
+
+        public static function gc():void
+        {
+        }
+    }
+}

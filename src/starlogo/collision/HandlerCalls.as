@@ -237,7 +237,7 @@ package starlogo.collision
                                 continue;
                             }
                         }
-                        _touches.start(pair >> 1, first, second);
+                        _touches.start(pair >> 1, record, other);
                     }
                     isFirst = _touches.isFirst(pair >> 1);
                     if (isFirst)

@@ -7,11 +7,10 @@ package starlogo.collision
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.intersection.sphereSphere;
     import starlogo.motion.Touch;
     import starlogo.motion.TouchFinder;
     import starlogo.motion.Way;
-    import starlogo.motion.sphereSphereTouch;
+    import starlogo.motion.pointPointTouch;
 
     use namespace engine;
 
@@ -53,6 +52,10 @@ package starlogo.collision
         private var _found:Vector.<WorldShape> = new Vector.<WorldShape>();
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
+
+        // When the extents of a pair begin to overlap in those directions that were looked at, and cease to.
+        private var _enters:Number;
+        private var _leaves:Number;
 
         private var _way:Way = new Way();
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
@@ -105,7 +108,9 @@ package starlogo.collision
         {
             _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
-            length = memberCount = _skippedPairs = _spherePairs = _sweptPairs = 0;
+            length = _skippedPairs = _spherePairs = _sweptPairs = 0;
+            var stayed:int = 0;
+            var members:int = 0;
             bins.clear();
             for (var i:int = 0; i < listed.length; i++)
             {
@@ -114,16 +119,24 @@ package starlogo.collision
                 {
                     continue;
                 }
-                var motion:MovingProxy = motionOf(shape);
+                var motion:MovingProxy = shape.motion || motionOf(shape);
                 motion.takeWay(_search);
                 if (interests == null || shape.breedIndex >= 0)
                 {
                     bins.fit(motion);
                     bins.add(motion);
-                    memberCount++;
+                    members++;
+                    if (motion.binnedIn == _search)
+                    {
+                        stayed++;
+                    }
+                    motion.binnedIn = _search + 1;
                 }
             }
-            bins.findPairs(this);
+            _search++;
+            var somebodyLeft:Boolean = stayed < memberCount;
+            memberCount = members;
+            bins.findPairs(this, somebodyLeft);
             _order.sort(_times, length >> 1);
             var order:Vector.<int> = _order.order;
             for (i = 0; i < length; i += 2)
@@ -131,14 +144,6 @@ package starlogo.collision
                 var at:int = 2 * order[i >> 1];
                 pairs[i] = _found[at];
                 pairs[int(i + 1)] = _found[int(at + 1)];
-            }
-            _search++;
-            for (i = 0; i < listed.length; i++)
-            {
-                if (listed[i].level != null)
-                {
-                    listed[i].motion.notePlace(_search);
-                }
             }
         }
 
@@ -208,8 +213,8 @@ package starlogo.collision
             var touch:Touch = _touch;
             if (a.isSphere && b.isSphere)
             {
-                takeSphere(a, _sphereA, a.halfX);
-                takeSphere(b, _sphereB, b.halfX);
+                takeSphere(a, _sphereA);
+                takeSphere(b, _sphereB);
                 _finder.find(_sphereA, _sphereB, _way.startX + time * _way.x, _way.startY + time * _way.y, _way.startZ + time * _way.z, touch);
             }
             else
@@ -255,24 +260,29 @@ package starlogo.collision
                 _way.endAfter(0, 0, 0);
                 return areOverlapping(a, b) ? 0 : Way.NEVER;
             }
+            if (a.isSphere && b.isSphere)
+            {
+                _sweptPairs++;
+                _spherePairs++;
+                _way.endAfter(x, y, z);
+                var dx:Number = a.x - b.x;
+                var dy:Number = a.y - b.y;
+                var dz:Number = a.z - b.z;
+                var radii:Number = a.radius + b.radius;
+                var time:Number = pointPointTouch(dx - x, dy - y, dz - z, x, y, z, radii);
+                if (time == Way.NEVER && dx * dx + dy * dy + dz * dz <= radii * radii)
+                {
+                    // no rounding hides what stands there
+                    return 1;
+                }
+                return time;
+            }
             if (passEachOther(a, b, x, y, z))
             {
                 return Way.NEVER;
             }
             _sweptPairs++;
             _way.endAfter(x, y, z);
-            if (a.isSphere && b.isSphere)
-            {
-                _spherePairs++;
-                takeSphere(a, _sphereA, a.radius);
-                takeSphere(b, _sphereB, b.radius);
-                var time:Number = sphereSphereTouch(_sphereA, _sphereB, _way);
-                if (time == Way.NEVER && sphereSphere(_sphereA, _sphereB))
-                {
-                    return 1;
-                }
-                return time;
-            }
             return _strategy.firstOverlap(a, b, _way);
         }
 
@@ -281,9 +291,11 @@ package starlogo.collision
             if (a.isSphere && b.isSphere)
             {
                 _spherePairs++;
-                takeSphere(a, _sphereA, a.radius);
-                takeSphere(b, _sphereB, b.radius);
-                return sphereSphere(_sphereA, _sphereB);
+                var dx:Number = a.x - b.x;
+                var dy:Number = a.y - b.y;
+                var dz:Number = a.z - b.z;
+                var radii:Number = a.radius + b.radius;
+                return dx * dx + dy * dy + dz * dz <= radii * radii;
             }
             var reach:Number = a.reachZ + b.reachZ;
             if (a.z - b.z > reach || b.z - a.z > reach)
@@ -296,64 +308,47 @@ package starlogo.collision
         // Whether the extents of two shapes, which now are where they are at the end of the way, never overlap in all directions at once.
         private function passEachOther(a:WorldShape, b:WorldShape, x:Number, y:Number, z:Number):Boolean
         {
-            var first:Number = 0;
-            var last:Number = 1;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var at:Number = b.x - a.x;
-                var speed:Number = x;
-                var reach:Number = a.reachX + b.reachX;
-                if (axis == 1)
-                {
-                    at = b.y - a.y;
-                    speed = y;
-                    reach = a.reachY + b.reachY;
-                }
-                else if (axis == 2)
-                {
-                    at = b.z - a.z;
-                    speed = z;
-                    reach = a.reachZ + b.reachZ;
-                }
-                // b from a at time 0, with a standing still: it comes down by the speed
-                at += speed;
-                if (speed < 0)
-                {
-                    speed = -speed;
-                    at = -at;
-                }
-                if (at < -reach)
-                {
-                    return true;
-                }
-                if (at > reach)
-                {
-                    if (at - reach > last * speed)
-                    {
-                        return true;
-                    }
-                    var enters:Number = (at - reach) / speed;
-                    first = enters > first ? enters : first;
-                }
-                if (at + reach < last * speed)
-                {
-                    last = (at + reach) / speed;
-                }
-                if (first > last)
-                {
-                    return true;
-                }
-            }
-            return false;
+            _enters = 0;
+            _leaves = 1;
+            return isGap(b.x - a.x, x, a.reachX + b.reachX) || isGap(b.y - a.y, y, a.reachY + b.reachY)
+                || isGap(b.z - a.z, z, a.reachZ + b.reachZ);
         }
 
-        private static function takeSphere(shape:WorldShape, sphere:Sphere, radius:Number):void
+        // One direction: where b is from a at the end, and how far it has come down.
+        private function isGap(at:Number, speed:Number, reach:Number):Boolean
+        {
+            at += speed;
+            if (speed < 0)
+            {
+                speed = -speed;
+                at = -at;
+            }
+            if (at < -reach || at - reach > _leaves * speed)
+            {
+                return true;
+            }
+            if (at > reach)
+            {
+                var enters:Number = (at - reach) / speed;
+                if (enters > _enters)
+                {
+                    _enters = enters;
+                }
+            }
+            if (at + reach < _leaves * speed)
+            {
+                _leaves = (at + reach) / speed;
+            }
+            return _enters > _leaves;
+        }
+
+        private static function takeSphere(shape:WorldShape, sphere:Sphere):void
         {
             var center:Vector3D = sphere.center;
             center.x = shape.x;
             center.y = shape.y;
             center.z = shape.z;
-            sphere.radius = radius;
+            sphere.radius = shape.halfX;
         }
 
         private static function motionOf(shape:WorldShape):MovingProxy

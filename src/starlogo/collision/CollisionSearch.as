@@ -39,6 +39,7 @@ package starlogo.collision
         // Searches in which somebody sweeps, and whether the last was one.
         private var _swept:SweptSearch;
         private var _isSwept:Boolean = false;
+        private var _contacts:ContactFinder;
 
         // The pair that areColliding asks about, and who it finds, if so.
         private var _asked:Vector.<AgentProxy> = new Vector.<AgentProxy>();
@@ -55,6 +56,7 @@ package starlogo.collision
             _listed = new ListedShapes(_shapes, _bins);
             _strategy = strategy;
             _swept = new SweptSearch(strategy);
+            _contacts = new ContactFinder(strategy, _shapes, _swept);
         }
 
         /** What the last search did. */
@@ -115,28 +117,13 @@ package starlogo.collision
         /** How two agents touch that the last search saw, as ContactSystem says. */
         public function findContact(a:Agent, b:Agent, out:Contact):void
         {
-            findContactOf(seenShapeOf(a), seenShapeOf(b), out);
+            _contacts.find(_contacts.shapeOf(a), _contacts.shapeOf(b), _isSwept, out);
         }
 
         /** The same of records that findRecords gave. */
         public function findContactOf(a:AgentRecord, b:AgentRecord, out:Contact):void
         {
-            _swept.findContact(a as WorldShape, b as WorldShape, _isSwept, out);
-        }
-
-        // As the last search has left it; now, if none has seen it.
-        private function seenShapeOf(agent:Agent):WorldShape
-        {
-            var shape:WorldShape = _shapes.find(agent);
-            if (shape.level == null)
-            {
-                shape = _shapes.shapeOf(agent);
-                if (shape.level == null)
-                {
-                    throw new ArgumentError(agent + ": its model is still loading");
-                }
-            }
-            return shape;
+            _contacts.find(a as WorldShape, b as WorldShape, _isSwept, out);
         }
 
         /** @inheritDoc */

@@ -87,10 +87,9 @@ package starlogo.collision
             _postponed.length = 0;
             _turns = null;
             count = 0;
-            var tracks:Boolean = table.tracks || _touches.hasAny;
-            if (tracks || table.takesContacts)
+            if (table.tracks || _touches.hasAny || table.takesContacts)
             {
-                prepare(tracks, system);
+                prepare(table.tracks || _touches.hasAny, system);
             }
             callThrough();
             while (_postponed.length > 0)

@@ -1,14 +1,10 @@
 package starlogo.collision
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.bounding.Sphere;
     import starlogo.broadphase.AgentProxy;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.motion.Touch;
-    import starlogo.motion.TouchFinder;
     import starlogo.motion.Way;
     import starlogo.motion.pointPointTouch;
 
@@ -29,6 +25,9 @@ package starlogo.collision
 
         /** How many shapes there are in twice as many pairs. */
         public var length:int = 0;
+
+        /** The way of the first of two shapes of which one sweeps, relative to the other, once <code>firstOverlap()</code> was asked. */
+        public var way:Way = new Way();
 
         /** The bins of these searches. */
         public var bins:Bins = new Bins();
@@ -56,12 +55,6 @@ package starlogo.collision
         // When the extents of a pair begin to overlap in those directions that were looked at, and cease to.
         private var _enters:Number;
         private var _leaves:Number;
-
-        private var _way:Way = new Way();
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
-        private var _finder:TouchFinder = new TouchFinder();
-        private var _touch:Touch = new Touch();
 
         /**
          * @param strategy says what shapes agents have
@@ -189,61 +182,15 @@ package starlogo.collision
             }
         }
 
-        /**
-         * Where two shapes touch.
-         *
-         * @param a a shape as the last search saw it
-         * @param b another
-         * @param isSwept whether the last search was one of these
-         * @param out takes it
-         */
-        public function findContact(a:WorldShape, b:WorldShape, isSwept:Boolean, out:Contact):void
-        {
-            var isPassing:Boolean = isSwept && isPairSwept(a, b);
-            var time:Number = isPassing ? firstOverlap(a, b) : 1;
-            if (time == Way.NEVER)
-            {
-                isPassing = false;
-                time = 1;
-            }
-            if (!isPassing)
-            {
-                _way.endAfter(0, 0, 0);
-            }
-            var touch:Touch = _touch;
-            if (a.isSphere && b.isSphere)
-            {
-                takeSphere(a, _sphereA);
-                takeSphere(b, _sphereB);
-                _finder.find(_sphereA, _sphereB, _way.startX + time * _way.x, _way.startY + time * _way.y, _way.startZ + time * _way.z, touch);
-            }
-            else
-            {
-                _strategy.findTouch(a, b, _way, time, touch);
-            }
-            out.time = time;
-            out.depth = touch.depth;
-            out.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
-            out.point.setTo(touch.x, touch.y, touch.z);
-            if (isPassing)
-            {
-                // from where b is now to where it was
-                var motion:MovingProxy = b.motion;
-                out.point.x -= (1 - time) * motion.wayX;
-                out.point.y -= (1 - time) * motion.wayY;
-                out.point.z -= (1 - time) * motion.wayZ;
-            }
-        }
-
-        // Whether the last search, one of these, looked at two shapes along their ways.
-        private function isPairSwept(a:WorldShape, b:WorldShape):Boolean
+        /** Whether the last search, one of these, looked at two shapes along their ways. */
+        public function isPairSwept(a:WorldShape, b:WorldShape):Boolean
         {
             return a.motion != null && b.motion != null && a.motion.seenIn == _search && b.motion.seenIn == _search
                 && (a.motion.isSweeping || b.motion.isSweeping);
         }
 
-        // From 0 to 1, or Way.NEVER. Leaves the way of a pair of which one sweeps in _way.
-        private function firstOverlap(a:WorldShape, b:WorldShape):Number
+        /** When two shapes overlap, along their ways if one of them sweeps: from 0 to 1, or Way.NEVER. */
+        public function firstOverlap(a:WorldShape, b:WorldShape):Number
         {
             var motionA:MovingProxy = a.motion;
             var motionB:MovingProxy = b.motion;
@@ -257,14 +204,14 @@ package starlogo.collision
             if (x == 0 && y == 0 && z == 0)
             {
                 _sweptPairs++;
-                _way.endAfter(0, 0, 0);
+                way.endAfter(0, 0, 0);
                 return areOverlapping(a, b) ? 0 : Way.NEVER;
             }
             if (a.isSphere && b.isSphere)
             {
                 _sweptPairs++;
                 _spherePairs++;
-                _way.endAfter(x, y, z);
+                way.endAfter(x, y, z);
                 var dx:Number = a.x - b.x;
                 var dy:Number = a.y - b.y;
                 var dz:Number = a.z - b.z;
@@ -282,8 +229,8 @@ package starlogo.collision
                 return Way.NEVER;
             }
             _sweptPairs++;
-            _way.endAfter(x, y, z);
-            return _strategy.firstOverlap(a, b, _way);
+            way.endAfter(x, y, z);
+            return _strategy.firstOverlap(a, b, way);
         }
 
         private function areOverlapping(a:WorldShape, b:WorldShape):Boolean
@@ -340,15 +287,6 @@ package starlogo.collision
                 _leaves = (at + reach) / speed;
             }
             return _enters > _leaves;
-        }
-
-        private static function takeSphere(shape:WorldShape, sphere:Sphere):void
-        {
-            var center:Vector3D = sphere.center;
-            center.x = shape.x;
-            center.y = shape.y;
-            center.z = shape.z;
-            sphere.radius = shape.halfX;
         }
 
         private static function motionOf(shape:WorldShape):MovingProxy

@@ -220,7 +220,7 @@ package starlogo.collision
         public function contactsAreThoseOfTheFirstTouch():void
         {
             for each (var collider:Collider in [new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand),
-                    exact(new HierarchicalCollider(_greatLand)), new CombinationCollider(_greatLand)])
+                        exact(new HierarchicalCollider(_greatLand)), new CombinationCollider(_greatLand)])
             {
                 _ball.shape = "cube";
                 _ball.jumpTo(0, 0.1, 0.4);

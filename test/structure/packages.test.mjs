@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
+import { codeOf, definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
 
 const MOST_LINES = 350;
 const REASON = 'This file is long because';
@@ -17,6 +17,8 @@ function placeOf(name) {
 }
 
 const isEngine = (name) => name.startsWith('starlogo.');
+const isClient = (name) => name === 'Client' || name.startsWith('client.');
+const mayUseAway3d = (name) => name.startsWith('starlogo.away3d.') || isClient(name);
 
 test('the engine has files, and they use one another', () => {
 	assert.ok([...sources.keys()].filter(isEngine).length > 80);
@@ -51,10 +53,23 @@ test('src uses nothing of test', () => {
 	const wrong = [];
 	for (const [name, file] of sources) {
 		const text = read(file);
-		wrong.push(...importsIn(text).filter((each) => !sources.has(each) && !each.startsWith('flash.')).map((each) => `${name} imports ${each}`));
+		const isKnown = (each) => sources.has(each) || each.startsWith('flash.') || (mayUseAway3d(name) && each.startsWith('away3d.'));
+		wrong.push(...importsIn(text).filter((each) => !isKnown(each)).map((each) => `${name} imports ${each}`));
 		wrong.push(...usesIn(name, text, onlyInTest).map((each) => `${name} uses ${each}`));
 	}
 	assert.equal(wrong.join('\n'), '');
+});
+
+test('the engine but for the adapters does not name Away3D', () => {
+	const wrong = [...sources].filter(([name, file]) => !mayUseAway3d(name) && /away3d/i.test(codeOf(read(file))));
+	assert.deepEqual(wrong.map(([name]) => name), []);
+	assert.ok([...sources].some(([name, file]) => mayUseAway3d(name) && /away3d/.test(codeOf(read(file)))));
+});
+
+test('the client in small uses public names alone', () => {
+	const wrong = [...sources].filter(([name, file]) => isClient(name) && /\bengine\b/.test(codeOf(read(file))));
+	assert.deepEqual(wrong.map(([name]) => name), []);
+	assert.ok([...sources.keys()].some(isClient));
 });
 
 test(`a file of the engine has at most ${MOST_LINES} lines, or says in its head why not ("${REASON} ...")`, () => {

@@ -30,6 +30,13 @@ package starlogo.geometry
         public static const ORTHONORMALITY:Number = 1e-5;
 
         /**
+         * How far numbers that went through single-precision matrices may be apart and still count as one, as a fraction of
+         * the largest: an Away3D object's three scales, and its matrix against its traits. Below 5e-7: objects that were
+         * loaded with a matrix are refused as uneven. Larger: uneven ones pass, and what is drawn differs from what collides.
+         */
+        public static const SINGLE_PRECISION:Number = 1e-5;
+
+        /**
          * A factor on the distance at which structures touch: the rounding error that a test through several steps may
          * make, 1e-14 relative, and what SURFACES asks for. 1: structures that touch may, turned, be told apart by the last
          * bit. Larger: structures with a gap between them collide. Two spheres are compared directly and do not need it.

@@ -1,6 +1,9 @@
 package starlogo.models
 {
+    import starlogo.engine;
     import starlogo.geometry.VertexData;
+
+    use namespace engine;
 
     /**
      * The shape of a kind of agents, as the collision engine sees it: a name, vertices and, where known, triangles.
@@ -17,6 +20,34 @@ package starlogo.models
     {
         // below this ratio to z, extents in x and y are rounding errors of whatever placed the vertices
         private static const LINE_RATIO:Number = 1e-6;
+
+        /**
+         * Where the model's origin was in what the model was made of.
+         *
+         * @private
+         */
+        engine var sourceX:Number;
+
+        /**
+         * @copy #sourceX
+         *
+         * @private
+         */
+        engine var sourceY:Number;
+
+        /**
+         * @copy #sourceX
+         *
+         * @private
+         */
+        engine var sourceZ:Number;
+
+        /**
+         * How many units of what the model was made of one of the model's is.
+         *
+         * @private
+         */
+        engine var sourceUnit:Number;
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
@@ -133,8 +164,11 @@ package starlogo.models
                     maxZ = z;
                 }
             }
-            var scale:Number = scaleOf(maxX - minX, maxY - minY, maxZ - minZ);
-            moveAndDivide(minX, minY, minZ, (maxX - minX) / 2, (maxY - minY) / 2, scale);
+            sourceUnit = scaleOf(maxX - minX, maxY - minY, maxZ - minZ);
+            sourceX = minX + (maxX - minX) / 2;
+            sourceY = minY + (maxY - minY) / 2;
+            sourceZ = minZ;
+            moveAndDivide(minX, minY, minZ, (maxX - minX) / 2, (maxY - minY) / 2, sourceUnit);
         }
 
         /** What coordinates are divided by. */

@@ -21,6 +21,7 @@ package starlogo.models
         private var _document:ArchivedDocument = null;
         private var _text:String = null;
         private var _reader:ModelReader = null;
+        private var _source:ModelSource = null;
         private var _model:Model = null;
         private var _work:StepSequence = new StepSequence().begin(unpack).begin(read).call(normalise).begin(receive);
 
@@ -65,6 +66,10 @@ package starlogo.models
             {
                 return FETCHED + (READ - FETCHED) * _reader.progress;
             }
+            if (_source != null)
+            {
+                return READ * _source.progress;
+            }
             return _fetch == null ? 0 : FETCHED * _fetch.progress;
         }
 
@@ -93,6 +98,13 @@ package starlogo.models
         public function takeText(text:String):void
         {
             _text = text;
+        }
+
+        /** Takes what makes the model, in place of a file. */
+        public function takeSource(source:ModelSource):void
+        {
+            _source = source;
+            _work = new StepSequence().add(source).call(takeModel).begin(receive);
         }
 
         /** Stops fetching. */
@@ -163,6 +175,12 @@ package starlogo.models
         {
             _model = new Model(_name, _reader.vertices, _reader.triangles);
             _reader = null;
+        }
+
+        private function takeModel():void
+        {
+            _model = _source.model;
+            _source = null;
         }
 
         private function receive():Steps

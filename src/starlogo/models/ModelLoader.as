@@ -174,6 +174,21 @@ package starlogo.models
         }
 
         /**
+         * Loads a model that a source of one's own makes.
+         *
+         * @param source not begun yet; its steps should take a few milliseconds at most
+         * @throws ArgumentError if it is null
+         */
+        public function loadFrom(source:ModelSource):void
+        {
+            if (source == null)
+            {
+                throw new ArgumentError("the source of the model must not be null");
+            }
+            add(source.name, "z").takeSource(source);
+        }
+
+        /**
          * Forgets the loads of one name, or all. What they have done so far is undone; models that are loaded stay.
          *
          * @param name the name; null for all

@@ -7,9 +7,12 @@ package starlogo.bounding
     import org.flexunit.asserts.assertNotNull;
     import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import evaluation.pairs.SeededRandom;
     import support.Structures;
+
+    use namespace engine;
 
     /** What every bounding structure promises. */
     public class BoundingStructureTest
@@ -154,6 +157,39 @@ package starlogo.bounding
                 assertNotNull(argumentErrorOf(samples[i].place, new Placement(), other));
                 assertEquals(before, String(Structures.numbersOf(other)));
             }
+        }
+
+        [Test]
+        public function turnedExtentsAreThoseOfThePlacedStructure():void
+        {
+            var random:SeededRandom = new SeededRandom(10);
+            var turned:Vector.<Number> = new Vector.<Number>(6, true);
+            var extents:Vector.<Number> = new Vector.<Number>(6, true);
+            var compared:int = 0;
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                if (structure is Cylinder)
+                {
+                    continue;
+                }
+                for (var i:int = 0; i < 40; i++)
+                {
+                    var angles:Array = random.pick([[0, 0, 0], [random.between(0, 360), 0, 0],
+                                [random.between(0, 360), random.between(0, 360), random.between(0, 360)]]);
+                    var placement:Placement = standing(random.logBetween(0.1, 10), angles, random.normal(), random.normal(), random.normal());
+                    structure.turnedExtentsInto(placement, turned);
+                    structure.place(placement).extentsInto(extents);
+                    var at:Array = [placement.x, placement.y, placement.z];
+                    for (var axis:int = 0; axis < 3; axis++)
+                    {
+                        var middle:Number = at[axis] + turned[axis];
+                        assertTrue(structure + " from", Math.abs(middle - turned[axis + 3] - extents[2 * axis]) < 1e-11);
+                        assertTrue(structure + " to", Math.abs(middle + turned[axis + 3] - extents[2 * axis + 1]) < 1e-11);
+                        compared++;
+                    }
+                }
+            }
+            assertTrue(compared > 300);
         }
 
         [Test]

@@ -12,6 +12,7 @@ package starlogo.models
     import support.Fixtures;
     import support.SlowReceiver;
     import support.Zip;
+    import support.assertThrows;
 
     public class ModelLoaderTest
     {
@@ -59,6 +60,39 @@ package starlogo.models
                     assertEquals("obj text,COLLADA text,obj bytes,COLLADA bytes,archive", _log.join());
                     assertEquals(_log.join(), _receiver.received.join());
                 });
+        }
+
+        [Test(async, timeout="5000")]
+        public function takesModelsFromSources():void
+        {
+            var source:CountedSource = new CountedSource("made", 5, false);
+            _loader.budget = 0;
+            var progress:Array = [];
+            _loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    progress.push(event.bytesLoaded / event.bytesTotal);
+                });
+            _loader.loadFrom(source);
+            _loader.loadFrom(new CountedSource("broken", 2, true));
+            _loader.loadText("text", OBJ);
+            assertTrue(_loader.isPending("made"));
+            assertEquals("made,broken,text", _receiver.expected.join());
+            assertEquals(0, source.done);
+            whenComplete(function():void
+                {
+                    assertEquals('made,model "broken": it can\'t be taken in: no more,text', _log.join());
+                    assertEquals("made,text", _receiver.received.join());
+                    assertEquals(5, source.done);
+                    assertTrue("a step a frame: " + progress, progress.length > 20);
+                    assertTrue("half of a third for what is read: " + progress, progress[2] > progress[1] && Math.abs(progress[5] - 0.16) < 0.011);
+                });
+        }
+
+        [Test]
+        public function noSourceIsAnError():void
+        {
+            assertThrows(ArgumentError, /source of the model must not be null/, _loader.loadFrom, null);
+            assertEquals(0, _loader.pendingCount);
         }
 
         [Test(async, timeout="5000")]
@@ -226,5 +260,51 @@ package starlogo.models
             }
             return lines.join("\n");
         }
+    }
+}
+
+import starlogo.models.BuiltInModel;
+import starlogo.models.Model;
+import starlogo.models.ModelSource;
+
+/** Makes a cube in some steps. */
+class CountedSource implements ModelSource
+{
+    public var done:int = 0;
+
+    private var _name:String;
+    private var _steps:int;
+    private var _isBroken:Boolean;
+
+    public function CountedSource(name:String, steps:int, isBroken:Boolean)
+    {
+        _name = name;
+        _steps = steps;
+        _isBroken = isBroken;
+    }
+
+    public function get name():String
+    {
+        return _name;
+    }
+
+    public function get progress():Number
+    {
+        return done / _steps;
+    }
+
+    public function get model():Model
+    {
+        var cube:Model = BuiltInModel.cube();
+        return done < _steps ? null : new Model(_name, cube.vertices, cube.triangles);
+    }
+
+    public function step():Boolean
+    {
+        if (_isBroken)
+        {
+            throw new Error("no more");
+        }
+        return ++done < _steps;
     }
 }

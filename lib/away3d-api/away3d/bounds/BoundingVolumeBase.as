@@ -1,0 +1,10 @@
+package away3d.bounds
+{
+    /** A volume around what is drawn. */
+    public class BoundingVolumeBase
+    {
+        public function BoundingVolumeBase()
+        {
+        }
+    }
+}

@@ -1,0 +1,10 @@
+package away3d.materials
+{
+    /** How a surface looks. */
+    public class MaterialBase
+    {
+        public function MaterialBase()
+        {
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package client
+{
+    import away3d.core.base.SubMesh;
+    import away3d.entities.Mesh;
+    import away3d.materials.ColorMaterial;
+    import starlogo.agents.Agent;
+    import starlogo.away3d.Away3dAgentBinding;
+    import starlogo.away3d.Away3dWireframe;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.hierarchy.HierarchyNode;
+
+    /** An agent with what is drawn for it. */
+    public final class Character
+    {
+        private static const LINES:uint = 0xffd21f;
+        // how thick the lines are
+        private static const STRUCTURE:Number = 1.5;
+        private static const LEVEL:Number = 0.9;
+        private static const SHADOW_HEIGHT:Number = 0.04;
+        private static const COVER:Number = 0.7;
+
+        /** What collides. */
+        public var agent:Agent;
+
+        /** How fast it moves, in patches a frame: along its heading, and up. */
+        public var speed:Number = 0;
+
+        /** @copy #speed */
+        public var climb:Number = 0;
+
+        private var _land:Land;
+        private var _object:Mesh;
+        private var _shadow:Mesh;
+        private var _binding:Away3dAgentBinding;
+        private var _wireframe:Away3dWireframe = null;
+
+        /**
+         * @param land where it is shown
+         * @param cast has its shape
+         * @param agent moves it
+         */
+        public function Character(land:Land, cast:Cast, agent:Agent)
+        {
+            this.agent = agent;
+            _land = land;
+            _object = cast.draw(agent.shape);
+            _binding = new Away3dAgentBinding(agent, _object, cast.model(agent.shape));
+            _shadow = land.newShadow();
+            _shadow.scaleX = _shadow.scaleZ = agent.size;
+            update();
+            land.show(_object);
+            land.show(_shadow);
+        }
+
+        /** Moves it for a frame. */
+        public function move():void
+        {
+            if (speed == 0 && climb == 0)
+            {
+                return;
+            }
+            var heading:Number = agent.heading * Math.PI / 180;
+            agent.moveTo(agent.x + speed * Math.cos(heading), agent.y + speed * Math.sin(heading), agent.z + climb);
+        }
+
+        /** Puts what is drawn where the agent is. */
+        public function update():void
+        {
+            _binding.updateObject();
+            _shadow.moveTo(agent.x, SHADOW_HEIGHT, agent.y);
+            if (_wireframe != null)
+            {
+                _wireframe.update();
+            }
+        }
+
+        /** Splashes a colour over it: what it is painted shows through. */
+        public function paint(color:uint):void
+        {
+            agent.color = color;
+            for each (var part:SubMesh in _object.subMeshes)
+            {
+                part.material = _land.material(mix(ColorMaterial(part.material).color, color));
+            }
+        }
+
+        /** Shows a structure as a wireframe. */
+        public function showStructure(structure:BoundingStructure):void
+        {
+            newWireframe(STRUCTURE).showStructure(structure);
+        }
+
+        /** Shows a level of a hierarchy as a wireframe. */
+        public function showLevel(root:HierarchyNode, level:int):void
+        {
+            newWireframe(LEVEL).showLevel(root, level);
+        }
+
+        /** Shows no wireframe. */
+        public function hideWireframe():void
+        {
+            if (_wireframe != null)
+            {
+                _land.hide(_wireframe);
+                _wireframe.dispose();
+                _wireframe = null;
+            }
+        }
+
+        /** Takes it off the land. */
+        public function leave():void
+        {
+            hideWireframe();
+            _land.hide(_object);
+            _land.hide(_shadow);
+        }
+
+        private function newWireframe(thickness:Number):Away3dWireframe
+        {
+            hideWireframe();
+            _wireframe = new Away3dWireframe(agent, LINES, thickness);
+            _land.show(_wireframe);
+            return _wireframe;
+        }
+
+        private static function mix(color:uint, paint:uint):uint
+        {
+            var mixed:uint = 0;
+            for (var shift:int = 0; shift < 24; shift += 8)
+            {
+                var part:Number = (1 - COVER) * (color >> shift & 0xff) + COVER * (paint >> shift & 0xff);
+                mixed |= int(part) << shift;
+            }
+            return mixed;
+        }
+    }
+}

@@ -1,0 +1,307 @@
+package client
+{
+    import flash.geom.Vector3D;
+    import flash.ui.Keyboard;
+    import flash.utils.Dictionary;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.collision.TightestFitCollider;
+
+    /** The bear of thesis §2.2 among turtles, seagulls and a fortress, with paintballs that colour what they hit. */
+    public final class Game implements Show
+    {
+        private static const PAINTS:Array = [0xe4572e, 0x2e86ab, 0xf6ae2d, 0x8e44ad, 0x17a398, 0xd81e5b];
+        private static const EDGE:Number = 30;
+        private static const MOST_AGENTS:int = 90;
+        private static const LEVEL:int = 5;
+
+        private var _land:Land;
+        private var _cast:Cast;
+        private var _systems:Vector.<CollisionSystem>;
+        private var _system:int = 1;
+        private var _collision:Collision;
+        private var _agents:Vector.<Agent> = new Vector.<Agent>();
+        private var _characters:Dictionary = new Dictionary();
+        private var _bear:Character;
+        private var _held:Object = {};
+        private var _frame:int = 0;
+        private var _lastThrow:int = -100;
+        private var _thrown:int = 0;
+        private var _hasWireframes:Boolean = false;
+        private var _gone:Vector.<Character> = new Vector.<Character>();
+
+        /**
+         * @param land where it is played
+         * @param cast the shapes
+         */
+        public function Game(land:Land, cast:Cast)
+        {
+            _land = land;
+            _cast = cast;
+            var greatLand:GreatLand = cast.greatLand;
+            _systems = new <CollisionSystem>[new BinCollider(greatLand), new TightestFitCollider(greatLand), new HierarchicalCollider(greatLand),
+                    new CombinationCollider(greatLand)];
+            _collision = new Collision(_systems[_system]);
+            _collision.onCollision("paintballs", Collision.ANY_BREED, splash);
+            _collision.onCollision("bears", Collision.ANY_BREED, bump);
+            _collision.onCollision("turtles", Collision.ANY_BREED, turnAway);
+            populate();
+        }
+
+        /** @inheritDoc */
+        public function get collision():Collision
+        {
+            return _collision;
+        }
+
+        /** @inheritDoc */
+        public function get caption():String
+        {
+            return ["1  BinCollider: spheres of the agents' sizes", "2  TightestFitCollider: the tightest sphere, box or capsule",
+                    "3  HierarchicalCollider: a tree of boxes, to level " + LEVEL, "4  CombinationCollider: the bear's tree, the others' structures"][_system]
+                + "\narrows: the bear   space: paintball   1 to 4: collision system   W: wireframes   `: monitor";
+        }
+
+        /** @inheritDoc */
+        public function get agentCount():int
+        {
+            return _agents.length;
+        }
+
+        /** @inheritDoc */
+        public function play():void
+        {
+            _frame++;
+            steer();
+            for each (var agent:Agent in _agents)
+            {
+                var character:Character = _characters[agent];
+                wander(character);
+                character.move();
+            }
+            _collision.update(_agents);
+            for each (var gone:Character in _gone)
+            {
+                remove(gone);
+            }
+            _gone.length = 0;
+        }
+
+        /** @inheritDoc */
+        public function update():void
+        {
+            for each (var agent:Agent in _agents)
+            {
+                Character(_characters[agent]).update();
+            }
+            var bear:Agent = _bear.agent;
+            var heading:Number = bear.heading * Math.PI / 180;
+            var x:Number = Math.cos(heading);
+            var y:Number = Math.sin(heading);
+            _land.look(bear.x - 9.5 * x, bear.y - 9.5 * y, 6.5, bear.x + 4 * x, bear.y + 4 * y, 1.2, _frame == 1 ? 1 : 0.08);
+        }
+
+        /** @inheritDoc */
+        public function press(key:uint):void
+        {
+            _held[key] = true;
+            if (key >= 49 && key <= 52)
+            {
+                _system = key - 49;
+                _collision.collisionSystem = _systems[_system];
+            }
+            else if (key == Keyboard.W)
+            {
+                _hasWireframes = !_hasWireframes;
+            }
+            else
+            {
+                return;
+            }
+            for each (var character:Character in _characters)
+            {
+                outline(character);
+            }
+        }
+
+        /** @inheritDoc */
+        public function release(key:uint):void
+        {
+            _held[key] = false;
+        }
+
+        private function populate():void
+        {
+            _bear = add("bear", "bears", 1.5, -9, -2, 0, 10);
+            _bear.agent.hierarchical = true;
+            _bear.agent.traversalDepth = LEVEL;
+            add("fortress", "forts", 13, 10, 6, 0, 205);
+            add("dragon", "dragons", 6, -1, 8, 0, -75);
+            add("spaceship", "ships", 5, 12, -12, 0.1, 120);
+            for (var i:int = 0; i < 12; i++)
+            {
+                add("tree", "trees", 2.1 + i % 4 * 0.5, 25 * Math.cos(i * 2.4) + i % 3, 22 * Math.sin(i * 2.4) - i % 5, 0, 77 * i);
+            }
+            for (i = 0; i < 22; i++)
+            {
+                add("turtle", "turtles", 0.9 + i % 3 * 0.25, -4 + i % 6 * 3.1, -8 + int(i / 6) * 3.4 + i % 2, 0, 67 * i).speed = 0.025 + i % 4 * 0.006;
+            }
+            for (i = 0; i < 12; i++)
+            {
+                add("seagull", "seagulls", 1.5, 11 + 11.5 * Math.cos(i), 5 + 11.5 * Math.sin(i), 4.5 + i % 4 * 1.2, 57.3 * i + 90).speed = 0.11;
+            }
+            for (i = 0; i < 4; i++)
+            {
+                add("person", "people", 1.7, 1.5 + 2 * i, -1.5 + i % 2 * 2.5, 0, 160 + 40 * i);
+                add("fireman", "people", 0.8, -2 + 3 * i, 13 - i, 0, -80 - 20 * i);
+            }
+            add("kelp", "plants", 2, -4, -10, 0, 30).agent.pitch = -90;
+            add("cylinder", "things", 1.2, -3, -7, 0, 0);
+        }
+
+        private function add(shape:String, breed:String, size:Number, x:Number, y:Number, z:Number, heading:Number):Character
+        {
+            var agent:Agent = new Agent(shape, breed);
+            agent.size = size;
+            agent.moveTo(x, y, z);
+            agent.heading = heading;
+            var character:Character = new Character(_land, _cast, agent);
+            _agents.push(agent);
+            _characters[agent] = character;
+            outline(character);
+            return character;
+        }
+
+        private function remove(character:Character):void
+        {
+            var place:int = _agents.indexOf(character.agent);
+            if (place >= 0)
+            {
+                _agents.splice(place, 1);
+                delete _characters[character.agent];
+                character.leave();
+            }
+        }
+
+        private function steer():void
+        {
+            _bear.speed = _held[Keyboard.UP] ? 0.14 : _held[Keyboard.DOWN] ? -0.08 : 0;
+            _bear.agent.heading += (_held[Keyboard.LEFT] ? 2.5 : 0) - (_held[Keyboard.RIGHT] ? 2.5 : 0);
+            _bear.agent.roll = _bear.speed == 0 ? 0 : 2.5 * Math.sin(_frame / 5);
+            if (_held[Keyboard.SPACE] && _frame - _lastThrow > 14 && _agents.length < MOST_AGENTS)
+            {
+                throwBall();
+            }
+        }
+
+        private function throwBall():void
+        {
+            var bear:Agent = _bear.agent;
+            var spread:Number = bear.heading + 16 * Math.sin(_thrown * 2.3);
+            var x:Number = Math.cos(spread * Math.PI / 180);
+            var y:Number = Math.sin(spread * Math.PI / 180);
+            var ball:Character = add("sphere", "paintballs", 0.45, bear.x + 1.9 * x, bear.y + 1.9 * y, 1.6, spread);
+            ball.speed = 0.3;
+            ball.climb = 0.06 + _thrown % 3 * 0.03;
+            ball.paint(PAINTS[_thrown % PAINTS.length]);
+            _thrown++;
+            _lastThrow = _frame;
+        }
+
+        private function wander(character:Character):void
+        {
+            var agent:Agent = character.agent;
+            switch (agent.breed)
+            {
+                case "paintballs":
+                    character.climb -= 0.006;
+                    if (agent.z < 0)
+                    {
+                        _gone.push(character);
+                    }
+                    break;
+                case "turtles":
+                    agent.heading += 1.5 * Math.sin(_frame / 40 + agent.id);
+                    if (Math.abs(agent.x) > EDGE || Math.abs(agent.y) > EDGE)
+                    {
+                        agent.heading = Math.atan2(-agent.y, -agent.x) * 180 / Math.PI;
+                    }
+                    break;
+                case "seagulls":
+                    // round, banked, up and down
+                    agent.heading += 0.55;
+                    agent.roll = -18;
+                    agent.pitch = -8 * Math.sin(_frame / 30 + agent.id);
+                    character.climb = 0.016 * Math.sin(_frame / 30 + agent.id);
+                    break;
+            }
+        }
+
+        private function splash(ball:Agent, hit:Agent):void
+        {
+            if (hit.breed != "paintballs" && hit != _bear.agent)
+            {
+                Character(_characters[hit]).paint(uint(ball.color));
+                _gone.push(_characters[ball]);
+            }
+        }
+
+        // Out of the way that it came, and round what it met.
+        private function bump(bear:Agent, met:Agent):void
+        {
+            if (met.breed != "paintballs")
+            {
+                push(bear, met, 0.16);
+            }
+        }
+
+        private function turnAway(turtle:Agent, met:Agent):void
+        {
+            if (met.breed != "paintballs" && met.breed != "seagulls")
+            {
+                push(turtle, met, 0.04);
+                turtle.heading = Math.atan2(turtle.y - met.y, turtle.x - met.x) * 180 / Math.PI + 25;
+            }
+        }
+
+        private static function push(agent:Agent, from:Agent, distance:Number):void
+        {
+            var x:Number = agent.x - from.x;
+            var y:Number = agent.y - from.y;
+            var length:Number = Math.sqrt(x * x + y * y);
+            if (length > 0)
+            {
+                agent.moveTo(agent.x + distance * x / length, agent.y + distance * y / length, agent.z);
+            }
+        }
+
+        // What the collision system in use takes the agent for.
+        private function outline(character:Character):void
+        {
+            var shape:String = character.agent.shape;
+            var greatLand:GreatLand = _cast.greatLand;
+            if (!_hasWireframes)
+            {
+                character.hideWireframe();
+            }
+            else if (_system == 0)
+            {
+                character.showStructure(new Sphere(new Vector3D(0, 0, 0.5), 0.5));
+            }
+            else if (_system == 2 || (_system == 3 && character.agent.hierarchical))
+            {
+                character.showLevel(greatLand.hierarchies.root(shape), LEVEL);
+            }
+            else
+            {
+                character.showStructure(greatLand.boundingStructures.tightestFit(shape));
+            }
+        }
+    }
+}

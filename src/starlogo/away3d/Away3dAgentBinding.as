@@ -1,0 +1,218 @@
+package starlogo.away3d
+{
+    import away3d.core.base.Object3D;
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * Keeps an agent and what Away3D draws for it at one place: positions, all three turns and size. What is drawn is then
+     * what collides.
+     *
+     * <p>The object's parent is the land: y up, one unit a patch. If the object is, or has, the source of an Away3dModel, that
+     * model says where and how large it is; without one, the object is drawn as it is normalised: a unit wide, its
+     * lowest point at its origin. The object may turn about a pivot point.</p>
+     *
+     * <p>Call <code>updateObject()</code> each frame when the agent leads, <code>updateAgent()</code> when the object does. Either looks
+     * at both sides, does nothing when nothing has changed, and allocates nothing: Away3D's events of changes are not sent
+     * for each.</p>
+     *
+     * <p>Away3D's DAEParser puts the transforms of what it loads where the first change of a trait wipes them out: bind a fresh
+     * ObjectContainer3D around that.</p>
+     */
+    public final class Away3dAgentBinding
+    {
+        private static var sTurn:SwappedTurn = new SwappedTurn();
+
+        private var _agent:Agent;
+        private var _object:Object3D;
+
+        // The model's origin in the object's own space, in Away3D's axes, and its width there.
+        private var _originX:Number = 0;
+        private var _originY:Number = 0;
+        private var _originZ:Number = 0;
+        private var _width:Number = 1;
+
+        // What both sides were when they were last made the same.
+        private var _revision:int = -1;
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+        private var _rotationX:Number;
+        private var _rotationY:Number;
+        private var _rotationZ:Number;
+        private var _scaleX:Number;
+        private var _scaleY:Number;
+        private var _scaleZ:Number;
+        private var _pivotX:Number;
+        private var _pivotY:Number;
+        private var _pivotZ:Number;
+
+        /**
+         * Changes neither.
+         *
+         * @param agent the agent
+         * @param object what is drawn for it: a Mesh or a container, say
+         * @param model what the agent's model was made of, the object being its source or an object of the same geometry; null
+         *     if the object is drawn normalised
+         * @throws ArgumentError if the agent or the object is null
+         */
+        public function Away3dAgentBinding(agent:Agent, object:Object3D, model:Away3dModel = null)
+        {
+            if (agent == null || object == null)
+            {
+                throw new ArgumentError("an agent and an object are needed, not " + agent + " and " + object);
+            }
+            _agent = agent;
+            _object = object;
+            if (model != null)
+            {
+                _originX = model.sourceX;
+                _originY = model.sourceZ;
+                _originZ = model.sourceY;
+                _width = model.sourceUnit;
+            }
+        }
+
+        /** The agent. */
+        public function get agent():Agent
+        {
+            return _agent;
+        }
+
+        /** What is drawn for the agent. */
+        public function get object():Object3D
+        {
+            return _object;
+        }
+
+        /** Puts the object where the agent is, as large, turned the same way. */
+        public function updateObject():void
+        {
+            if (isUnchanged())
+            {
+                return;
+            }
+            var drawn:Object3D = _object;
+            var scale:Number = _agent.size / _width;
+            var pivot:Vector3D = drawn.pivotPoint;
+            var turn:SwappedTurn = sTurn;
+            turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
+            // unlike moveTo, rotateTo has the matrix computed again whatever it is given
+            if (differ(turn.roll, drawn.rotationX) || differ(turn.pitch, drawn.rotationY) || differ(turn.heading, drawn.rotationZ))
+            {
+                drawn.rotateTo(turn.roll, turn.pitch, turn.heading);
+            }
+            drawn.scaleX = drawn.scaleY = drawn.scaleZ = scale;
+            // y and z swapped: a turn on the agent's side
+            turn.turn(scale * _originX - pivot.x, scale * _originZ - pivot.z, scale * _originY - pivot.y);
+            drawn.moveTo(_agent.x - pivot.x - turn.x, _agent.z - pivot.y - turn.z, _agent.y - pivot.z - turn.y);
+            remember();
+        }
+
+        /**
+         * Gives the agent the object's place, size and turns.
+         *
+         * @throws ArgumentError if the object's scale is mirrored, uneven, zero or not finite, or another trait of it is not
+         *     finite; the agent is then as it was
+         * @throws RangeError if the agent can't be so large, so small or so far away; it is then as it was
+         */
+        public function updateAgent():void
+        {
+            if (isUnchanged())
+            {
+                return;
+            }
+            var drawn:Object3D = _object;
+            var pivot:Vector3D = drawn.pivotPoint;
+            var scale:Number = drawn.scaleX;
+            checkScale();
+            var turn:SwappedTurn = sTurn;
+            turn.setAngles(drawn.rotationZ, drawn.rotationY, drawn.rotationX);
+            turn.turn(scale * _originX - pivot.x, scale * _originY - pivot.y, scale * _originZ - pivot.z);
+            var x:Number = drawn.x + pivot.x + turn.x;
+            var y:Number = drawn.z + pivot.z + turn.z;
+            var z:Number = drawn.y + pivot.y + turn.y;
+            checkPlace(x, y, z, turn.heading + turn.pitch + turn.roll, scale * _width);
+            if (x != _agent.x || y != _agent.y || z != _agent.z)
+            {
+                _agent.moveTo(x, y, z);
+            }
+            _agent.heading = turn.heading;
+            _agent.pitch = turn.pitch;
+            _agent.roll = turn.roll;
+            _agent.size = scale * _width;
+            remember();
+        }
+
+        private function isUnchanged():Boolean
+        {
+            var drawn:Object3D = _object;
+            if (_agent.revision != _revision || drawn.x != _x || drawn.y != _y || drawn.z != _z || drawn.rotationX != _rotationX
+                    || drawn.rotationY != _rotationY || drawn.rotationZ != _rotationZ || drawn.scaleX != _scaleX
+                    || drawn.scaleY != _scaleY || drawn.scaleZ != _scaleZ)
+            {
+                return false;
+            }
+            var pivot:Vector3D = drawn.pivotPoint;
+            return pivot.x == _pivotX && pivot.y == _pivotY && pivot.z == _pivotZ;
+        }
+
+        private function remember():void
+        {
+            var drawn:Object3D = _object;
+            var pivot:Vector3D = drawn.pivotPoint;
+            _revision = _agent.revision;
+            _x = drawn.x;
+            _y = drawn.y;
+            _z = drawn.z;
+            _rotationX = drawn.rotationX;
+            _rotationY = drawn.rotationY;
+            _rotationZ = drawn.rotationZ;
+            _scaleX = drawn.scaleX;
+            _scaleY = drawn.scaleY;
+            _scaleZ = drawn.scaleZ;
+            _pivotX = pivot.x;
+            _pivotY = pivot.y;
+            _pivotZ = pivot.z;
+        }
+
+        // The object keeps radians: an angle comes back rounded.
+        private static function differ(angle:Number, rotation:Number):Boolean
+        {
+            return !(Math.abs(angle - rotation) <= Tolerances.ROUNDING * Math.abs(angle));
+        }
+
+        private function checkScale():void
+        {
+            var x:Number = _object.scaleX;
+            var y:Number = _object.scaleY;
+            var z:Number = _object.scaleZ;
+            var most:Number = x * Tolerances.SINGLE_PRECISION;
+            // false for NaN too
+            if (!(x > 0 && x < Infinity && Math.abs(y - x) <= most && Math.abs(z - x) <= most))
+            {
+                throw new ArgumentError(_agent + " can't be as its object is: the scale must be positive, finite and the same in x, y and z, not "
+                        + x + ", " + y + ", " + z);
+            }
+        }
+
+        private function checkPlace(x:Number, y:Number, z:Number, turns:Number, size:Number):void
+        {
+            if (!isFinite(x) || !isFinite(y) || !isFinite(z) || !isFinite(turns))
+            {
+                throw new ArgumentError(_agent + " can't be where its object is: position, rotation and pivot point must be finite numbers, not ("
+                        + _object.x + ", " + _object.y + ", " + _object.z + "), (" + _object.rotationX + ", " + _object.rotationY + ", "
+                        + _object.rotationZ + ") and " + _object.pivotPoint);
+            }
+            if (!(size >= Agent.SMALLEST_SIZE && size <= Agent.LARGEST_SIZE
+                        && Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= Agent.LARGEST_COORDINATE))
+            {
+                throw new RangeError(_agent + " can't be of size " + size + " at (" + x + ", " + y + ", " + z + "), as its object is: see Agent's limits");
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+package starlogo.away3d
+{
+    import starlogo.models.Model;
+    import starlogo.models.ModelSource;
+    import starlogo.steps.StepSequence;
+
+    /**
+     * Makes an Away3dModel in steps, while a game runs: give it to a ModelLoader.
+     *
+     * <listing version="3.0">
+     * loader.loadFrom(new Away3dModelReader("bear", mesh));
+     * </listing>
+     *
+     * <p>The source must not change until all steps are done.</p>
+     */
+    public final class Away3dModelReader implements ModelSource
+    {
+        // normalising what is read takes the rest
+        private static const READ:Number = 0.9;
+
+        private var _name:String;
+        private var _reader:SourceReader;
+        private var _work:StepSequence;
+        private var _model:Away3dModel = null;
+
+        /**
+         * Does nothing yet.
+         *
+         * @param name what agents call the shape
+         * @param source what Away3dModel takes
+         */
+        public function Away3dModelReader(name:String, source:Object)
+        {
+            _name = name;
+            _reader = new SourceReader(name, source);
+            _work = new StepSequence().add(_reader).call(makeModel);
+        }
+
+        /** @inheritDoc */
+        public function get name():String
+        {
+            return _name;
+        }
+
+        /** @inheritDoc */
+        public function get progress():Number
+        {
+            return _model == null ? READ * _reader.progress : 1;
+        }
+
+        /** The model, when no step is left: an Away3dModel. */
+        public function get model():Model
+        {
+            return _model;
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @throws ModelError as Away3dModel() does
+         */
+        public function step():Boolean
+        {
+            return _work.step();
+        }
+
+        private function makeModel():void
+        {
+            _model = new Away3dModel(_name, _reader);
+            _reader = null;
+        }
+    }
+}

@@ -1,0 +1,97 @@
+package starlogo.away3d
+{
+    import away3d.bounds.AxisAlignedBoundingBox;
+    import away3d.bounds.BoundingVolumeBase;
+    import away3d.entities.SegmentSet;
+    import away3d.primitives.LineSegment;
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.debug.Wireframes;
+    import starlogo.hierarchy.HierarchyNode;
+
+    /**
+     * The wireframe of an agent's structure, or of a level of its hierarchy, among what Away3D draws. It is built when one is shown and
+     * then moves with the agent; its parent is the land, as an Away3dAgentBinding's object's is.
+     *
+     * <listing version="3.0">
+     * var wireframe:Away3dWireframe = new Away3dWireframe(bear);
+     * wireframe.showStructure(greatLand.boundingStructures.tightestFit(bear.shape));
+     * scene.addChild(wireframe);
+     * wireframe.update();     // every frame
+     * </listing>
+     */
+    public final class Away3dWireframe extends SegmentSet
+    {
+        private var _binding:Away3dAgentBinding;
+        private var _color:uint;
+        private var _thickness:Number;
+
+        /**
+         * A wireframe without lines.
+         *
+         * @param agent the agent
+         * @param color of the lines: 0xrrggbb
+         * @param thickness of the lines, as LineSegment counts it
+         * @throws ArgumentError if the agent is null
+         */
+        public function Away3dWireframe(agent:Agent, color:uint = 0xffcc00, thickness:Number = 1)
+        {
+            _binding = new Away3dAgentBinding(agent, this);
+            _color = color;
+            _thickness = thickness;
+        }
+
+        /**
+         * Shows a structure, in place of what was shown.
+         *
+         * @param structure in the model's space, as a library has it
+         * @throws ArgumentError if it is null
+         */
+        public function showStructure(structure:BoundingStructure):void
+        {
+            show(Wireframes.ofStructure(structure));
+        }
+
+        /**
+         * Shows what a collider looks at last when it visits so many levels of a hierarchy, in place of what was shown.
+         *
+         * @param root the hierarchy's root
+         * @param level from 1
+         * @throws ArgumentError if the root is null
+         * @throws RangeError if the level is less than 1
+         */
+        public function showLevel(root:HierarchyNode, level:int):void
+        {
+            show(Wireframes.ofLevel(root, level));
+        }
+
+        /** Moves it to the agent; does nothing and allocates nothing when that has not changed. */
+        public function update():void
+        {
+            _binding.updateObject();
+        }
+
+        /**
+         * A box: the sphere that a SegmentSet has leaves corners out, and is not drawn when they alone are in view.
+         *
+         * @private
+         */
+        override protected function getDefaultBoundingVolume():BoundingVolumeBase
+        {
+            return new AxisAlignedBoundingBox();
+        }
+
+        // All anew: a segment that is added after a frame is not drawn.
+        private function show(lines:Vector.<Number>):void
+        {
+            removeAllSegments();
+            for (var i:int = 0; i < lines.length; i += 6)
+            {
+                addSegment(new LineSegment(new Vector3D(lines[i], lines[i + 2], lines[i + 1]),
+                            new Vector3D(lines[i + 3], lines[i + 5], lines[i + 4]), _color, _color, _thickness));
+            }
+            update();
+        }
+    }
+}

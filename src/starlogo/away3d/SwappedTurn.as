@@ -1,0 +1,78 @@
+package starlogo.away3d
+{
+    import starlogo.geometry.Placement;
+
+    /**
+     * A rotation as it is on the other side: with y and z swapped, which takes the engine's space to Away3D's and back.
+     *
+     * <p>Both turn about x first, then about y, then about z. The mirror makes
+     * <code>Rz(heading) Ry(pitch) Rx(roll)</code> the same as <code>Ry(-heading) Rz(-pitch) Rx(-roll)</code>, which is taken
+     * apart into angles in the order of before.</p>
+     */
+    internal final class SwappedTurn
+    {
+        private static const DEGREES:Number = 180 / Math.PI;
+
+        /** On the other side: degrees about z, the last turn. */
+        public var heading:Number = 0;
+
+        /** On the other side: degrees about y. */
+        public var pitch:Number = 0;
+
+        /** On the other side: degrees about x, the first turn. */
+        public var roll:Number = 0;
+
+        /** A point that was turned, on this side. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        private var _placement:Placement = new Placement();
+
+        /** No turn. */
+        public function SwappedTurn()
+        {
+        }
+
+        /** Sets the rotation by its angles on this side, in degrees. */
+        public function setAngles(heading:Number, pitch:Number, roll:Number):void
+        {
+            _placement.setRotation(heading, pitch, roll);
+            // a game's agents mostly turn one way: these angles go over as they are, full turns included
+            if (heading == 0 || pitch == 0 && roll == 0)
+            {
+                this.heading = 0 - pitch;
+                this.pitch = 0 - heading;
+                this.roll = 0 - roll;
+                return;
+            }
+            takeApart();
+        }
+
+        /** Turns a point of this side. */
+        public function turn(fromX:Number, fromY:Number, fromZ:Number):void
+        {
+            x = _placement.r00 * fromX + _placement.r01 * fromY + _placement.r02 * fromZ;
+            y = _placement.r10 * fromX + _placement.r11 * fromY + _placement.r12 * fromZ;
+            z = _placement.r20 * fromX + _placement.r21 * fromY + _placement.r22 * fromZ;
+        }
+
+        // Rows and columns 1 and 2 are swapped. The roll is what the heading leaves: when x points up or down, and the heading is
+        // any (rounding's), their sum is still right.
+        private function takeApart():void
+        {
+            var r00:Number = _placement.r00;
+            var r10:Number = _placement.r20;
+            var h:Number = Math.atan2(r10, r00);
+            var sin:Number = Math.sin(h);
+            var cos:Number = Math.cos(h);
+            heading = h * DEGREES;
+            pitch = Math.atan2(-_placement.r10, Math.sqrt(r00 * r00 + r10 * r10)) * DEGREES;
+            roll = Math.atan2(sin * _placement.r01 - cos * _placement.r21, cos * _placement.r22 - sin * _placement.r02) * DEGREES;
+        }
+    }
+}

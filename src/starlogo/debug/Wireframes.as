@@ -1,0 +1,137 @@
+package starlogo.debug
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import starlogo.hierarchy.HierarchyNode;
+
+    /**
+     * Structures and levels of hierarchies as lists of lines, for whatever draws lines.
+     *
+     * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. Ends lie on the
+     * structure's surface. Lines without length are left out, so that a point has none.</p>
+     *
+     * <p>A box is its twelve edges; a sphere three circles; a capsule a circle and two half-circles at either end and four lines
+     * between; a cylinder two circles and four lines.</p>
+     */
+    public final class Wireframes
+    {
+        /** All is static. */
+        public function Wireframes()
+        {
+        }
+
+        /**
+         * The lines of a structure.
+         *
+         * @param structure in any space
+         * @param out the lines are added to it; made if null
+         * @return out
+         * @throws ArgumentError if the structure is null
+         */
+        public static function ofStructure(structure:BoundingStructure, out:Vector.<Number> = null):Vector.<Number>
+        {
+            if (structure == null)
+            {
+                throw new ArgumentError("there is no structure to draw: null");
+            }
+            var pen:LinePen = new LinePen(out);
+            switch (structure.kind)
+            {
+                case BoundingStructure.SPHERE:
+                    drawSphere(pen, Sphere(structure));
+                    break;
+                case BoundingStructure.BOX:
+                    drawBox(pen, Box(structure));
+                    break;
+                case BoundingStructure.CAPSULE:
+                    drawCapsule(pen, Capsule(structure));
+                    break;
+                default:
+                    drawCylinder(pen, Cylinder(structure));
+            }
+            return pen.lines;
+        }
+
+        /**
+         * The lines of what a collider looks at last when it visits so many levels of a hierarchy: the structures of the nodes on
+         * that level, and of the leaves above it.
+         *
+         * @param root the node whose level is 1: a hierarchy's root, or any other
+         * @param level from 1
+         * @param out the lines are added to it; made if null
+         * @return out
+         * @throws ArgumentError if the root is null
+         * @throws RangeError if the level is less than 1
+         */
+        public static function ofLevel(root:HierarchyNode, level:int, out:Vector.<Number> = null):Vector.<Number>
+        {
+            if (root == null)
+            {
+                throw new ArgumentError("there is no hierarchy to draw: null");
+            }
+            if (level < 1)
+            {
+                throw new RangeError("the root's level is 1: there is no level " + level);
+            }
+            if (level == 1 || root.isLeaf)
+            {
+                return ofStructure(root.bounds, out);
+            }
+            return ofLevel(root.right, level - 1, ofLevel(root.left, level - 1, out));
+        }
+
+        private static function drawSphere(pen:LinePen, sphere:Sphere):void
+        {
+            pen.moveTo(sphere.center);
+            pen.setAxes(1, 0, 0, 0, 1, 0);
+            pen.drawCircle(sphere.radius);
+            pen.setAxes(0, 1, 0, 0, 0, 1);
+            pen.drawCircle(sphere.radius);
+            pen.setAxes(0, 0, 1, 1, 0, 0);
+            pen.drawCircle(sphere.radius);
+        }
+
+        private static function drawBox(pen:LinePen, box:Box):void
+        {
+            pen.moveTo(box.center);
+            for (var i:int = -1; i <= 1; i += 2)
+            {
+                for (var j:int = -1; j <= 1; j += 2)
+                {
+                    pen.drawEdge(box.axisX, box.halfX, box.axisY, i * box.halfY, box.axisZ, j * box.halfZ);
+                    pen.drawEdge(box.axisY, box.halfY, box.axisZ, i * box.halfZ, box.axisX, j * box.halfX);
+                    pen.drawEdge(box.axisZ, box.halfZ, box.axisX, i * box.halfX, box.axisY, j * box.halfY);
+                }
+            }
+        }
+
+        private static function drawCapsule(pen:LinePen, capsule:Capsule):void
+        {
+            pen.setAxesAcross(capsule.start, capsule.end);
+            pen.drawSides(capsule.start, capsule.end, capsule.radius);
+            pen.moveTo(capsule.start);
+            pen.drawCircle(capsule.radius);
+            pen.drawDome(-capsule.radius);
+            pen.moveTo(capsule.end);
+            pen.drawCircle(capsule.radius);
+            pen.drawDome(capsule.radius);
+        }
+
+        private static function drawCylinder(pen:LinePen, cylinder:Cylinder):void
+        {
+            pen.setAxesAcross(cylinder.start, cylinder.end);
+            if (!pen.hasDirection)
+            {
+                return;
+            }
+            pen.drawSides(cylinder.start, cylinder.end, cylinder.radius);
+            pen.moveTo(cylinder.start);
+            pen.drawCircle(cylinder.radius);
+            pen.moveTo(cylinder.end);
+            pen.drawCircle(cylinder.radius);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+#!/usr/bin/env node
+/**
+ * Serves a page with a SWF in Ruffle on loopback, for a browser on this machine, until it is interrupted.
+ *
+ *   node test/headless/show.mjs file.swf [options]
+ *
+ *   --param name=value      a value in loaderInfo.parameters (may be repeated)
+ *   --mount /path=folder    a folder that the SWF can load from (may be repeated)
+ */
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { parseArgs } from 'node:util';
+import { serve } from './server.mjs';
+
+const { values, positionals: [swf] } = parseArgs({
+	allowPositionals: true,
+	options: {
+		param: { type: 'string', multiple: true, default: [] },
+		mount: { type: 'string', multiple: true, default: [] },
+	},
+});
+const pairs = (list) => Object.fromEntries(list.map((entry) => /^([^=]+)=([^]*)$/.exec(entry).slice(1)));
+const ruffle = path.dirname(createRequire(import.meta.url).resolve('@ruffle-rs/ruffle'));
+const movie = { url: `/swf/${path.basename(swf)}`, parameters: pairs(values.param), autoplay: 'on', unmuteOverlay: 'hidden', splashScreen: false };
+
+const page = `<!doctype html>
+<html lang="en">
+<head><meta charset="utf-8"><title>${path.basename(swf, '.swf')}</title><link rel="icon" href="data:,">
+<style>html, body { margin: 0; height: 100%; overflow: hidden; background: #16301c; } ruffle-player { display: block; width: 100vw; height: 100vh; }</style>
+</head>
+<body><script src="/ruffle/ruffle.js"></script>
+<script>
+addEventListener('load', () => {
+	const player = window.RufflePlayer.newest().createPlayer();
+	document.body.append(player);
+	(player.ruffle ? player.ruffle() : player).load(${JSON.stringify(movie).replaceAll('<', '\\u003c')});
+});
+</script></body>
+</html>`;
+
+const server = await serve(page, { '/ruffle': ruffle, '/swf': path.dirname(path.resolve(swf)), ...pairs(values.mount) });
+console.log(`open ${server.url} in a browser; Ctrl-C ends it`);

@@ -1,0 +1,159 @@
+package starlogo.debug
+{
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Structures;
+    import support.SurfaceDistance;
+    import support.assertThrows;
+
+    public class WireframesTest
+    {
+        [Test]
+        public function endsAreOnTheSurface():void
+        {
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                var lines:Vector.<Number> = Wireframes.ofStructure(structure);
+                assertTrue(lines.length > 0 && lines.length % 6 == 0);
+                for (var i:int = 0; i < lines.length; i += 3)
+                {
+                    var distance:Number = SurfaceDistance.of(structure, new Vector3D(lines[i], lines[i + 1], lines[i + 2]));
+                    assertTrue(structure + ": an end is " + distance + " off", distance < 1e-12);
+                }
+            }
+        }
+
+        [Test]
+        public function linesReachAsFarAsTheStructure():void
+        {
+            for each (var structure:BoundingStructure in Structures.samples())
+            {
+                var lines:Vector.<Number> = Wireframes.ofStructure(structure);
+                var extents:Vector.<Number> = new Vector.<Number>(6);
+                structure.extentsInto(extents);
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    var low:Number = Infinity;
+                    var high:Number = -Infinity;
+                    for (var i:int = axis; i < lines.length; i += 3)
+                    {
+                        low = Math.min(low, lines[i]);
+                        high = Math.max(high, lines[i]);
+                    }
+                    var gap:Number = (extents[2 * axis + 1] - extents[2 * axis] - (high - low)) / (extents[2 * axis + 1] - extents[2 * axis]);
+                    assertTrue("of the extent, " + gap + " is not drawn", gap > -1e-12 && gap < 0.1);
+                }
+            }
+        }
+
+        [Test]
+        public function aBoxIsItsTwelveEdges():void
+        {
+            var lines:Vector.<Number> = Wireframes.ofStructure(new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 4));
+            var seen:Object = {};
+            var count:int = 0;
+            for (var i:int = 0; i < lines.length; i += 6)
+            {
+                var line:String = lines.slice(i, i + 6).join();
+                count += seen[line] ? 0 : 1;
+                seen[line] = true;
+                var length:Number = Math.abs(lines[i + 3] - lines[i]) + Math.abs(lines[i + 4] - lines[i + 1]) + Math.abs(lines[i + 5] - lines[i + 2]);
+                assertTrue(length == 2 || length == 4 || length == 8);
+            }
+            assertEquals(12, count);
+            assertEquals(12 * 6, lines.length);
+        }
+
+        [Test]
+        public function whatHasNoLengthIsLeftOut():void
+        {
+            var here:Vector3D = new Vector3D(1, 2, 3);
+            var there:Vector3D = new Vector3D(1, 2, 5);
+            assertEquals(0, Wireframes.ofStructure(new Sphere(here, 0)).length);
+            assertEquals(0, Wireframes.ofStructure(new Capsule(here, here, 0)).length);
+            assertEquals(0, Wireframes.ofStructure(new Cylinder(here, here, 2)).length);
+            assertEquals("1,2,3,1,2,5", Wireframes.ofStructure(new Capsule(here, there, 0)).join());
+            assertEquals("1,2,3,1,2,5", Wireframes.ofStructure(new Cylinder(here, there, 0)).join());
+            assertEquals(0, Wireframes.ofStructure(new Box(here, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)).length);
+            assertEquals("a capsule without a segment is a sphere", 2 * 32 + 4 * 16, Wireframes.ofStructure(new Capsule(here, here, 1)).length / 6);
+        }
+
+        [Test]
+        public function thinAndFarStructuresHaveNumbers():void
+        {
+            for each (var length:Number in [1e-200, 1e-5, 1e100, 1e200])
+            {
+                for each (var number:Number in Wireframes.ofStructure(new Capsule(new Vector3D(0, 0, 0), new Vector3D(length, -length, length), length)))
+                {
+                    assertTrue(isFinite(number));
+                }
+            }
+        }
+
+        [Test]
+        public function aLevelIsItsNodesAndTheLeavesAbove():void
+        {
+            for each (var kind:int in [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE])
+            {
+                var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
+                hierarchies.boundsKind = kind;
+                var model:Model = BuiltInModel.cylinder();
+                hierarchies.add("cylinder", model.vertices, model.triangles);
+                var leaves:int = 0;
+                for (var level:int = 1; level <= 11; level++)
+                {
+                    var nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+                    leaves += collect(hierarchies.root("cylinder"), level, nodes);
+                    var expected:Vector.<Number> = new Vector.<Number>();
+                    for each (var node:HierarchyNode in nodes)
+                    {
+                        Wireframes.ofStructure(node.bounds, expected);
+                    }
+                    assertEquals(expected.join(), Wireframes.ofLevel(hierarchies.root("cylinder"), level).join());
+                }
+                assertTrue("some leaves are above a level: " + leaves, leaves > 0);
+            }
+        }
+
+        // From left to right; returns how many are leaves above the level.
+        private static function collect(node:HierarchyNode, level:int, out:Vector.<HierarchyNode>):int
+        {
+            if (level == 1 || node.isLeaf)
+            {
+                out.push(node);
+                return level == 1 ? 0 : 1;
+            }
+            return collect(node.left, level - 1, out) + collect(node.right, level - 1, out);
+        }
+
+        [Test]
+        public function linesAreAdded():void
+        {
+            var lines:Vector.<Number> = new <Number>[1, 2, 3, 4, 5, 6];
+            assertStrictlyEquals(lines, Wireframes.ofStructure(new Sphere(new Vector3D(), 1), lines));
+            assertEquals(6 + 3 * 32 * 6, lines.length);
+            assertEquals(1, lines[0]);
+        }
+
+        [Test]
+        public function nothingIsAnError():void
+        {
+            assertThrows(ArgumentError, /no structure to draw/, Wireframes.ofStructure, null);
+            assertThrows(ArgumentError, /no hierarchy to draw/, Wireframes.ofLevel, null, 1);
+            var hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
+            hierarchies.add("point", new <Number>[0, 0, 0]);
+            assertThrows(RangeError, /there is no level 0/, Wireframes.ofLevel, hierarchies.root("point"), 0);
+        }
+    }
+}

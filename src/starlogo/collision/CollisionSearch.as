@@ -282,8 +282,12 @@ package starlogo.collision
         private function searchStanding(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
                 foundRecords:Vector.<AgentRecord>):void
         {
-            _isSwept = false;
             _listed.update(agents, interests);
+            if (_isSwept)
+            {
+                _isSwept = false;
+                _swept.end();
+            }
             _listed.fillBins();
             _strategy.resetCounts();
             _interests = interests == null || interests.areAll ? null : interests.pairs;
@@ -313,24 +317,11 @@ package starlogo.collision
             {
                 _swept.noteShapes(_listed.shapes);
             }
-            _isSwept = false;
             _listed.update(agents, interests);
             _strategy.resetCounts();
-            _swept.find(_listed.shapes, interests);
             _isSwept = true;
-            var pairs:Vector.<WorldShape> = _swept.pairs;
-            _foundLength = _swept.length;
-            for (var i:int = 0; i < _foundLength; i++)
-            {
-                if (found != null)
-                {
-                    found[i] = pairs[i].agent;
-                }
-                else
-                {
-                    foundRecords[i] = pairs[i];
-                }
-            }
+            _swept.find(_listed.shapes, interests);
+            _foundLength = _swept.takePairs(found, foundRecords);
             report(agents.length, _swept.memberCount, _swept.bins);
             _swept.countInto(_statistics);
         }

@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
     import starlogo.broadphase.AgentProxy;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
@@ -20,12 +21,6 @@ package starlogo.collision
      */
     internal final class SweptSearch extends PairSink
     {
-        /** The pairs that were found, in the order of their times. */
-        public var pairs:Vector.<WorldShape> = new Vector.<WorldShape>();
-
-        /** How many shapes there are in twice as many pairs. */
-        public var length:int = 0;
-
         /** The way of the first of two shapes of which one sweeps, relative to the other, once <code>firstOverlap()</code> was asked. */
         public var way:Way = new Way();
 
@@ -48,6 +43,7 @@ package starlogo.collision
         private var _sweptPairs:int = 0;
 
         // The pairs as they were found, and when they touch.
+        private var _length:int = 0;
         private var _found:Vector.<WorldShape> = new Vector.<WorldShape>();
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
@@ -101,7 +97,7 @@ package starlogo.collision
         {
             _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
-            length = _skippedPairs = _spherePairs = _sweptPairs = 0;
+            _length = _skippedPairs = _spherePairs = _sweptPairs = 0;
             var stayed:int = 0;
             var members:int = 0;
             bins.clear();
@@ -130,14 +126,42 @@ package starlogo.collision
             var somebodyLeft:Boolean = stayed < memberCount;
             memberCount = members;
             bins.findPairs(this, somebodyLeft);
-            _order.sort(_times, length >> 1);
+            // those of other searches
+            _found.length = _length;
+            _order.sort(_times, _length >> 1);
+        }
+
+        /**
+         * Hands the pairs over that were found, in the order of their times.
+         *
+         * @param agents takes them, or null
+         * @param records takes their shapes, if that is null
+         * @return how many agents or records they are
+         */
+        public function takePairs(agents:Vector.<Agent>, records:Vector.<AgentRecord>):int
+        {
             var order:Vector.<int> = _order.order;
-            for (i = 0; i < length; i += 2)
+            for (var i:int = 0; i < _length; i++)
             {
-                var at:int = 2 * order[i >> 1];
-                pairs[i] = _found[at];
-                pairs[int(i + 1)] = _found[int(at + 1)];
+                var shape:WorldShape = _found[int(2 * order[i >> 1] + (i & 1))];
+                if (agents != null)
+                {
+                    agents[i] = shape.agent;
+                }
+                else
+                {
+                    records[i] = shape;
+                }
             }
+            return _length;
+        }
+
+        /** Lets go of the shapes of the last of these searches, before one that is none of them. */
+        public function end():void
+        {
+            bins.clear();
+            bins.findPairs(this);
+            _found.length = _length = memberCount = 0;
         }
 
         /** Adds what the search did to statistics that have the strategy's counts. */
@@ -175,10 +199,10 @@ package starlogo.collision
                 }
                 // as the list has them
                 var isLater:Boolean = shape.listIndex > other.listIndex;
-                _found[length] = isLater ? other : shape;
-                _found[int(length + 1)] = isLater ? shape : other;
-                _times[length >> 1] = time;
-                length += 2;
+                _found[_length] = isLater ? other : shape;
+                _found[int(_length + 1)] = isLater ? shape : other;
+                _times[_length >> 1] = time;
+                _length += 2;
             }
         }
 

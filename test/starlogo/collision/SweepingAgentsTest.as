@@ -131,6 +131,23 @@ package starlogo.collision
         }
 
         [Test]
+        public function aFrameThatFailsIsPartOfTheWay():void
+        {
+            for each (var collider:Collider in colliders())
+            {
+                _ball.jumpTo(0, 0, 0.4);
+                _agents = new <Agent>[_ball, _wall];
+                found(collider);
+                _ball.moveTo(7, 0, 0.4);
+                _agents.push(new Agent("nothing"));
+                assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents);
+                _agents.length = 2;
+                _ball.moveTo(8, 0, 0.4);
+                assertEquals(collider + "", 2, found(collider));
+            }
+        }
+
+        [Test]
         public function theOthersMotionCounts():void
         {
             for each (var collider:Collider in colliders())

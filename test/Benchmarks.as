@@ -6,6 +6,7 @@ package
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
+    import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
@@ -19,7 +20,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, PausesBenchmark];
+                HierarchicalCrowdBenchmark, MotionBenchmark, PausesBenchmark];
 
         private var _pending:Array;
 

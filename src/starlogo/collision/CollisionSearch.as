@@ -39,6 +39,7 @@ package starlogo.collision
         // Searches in which somebody sweeps, and whether the last was one.
         private var _swept:SweptSearch;
         private var _isSwept:Boolean = false;
+        private var _contacts:ContactFinder;
 
         // The pair that areColliding asks about, and who it finds, if so.
         private var _asked:Vector.<AgentProxy> = new Vector.<AgentProxy>();
@@ -55,6 +56,7 @@ package starlogo.collision
             _listed = new ListedShapes(_shapes, _bins);
             _strategy = strategy;
             _swept = new SweptSearch(strategy);
+            _contacts = new ContactFinder(strategy, _shapes, _swept);
         }
 
         /** What the last search did. */
@@ -112,31 +114,16 @@ package starlogo.collision
             search(agents, interests, null, out);
         }
 
-        /** How two agents touch that the last search saw, as Collider says. */
+        /** How two agents touch that the last search saw, as ContactSystem says. */
         public function findContact(a:Agent, b:Agent, out:Contact):void
         {
-            findContactOf(seenShapeOf(a), seenShapeOf(b), out);
+            _contacts.find(_contacts.shapeOf(a), _contacts.shapeOf(b), _isSwept, out);
         }
 
         /** The same of records that findRecords gave. */
         public function findContactOf(a:AgentRecord, b:AgentRecord, out:Contact):void
         {
-            _swept.findContact(a as WorldShape, b as WorldShape, _isSwept, out);
-        }
-
-        // As the last search has left it; now, if none has seen it.
-        private function seenShapeOf(agent:Agent):WorldShape
-        {
-            var shape:WorldShape = _shapes.find(agent);
-            if (shape.level == null)
-            {
-                shape = _shapes.shapeOf(agent);
-                if (shape.level == null)
-                {
-                    throw new ArgumentError(agent + ": its model is still loading");
-                }
-            }
-            return shape;
+            _contacts.find(a as WorldShape, b as WorldShape, _isSwept, out);
         }
 
         /** @inheritDoc */
@@ -272,7 +259,7 @@ package starlogo.collision
                 throw new ArgumentError("agents must not be null");
             }
             var start:int = getTimer();
-            // nobody has ever swept in most games
+            // in most games nobody ever sweeps
             if (Agent.haveSwept && SweptSearch.isNeeded(agents))
             {
                 searchSwept(agents, interests, found, foundRecords);
@@ -295,8 +282,12 @@ package starlogo.collision
         private function searchStanding(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
                 foundRecords:Vector.<AgentRecord>):void
         {
-            _isSwept = false;
             _listed.update(agents, interests);
+            if (_isSwept)
+            {
+                _isSwept = false;
+                _swept.end();
+            }
             _listed.fillBins();
             _strategy.resetCounts();
             _interests = interests == null || interests.areAll ? null : interests.pairs;
@@ -312,10 +303,13 @@ package starlogo.collision
             _listed.somebodyLeft = false;
             _found = null;
             _foundRecords = null;
-            report(agents.length, _bins, _listed.memberCount, _bins.pairCount - _skippedPairs - _shapePairs);
+            report(agents.length, _listed.memberCount, _bins);
+            _statistics.candidatePairs = _bins.pairCount - _skippedPairs;
+            _statistics.sphereSphereTests += _statistics.candidatePairs - _shapePairs;
+            _statistics.boxBoxTests += _boxPairs;
         }
 
-        // Leaves the bins as they are for the next search that is none of these.
+        // The bins stay as they are for the next search that is none of these.
         private function searchSwept(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
                 foundRecords:Vector.<AgentRecord>):void
         {
@@ -323,40 +317,22 @@ package starlogo.collision
             {
                 _swept.noteShapes(_listed.shapes);
             }
-            _isSwept = false;
             _listed.update(agents, interests);
             _strategy.resetCounts();
-            _swept.find(_listed.shapes, interests);
             _isSwept = true;
-            var pairs:Vector.<WorldShape> = _swept.pairs;
-            _foundLength = _swept.length;
-            for (var i:int = 0; i < _foundLength; i++)
-            {
-                if (found != null)
-                {
-                    found[i] = pairs[i].agent;
-                }
-                else
-                {
-                    foundRecords[i] = pairs[i];
-                }
-            }
-            _skippedPairs = _swept.skippedPairs;
-            _boxPairs = 0;
-            report(agents.length, _swept.bins, _swept.memberCount, _swept.spherePairs);
-            _statistics.sweptPairs = _swept.sweptPairs;
+            _swept.find(_listed.shapes, interests);
+            _foundLength = _swept.takePairs(found, foundRecords);
+            report(agents.length, _swept.memberCount, _swept.bins);
+            _swept.countInto(_statistics);
         }
 
-        private function report(agentCount:int, bins:Bins, members:int, spherePairs:int):void
+        private function report(agentCount:int, members:int, bins:Bins):void
         {
             _statistics.reset();
             _statistics.agents = agentCount;
             _statistics.agentsSkipped = agentCount - members - _listed.loadingCount;
             _statistics.agentsLoading = _listed.loadingCount;
             _statistics.binEntries = bins.entryCount;
-            _statistics.candidatePairs = bins.pairCount - _skippedPairs;
-            _statistics.sphereSphereTests = spherePairs;
-            _statistics.boxBoxTests = _boxPairs;
             _strategy.countInto(_statistics);
             _statistics.collisions = _foundLength >> 1;
         }

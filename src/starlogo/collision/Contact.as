@@ -1,6 +1,10 @@
 package starlogo.collision
 {
     import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * How two agents touch: when on their ways, where, and how deep. A handler that takes a third argument gets one; the next call
@@ -8,7 +12,7 @@ package starlogo.collision
      *
      * <p>Of spheres, capsules and boxes it is exact. Of a hierarchy it is that of the first two nodes that touch, leaves or at the depth limit, or, where
      * triangles decide, of the first two triangles; of a model that is inside of another without touching it, that of what stands around
-     * both.</p>
+     * both. A collision system of a client's own knows none: then it is half way between the agents, with a depth of 0.</p>
      */
     public final class Contact
     {
@@ -33,6 +37,28 @@ package starlogo.collision
         /** At the origin, upright. */
         public function Contact()
         {
+        }
+
+        /**
+         * Says what is left to say of two agents where the collision system knows no contacts: half way between them, along the line from
+         * one to the other.
+         *
+         * @private
+         */
+        engine function placeBetween(collider:Agent, collidee:Agent):void
+        {
+            var x:Number = collider.x - collidee.x;
+            var y:Number = collider.y - collidee.y;
+            var z:Number = collider.z - collidee.z;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            normal.setTo(0, 0, 1);
+            if (length > 0)
+            {
+                normal.setTo(x / length, y / length, z / length);
+            }
+            point.setTo(collidee.x + x / 2, collidee.y + y / 2, collidee.z + z / 2);
+            time = 1;
+            depth = 0;
         }
     }
 }

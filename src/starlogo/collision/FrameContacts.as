@@ -1,8 +1,9 @@
 package starlogo.collision
 {
-    import flash.geom.Vector3D;
-    import starlogo.agents.Agent;
     import starlogo.agents.AgentRecord;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * The contacts of a frame's pairs, for those whose handlers ask for them. They are found before the first handler runs: it may
@@ -54,7 +55,7 @@ package starlogo.collision
             }
             else
             {
-                guess(first.agent, second.agent);
+                contact.placeBetween(first.agent, second.agent);
             }
             var at:int = NUMBERS * pair;
             _numbers[at] = contact.time;
@@ -94,24 +95,6 @@ package starlogo.collision
             contact.normal.setTo(sign * _numbers[int(at + 4)], sign * _numbers[int(at + 5)], sign * _numbers[int(at + 6)]);
             contact.depth = _numbers[int(at + 7)];
             return contact;
-        }
-
-        // What a system that knows no contacts leaves to say.
-        private function guess(first:Agent, second:Agent):void
-        {
-            var x:Number = first.x - second.x;
-            var y:Number = first.y - second.y;
-            var z:Number = first.z - second.z;
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            var normal:Vector3D = _contact.normal;
-            normal.setTo(0, 0, 1);
-            if (length > 0)
-            {
-                normal.setTo(x / length, y / length, z / length);
-            }
-            _contact.point.setTo(second.x + x / 2, second.y + y / 2, second.z + z / 2);
-            _contact.time = 1;
-            _contact.depth = 0;
         }
     }
 }

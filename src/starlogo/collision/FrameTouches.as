@@ -1,6 +1,10 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.AgentRecord;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * The touches of a frame's pairs, for those whose handlers ask when they begin and end. The pairs are numbered from 0.
@@ -11,6 +15,11 @@ package starlogo.collision
         public var ofPairs:Vector.<TouchRecord> = new Vector.<TouchRecord>();
 
         private var _tracker:TouchTracker = new TouchTracker();
+
+        // The next call of those of ends, and how many there were.
+        private var _end:int;
+        private var _call:int;
+        private var _count:int;
 
         /** Nobody touches anybody. */
         public function FrameTouches()
@@ -48,11 +57,14 @@ package starlogo.collision
             }
         }
 
-        /** Has the touch of a pair begin, of which one is about to hear. */
-        public function start(pair:int, first:Agent, second:Agent):void
+        /** Has the touch of a pair begin, of which one is about to hear; their breeds were looked up. */
+        public function start(pair:int, first:AgentRecord, second:AgentRecord):void
         {
-            var touch:TouchRecord = _tracker.find(first, second) || _tracker.add(first, second);
+            var touch:TouchRecord = _tracker.find(first.agent, second.agent) || _tracker.add(first.agent, second.agent);
             touch.known |= TouchRecord.FIRST;
+            touch.firstIndex = first.breedIndex;
+            touch.secondIndex = second.breedIndex;
+            touch.breedToken = first.breedToken;
             ofPairs[pair] = touch;
         }
 
@@ -73,43 +85,64 @@ package starlogo.collision
         public function callEnds(table:HandlerTable, errors:Vector.<Error>):int
         {
             _tracker.takeEnded();
-            var count:int = 0;
-            var ended:Vector.<TouchRecord> = _tracker.ended;
-            for (var i:int = 0; i < ended.length; i++)
+            _end = _call = _count = 0;
+            var hasMore:Boolean = _tracker.ended.length > 0;
+            while (hasMore)
             {
-                var touch:TouchRecord = ended[i];
-                if ((touch.known & TouchRecord.FIRST) != 0)
+                var calls:int = _count;
+                try
                 {
-                    count += callAll(table.handlersFrom(touch.firstBreed, touch.secondBreed), touch.first, touch.second, errors);
+                    callRest(table);
+                    hasMore = false;
                 }
-                if ((touch.known & TouchRecord.SECOND) != 0)
+                catch (error:*)
                 {
-                    count += callAll(table.handlersFrom(touch.secondBreed, touch.firstBreed), touch.second, touch.first, errors);
+                    if (_count == calls)
+                    {
+                        // not a handler's: it would come again
+                        throw error;
+                    }
+                    errors.push(error is Error ? error : new Error(String(error)));
                 }
             }
             _tracker.forgetEnded();
-            return count;
+            return _count;
         }
 
-        private static function callAll(handlers:Vector.<CollisionHandler>, collider:Agent, collidee:Agent, errors:Vector.<Error>):int
+        // From the next call on: it is one ahead while a handler runs.
+        private function callRest(table:HandlerTable):void
         {
-            var count:int = 0;
-            for each (var handler:CollisionHandler in handlers)
+            var ended:Vector.<TouchRecord> = _tracker.ended;
+            for (; _end < ended.length; _end++)
             {
-                if (handler.kind == CollisionHandler.END && !handler.isRemoved)
+                var touch:TouchRecord = ended[_end];
+                var pair:PairHandlers = handlersOf(touch, table);
+                while (_call < pair.endHandlers.length)
                 {
-                    count++;
-                    try
+                    var handler:CollisionHandler = pair.endHandlers[_call];
+                    var isBack:Boolean = _call >= pair.endForwardCount;
+                    _call++;
+                    if (handler.isRemoved || (touch.known & (isBack ? TouchRecord.SECOND : TouchRecord.FIRST)) == 0)
                     {
-                        call(handler, collider, collidee);
+                        continue;
                     }
-                    catch (error:*)
-                    {
-                        errors.push(error is Error ? error : new Error(String(error)));
-                    }
+                    _count++;
+                    call(handler, isBack ? touch.second : touch.first, isBack ? touch.first : touch.second);
                 }
+                _call = 0;
             }
-            return count;
+        }
+
+        // For the breeds that they had when it began.
+        private static function handlersOf(touch:TouchRecord, table:HandlerTable):PairHandlers
+        {
+            var interests:BreedInterests = table.interests;
+            if (touch.breedToken !== interests.token)
+            {
+                touch.firstIndex = interests.indexOf(touch.firstBreed);
+                touch.secondIndex = interests.indexOf(touch.secondBreed);
+            }
+            return table.handlersOf(touch.firstIndex, touch.secondIndex);
         }
 
         private static function call(handler:CollisionHandler, collider:Agent, collidee:Agent):void

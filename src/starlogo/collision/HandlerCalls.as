@@ -87,10 +87,9 @@ package starlogo.collision
             _postponed.length = 0;
             _turns = null;
             count = 0;
-            var tracks:Boolean = table.tracks || _touches.hasAny;
-            if (tracks || table.takesContacts)
+            if (table.tracks || _touches.hasAny || table.takesContacts)
             {
-                prepare(tracks, system);
+                prepare(table.tracks || _touches.hasAny, system);
             }
             callThrough();
             while (_postponed.length > 0)
@@ -237,7 +236,7 @@ package starlogo.collision
                                 continue;
                             }
                         }
-                        _touches.start(pair >> 1, first, second);
+                        _touches.start(pair >> 1, record, other);
                     }
                     isFirst = _touches.isFirst(pair >> 1);
                     if (isFirst)

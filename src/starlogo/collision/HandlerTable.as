@@ -57,14 +57,6 @@ package starlogo.collision
             return _pairs[place];
         }
 
-        /** The handlers of colliders of one breed that met collidees of another, of all kinds; null if there are none. */
-        public function handlersFrom(breed:String, otherBreed:String):Vector.<CollisionHandler>
-        {
-            var index:int = interests.indexOf(breed);
-            var otherIndex:int = interests.indexOf(otherBreed);
-            return index < 0 || otherIndex < 0 ? null : _handlers[index * interests.breedCount + otherIndex];
-        }
-
         private function enter(handler:CollisionHandler, breeds:Vector.<int>, otherBreeds:Vector.<int>):void
         {
             for each (var breed:int in breeds)

@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.broadphase.AgentProxy;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
 
     use namespace engine;
 
@@ -22,6 +23,9 @@ package starlogo.collision
 
         /** Whether it sweeps, and has a way. */
         public var isSweeping:Boolean = false;
+
+        /** The search that had it in its bins last. */
+        public var binnedIn:int = -1;
 
         /** The search that saw it last; it counts those that sweep, and what comes between two of them. */
         public var seenIn:int = -1;
@@ -53,32 +57,44 @@ package starlogo.collision
         }
 
         /**
-         * Finds the way since then, and puts the extents around all of it.
+         * Finds the way since then, puts the extents around all of it, and remembers that the agent was seen where it is now.
          *
          * @param search the search before this one
          */
         public function takeWay(search:int):void
         {
-            var hasWay:Boolean = seenIn == search && _lastModel == shape.model && agent.jumpRevision <= _lastRevision;
-            wayX = hasWay ? placement.x - _lastX : 0;
-            wayY = hasWay ? placement.y - _lastY : 0;
-            wayZ = hasWay ? placement.z - _lastZ : 0;
-            isSweeping = hasWay && agent.sweeps;
-            x = shape.x - wayX / 2;
-            y = shape.y - wayY / 2;
-            z = shape.z - wayZ / 2;
-            halfX = shape.halfX + Math.abs(wayX) / 2;
-            halfY = shape.halfY + Math.abs(wayY) / 2;
-            halfZ = shape.halfZ + Math.abs(wayZ) / 2;
-        }
-
-        /** Remembers where the agent is now. */
-        public function notePlace(search:int):void
-        {
-            seenIn = search;
-            _lastX = placement.x;
-            _lastY = placement.y;
-            _lastZ = placement.z;
+            var place:Placement = placement;
+            var toX:Number = place.x;
+            var toY:Number = place.y;
+            var toZ:Number = place.z;
+            x = shape.x;
+            y = shape.y;
+            z = shape.z;
+            halfX = shape.halfX;
+            halfY = shape.halfY;
+            halfZ = shape.halfZ;
+            wayX = wayY = wayZ = 0;
+            isSweeping = false;
+            if (seenIn == search && _lastModel == shape.model && agent.jumpRevision <= _lastRevision)
+            {
+                isSweeping = agent.sweeps;
+                wayX = toX - _lastX;
+                wayY = toY - _lastY;
+                wayZ = toZ - _lastZ;
+                x -= wayX / 2;
+                y -= wayY / 2;
+                z -= wayZ / 2;
+                var half:Number = wayX < 0 ? -wayX : wayX;
+                halfX += half / 2;
+                half = wayY < 0 ? -wayY : wayY;
+                halfY += half / 2;
+                half = wayZ < 0 ? -wayZ : wayZ;
+                halfZ += half / 2;
+            }
+            seenIn = search + 1;
+            _lastX = toX;
+            _lastY = toY;
+            _lastZ = toZ;
             _lastModel = shape.model;
             _lastRevision = shape.revision;
         }

@@ -15,6 +15,12 @@ package starlogo.collision
         /** So many of these have the first agent for their collider. */
         public var firstForwardCount:int;
 
+        /** Those of the end of a touch. */
+        public var endHandlers:Vector.<CollisionHandler>;
+
+        /** So many of these have the first agent for their collider. */
+        public var endForwardCount:int;
+
         /** Whether somebody asks when touches begin or end. */
         public var tracks:Boolean;
 
@@ -34,8 +40,10 @@ package starlogo.collision
             var handlersBack:Vector.<CollisionHandler> = ofKind(back, CollisionHandler.COLLISION);
             handlers = handlers.concat(handlersBack);
             firstHandlers = firstHandlers.concat(ofKind(back, CollisionHandler.START), handlersBack);
-            tracks = firstHandlers.length > handlers.length || ofKind(forward, CollisionHandler.END).length > 0
-                || ofKind(back, CollisionHandler.END).length > 0;
+            endHandlers = ofKind(forward, CollisionHandler.END);
+            endForwardCount = endHandlers.length;
+            endHandlers = endHandlers.concat(ofKind(back, CollisionHandler.END));
+            tracks = firstHandlers.length > handlers.length || endHandlers.length > 0;
             for each (var handler:CollisionHandler in firstHandlers)
             {
                 takesContacts = takesContacts || handler.takesContact;

@@ -1,17 +1,13 @@
 package starlogo.collision
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.bounding.Sphere;
+    import starlogo.agents.AgentRecord;
     import starlogo.broadphase.AgentProxy;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.intersection.sphereSphere;
-    import starlogo.motion.Touch;
-    import starlogo.motion.TouchFinder;
     import starlogo.motion.Way;
-    import starlogo.motion.sphereSphereTouch;
+    import starlogo.motion.pointPointTouch;
 
     use namespace engine;
 
@@ -25,26 +21,14 @@ package starlogo.collision
      */
     internal final class SweptSearch extends PairSink
     {
-        /** The pairs that were found, in the order of their times. */
-        public var pairs:Vector.<WorldShape> = new Vector.<WorldShape>();
-
-        /** How many shapes there are in twice as many pairs. */
-        public var length:int = 0;
+        /** The way of the first of two shapes of which one sweeps, relative to the other, once <code>firstOverlap()</code> was asked. */
+        public var way:Way = new Way();
 
         /** The bins of these searches. */
         public var bins:Bins = new Bins();
 
         /** Shapes in them. */
         public var memberCount:int = 0;
-
-        /** Pairs that nobody cares about. */
-        public var skippedPairs:int = 0;
-
-        /** Pairs of spheres that were tested. */
-        public var spherePairs:int = 0;
-
-        /** Pairs that were tested along their ways. */
-        public var sweptPairs:int = 0;
 
         private var _strategy:ShapeStrategy;
         private var _interests:Vector.<Boolean>;
@@ -53,16 +37,20 @@ package starlogo.collision
         // Numbers the searches; one that sweeps nobody, however often, counts as one.
         private var _search:int = 0;
 
+        // Pairs that nobody cares about, tests of spheres, and pairs that were tested along their ways.
+        private var _skippedPairs:int = 0;
+        private var _spherePairs:int = 0;
+        private var _sweptPairs:int = 0;
+
         // The pairs as they were found, and when they touch.
+        private var _length:int = 0;
         private var _found:Vector.<WorldShape> = new Vector.<WorldShape>();
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
 
-        private var _way:Way = new Way();
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
-        private var _finder:TouchFinder = new TouchFinder();
-        private var _touch:Touch = new Touch();
+        // When the extents of a pair begin to overlap in those directions that were looked at, and cease to.
+        private var _enters:Number;
+        private var _leaves:Number;
 
         /**
          * @param strategy says what shapes agents have
@@ -107,9 +95,11 @@ package starlogo.collision
          */
         public function find(listed:Vector.<WorldShape>, interests:BreedInterests):void
         {
-            _interests = interests == null ? null : interests.pairs;
+            _interests = interests == null || interests.areAll ? null : interests.pairs;
             _breedCount = interests == null ? 0 : interests.breedCount;
-            length = memberCount = skippedPairs = spherePairs = sweptPairs = 0;
+            _length = _skippedPairs = _spherePairs = _sweptPairs = 0;
+            var stayed:int = 0;
+            var members:int = 0;
             bins.clear();
             for (var i:int = 0; i < listed.length; i++)
             {
@@ -118,32 +108,68 @@ package starlogo.collision
                 {
                     continue;
                 }
-                var motion:MovingProxy = motionOf(shape);
+                var motion:MovingProxy = shape.motion || motionOf(shape);
                 motion.takeWay(_search);
                 if (interests == null || shape.breedIndex >= 0)
                 {
                     bins.fit(motion);
                     bins.add(motion);
-                    memberCount++;
+                    members++;
+                    if (motion.binnedIn == _search)
+                    {
+                        stayed++;
+                    }
+                    motion.binnedIn = _search + 1;
                 }
-            }
-            bins.findPairs(this);
-            _order.sort(_times, length >> 1);
-            var order:Vector.<int> = _order.order;
-            for (i = 0; i < length; i += 2)
-            {
-                var at:int = 2 * order[i >> 1];
-                pairs[i] = _found[at];
-                pairs[int(i + 1)] = _found[int(at + 1)];
             }
             _search++;
-            for (i = 0; i < listed.length; i++)
+            var somebodyLeft:Boolean = stayed < memberCount;
+            memberCount = members;
+            bins.findPairs(this, somebodyLeft);
+            // those of other searches
+            _found.length = _length;
+            _order.sort(_times, _length >> 1);
+        }
+
+        /**
+         * Hands the pairs over that were found, in the order of their times.
+         *
+         * @param agents takes them, or null
+         * @param records takes their shapes, if that is null
+         * @return how many agents or records they are
+         */
+        public function takePairs(agents:Vector.<Agent>, records:Vector.<AgentRecord>):int
+        {
+            var order:Vector.<int> = _order.order;
+            for (var i:int = 0; i < _length; i++)
             {
-                if (listed[i].level != null)
+                var shape:WorldShape = _found[int(2 * order[i >> 1] + (i & 1))];
+                if (agents != null)
                 {
-                    listed[i].motion.notePlace(_search);
+                    agents[i] = shape.agent;
+                }
+                else
+                {
+                    records[i] = shape;
                 }
             }
+            return _length;
+        }
+
+        /** Lets go of the shapes of the last of these searches, before one that is none of them. */
+        public function end():void
+        {
+            bins.clear();
+            bins.findPairs(this);
+            _found.length = _length = memberCount = 0;
+        }
+
+        /** Adds what the search did to statistics that have the strategy's counts. */
+        public function countInto(statistics:CollisionStatistics):void
+        {
+            statistics.candidatePairs = bins.pairCount - _skippedPairs;
+            statistics.sweptPairs = _sweptPairs;
+            statistics.sphereSphereTests += _spherePairs;
         }
 
         /** @inheritDoc */
@@ -162,7 +188,7 @@ package starlogo.collision
                 {
                     if (!_interests[int(row + other.breedIndex)])
                     {
-                        skippedPairs++;
+                        _skippedPairs++;
                         continue;
                     }
                 }
@@ -173,68 +199,22 @@ package starlogo.collision
                 }
                 // as the list has them
                 var isLater:Boolean = shape.listIndex > other.listIndex;
-                _found[length] = isLater ? other : shape;
-                _found[int(length + 1)] = isLater ? shape : other;
-                _times[length >> 1] = time;
-                length += 2;
+                _found[_length] = isLater ? other : shape;
+                _found[int(_length + 1)] = isLater ? shape : other;
+                _times[_length >> 1] = time;
+                _length += 2;
             }
         }
 
-        /**
-         * Where two shapes touch.
-         *
-         * @param a a shape as the last search saw it
-         * @param b another
-         * @param isSwept whether the last search was one of these
-         * @param out takes it
-         */
-        public function findContact(a:WorldShape, b:WorldShape, isSwept:Boolean, out:Contact):void
-        {
-            var isPassing:Boolean = isSwept && isPairSwept(a, b);
-            var time:Number = isPassing ? firstOverlap(a, b) : 1;
-            if (time == Way.NEVER)
-            {
-                isPassing = false;
-                time = 1;
-            }
-            if (!isPassing)
-            {
-                _way.endAfter(0, 0, 0);
-            }
-            var touch:Touch = _touch;
-            if (a.isSphere && b.isSphere)
-            {
-                takeSphere(a, _sphereA, a.halfX);
-                takeSphere(b, _sphereB, b.halfX);
-                _finder.find(_sphereA, _sphereB, _way.startX + time * _way.x, _way.startY + time * _way.y, _way.startZ + time * _way.z, touch);
-            }
-            else
-            {
-                _strategy.findTouch(a, b, _way, time, touch);
-            }
-            out.time = time;
-            out.depth = touch.depth;
-            out.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
-            out.point.setTo(touch.x, touch.y, touch.z);
-            if (isPassing)
-            {
-                // from where b is now to where it was
-                var motion:MovingProxy = b.motion;
-                out.point.x -= (1 - time) * motion.wayX;
-                out.point.y -= (1 - time) * motion.wayY;
-                out.point.z -= (1 - time) * motion.wayZ;
-            }
-        }
-
-        // Whether the last search, one of these, looked at two shapes along their ways.
-        private function isPairSwept(a:WorldShape, b:WorldShape):Boolean
+        /** Whether the last search, one of these, looked at two shapes along their ways. */
+        public function isPairSwept(a:WorldShape, b:WorldShape):Boolean
         {
             return a.motion != null && b.motion != null && a.motion.seenIn == _search && b.motion.seenIn == _search
                 && (a.motion.isSweeping || b.motion.isSweeping);
         }
 
-        // From 0 to 1, or Way.NEVER. Leaves the way of a pair of which one sweeps in _way.
-        private function firstOverlap(a:WorldShape, b:WorldShape):Number
+        /** When two shapes overlap, along their ways if one of them sweeps: from 0 to 1, or Way.NEVER. */
+        public function firstOverlap(a:WorldShape, b:WorldShape):Number
         {
             var motionA:MovingProxy = a.motion;
             var motionB:MovingProxy = b.motion;
@@ -247,39 +227,46 @@ package starlogo.collision
             var z:Number = motionA.wayZ - motionB.wayZ;
             if (x == 0 && y == 0 && z == 0)
             {
-                sweptPairs++;
-                _way.endAfter(0, 0, 0);
+                _sweptPairs++;
+                way.endAfter(0, 0, 0);
                 return areOverlapping(a, b) ? 0 : Way.NEVER;
+            }
+            if (a.isSphere && b.isSphere)
+            {
+                _sweptPairs++;
+                _spherePairs++;
+                way.endAfter(x, y, z);
+                var dx:Number = a.x - b.x;
+                var dy:Number = a.y - b.y;
+                var dz:Number = a.z - b.z;
+                var radii:Number = a.radius + b.radius;
+                var time:Number = pointPointTouch(dx - x, dy - y, dz - z, x, y, z, radii);
+                if (time == Way.NEVER && dx * dx + dy * dy + dz * dz <= radii * radii)
+                {
+                    // no rounding hides what stands there
+                    return 1;
+                }
+                return time;
             }
             if (passEachOther(a, b, x, y, z))
             {
                 return Way.NEVER;
             }
-            sweptPairs++;
-            _way.endAfter(x, y, z);
-            if (a.isSphere && b.isSphere)
-            {
-                spherePairs++;
-                takeSphere(a, _sphereA, a.radius);
-                takeSphere(b, _sphereB, b.radius);
-                var time:Number = sphereSphereTouch(_sphereA, _sphereB, _way);
-                if (time == Way.NEVER && sphereSphere(_sphereA, _sphereB))
-                {
-                    return 1;
-                }
-                return time;
-            }
-            return _strategy.firstOverlap(a, b, _way);
+            _sweptPairs++;
+            way.endAfter(x, y, z);
+            return _strategy.firstOverlap(a, b, way);
         }
 
         private function areOverlapping(a:WorldShape, b:WorldShape):Boolean
         {
             if (a.isSphere && b.isSphere)
             {
-                spherePairs++;
-                takeSphere(a, _sphereA, a.radius);
-                takeSphere(b, _sphereB, b.radius);
-                return sphereSphere(_sphereA, _sphereB);
+                _spherePairs++;
+                var dx:Number = a.x - b.x;
+                var dy:Number = a.y - b.y;
+                var dz:Number = a.z - b.z;
+                var radii:Number = a.radius + b.radius;
+                return dx * dx + dy * dy + dz * dz <= radii * radii;
             }
             var reach:Number = a.reachZ + b.reachZ;
             if (a.z - b.z > reach || b.z - a.z > reach)
@@ -292,64 +279,38 @@ package starlogo.collision
         // Whether the extents of two shapes, which now are where they are at the end of the way, never overlap in all directions at once.
         private function passEachOther(a:WorldShape, b:WorldShape, x:Number, y:Number, z:Number):Boolean
         {
-            var first:Number = 0;
-            var last:Number = 1;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var at:Number = b.x - a.x;
-                var speed:Number = x;
-                var reach:Number = a.reachX + b.reachX;
-                if (axis == 1)
-                {
-                    at = b.y - a.y;
-                    speed = y;
-                    reach = a.reachY + b.reachY;
-                }
-                else if (axis == 2)
-                {
-                    at = b.z - a.z;
-                    speed = z;
-                    reach = a.reachZ + b.reachZ;
-                }
-                // b from a at time 0, with a standing still: it comes down by the speed
-                at += speed;
-                if (speed < 0)
-                {
-                    speed = -speed;
-                    at = -at;
-                }
-                if (at < -reach)
-                {
-                    return true;
-                }
-                if (at > reach)
-                {
-                    if (at - reach > last * speed)
-                    {
-                        return true;
-                    }
-                    var enters:Number = (at - reach) / speed;
-                    first = enters > first ? enters : first;
-                }
-                if (at + reach < last * speed)
-                {
-                    last = (at + reach) / speed;
-                }
-                if (first > last)
-                {
-                    return true;
-                }
-            }
-            return false;
+            _enters = 0;
+            _leaves = 1;
+            return isGap(b.x - a.x, x, a.reachX + b.reachX) || isGap(b.y - a.y, y, a.reachY + b.reachY)
+                || isGap(b.z - a.z, z, a.reachZ + b.reachZ);
         }
 
-        private static function takeSphere(shape:WorldShape, sphere:Sphere, radius:Number):void
+        // One direction: where b is from a at the end, and how far it has come down.
+        private function isGap(at:Number, speed:Number, reach:Number):Boolean
         {
-            var center:Vector3D = sphere.center;
-            center.x = shape.x;
-            center.y = shape.y;
-            center.z = shape.z;
-            sphere.radius = radius;
+            at += speed;
+            if (speed < 0)
+            {
+                speed = -speed;
+                at = -at;
+            }
+            if (at < -reach || at - reach > _leaves * speed)
+            {
+                return true;
+            }
+            if (at > reach)
+            {
+                var enters:Number = (at - reach) / speed;
+                if (enters > _enters)
+                {
+                    _enters = enters;
+                }
+            }
+            if (at + reach < _leaves * speed)
+            {
+                _leaves = (at + reach) / speed;
+            }
+            return _enters > _leaves;
         }
 
         private static function motionOf(shape:WorldShape):MovingProxy

@@ -5,7 +5,7 @@ package starlogo.collision
     /** Two agents that touch, from the frame in which that began on. A TouchTracker's. */
     internal final class TouchRecord
     {
-        /** Of first.handlers' calls, those as the collider have begun; the same for the second's. */
+        /** In what is known: the first's handlers have begun to hear of it, or the second's. */
         public static const FIRST:int = 1;
 
         /** @copy #FIRST */
@@ -22,6 +22,15 @@ package starlogo.collision
 
         /** The breed of the other one then. */
         public var secondBreed:String;
+
+        /** The number of the first's breed, for the interests whose token this is. */
+        public var firstIndex:int;
+
+        /** The same of the other's. */
+        public var secondIndex:int;
+
+        /** Of the interests that know the numbers. */
+        public var breedToken:Object;
 
         /** The tracker's frame in which it began. */
         public var beganIn:int;

@@ -73,6 +73,7 @@ package starlogo.collision
             touch.secondBreed = second.breed;
             touch.beganIn = touch.seenIn = frame;
             touch.known = 0;
+            touch.breedToken = null;
             enter(touch);
             touch.older = _newest;
             touch.newer = null;
@@ -117,6 +118,7 @@ package starlogo.collision
             {
                 var touch:TouchRecord = ended[i];
                 touch.first = touch.second = null;
+                touch.breedToken = null;
                 if (_spareCount < _count + FEWEST)
                 {
                     touch.next = _spare;
@@ -134,15 +136,10 @@ package starlogo.collision
 
         private function placeOf(a:Agent, b:Agent):int
         {
-            // the same in either order
-            var low:int = a.id;
-            var high:int = b.id;
-            if (low > high)
-            {
-                low = high;
-                high = a.id;
-            }
-            return (low * 31 + high * 7919) & (_lists.length - 1);
+            // the same in either order, and without a product, which is a Number
+            var mixed:int = a.id ^ b.id;
+            var sum:int = a.id + b.id;
+            return (mixed ^ (sum << 5) ^ (sum << 1)) & (_lists.length - 1);
         }
 
         private function enter(touch:TouchRecord):void

@@ -4,7 +4,12 @@ package starlogo.diagnostics
     import starlogo.collision.BreedInterests;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
+    import starlogo.collision.Contact;
+    import starlogo.collision.ContactSystem;
     import starlogo.collision.SelectiveCollisionSystem;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Counts a game's collisions over its whole run, so that the average case of real games can be known (thesis §7.8).
@@ -20,7 +25,7 @@ package starlogo.diagnostics
      * <p>A frame is a call of findCollisions or findCollisionsAmong. The pairs of breeds that nobody cares about count only
      * in the former. The cost goes with the collisions: some ten-thousandths of a millisecond for each.</p>
      */
-    public final class CollisionRecorder implements SelectiveCollisionSystem
+    public final class CollisionRecorder implements ContactSystem
     {
         private var _collisionSystem:CollisionSystem;
         private var _frames:int = 0;
@@ -97,6 +102,19 @@ package starlogo.diagnostics
             out = selective.findCollisionsAmong(agents, interests, out);
             record(out);
             return out;
+        }
+
+        /** @inheritDoc */
+        public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+        {
+            var system:ContactSystem = _collisionSystem as ContactSystem;
+            if (system != null)
+            {
+                return system.contactOf(collider, collidee, out);
+            }
+            var contact:Contact = out || new Contact();
+            contact.placeBetween(collider, collidee);
+            return contact;
         }
 
         /** Forgets all frames. */

@@ -4,7 +4,7 @@ package starlogo.motion
     import starlogo.bounding.Sphere;
 
     /**
-     * When a sphere touches another on its way: where the line of its centre enters the sphere of both radii, in closed form.
+     * When a sphere touches another on its way: when its centre is as near to the other's as both radii.
      *
      * @param a moves; a radius of 0 makes it a point
      * @param b in the space of a
@@ -17,39 +17,7 @@ package starlogo.motion
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
-        var wayX:Number = way.x;
-        var wayY:Number = way.y;
-        var wayZ:Number = way.z;
-        var x:Number = centerA.x - centerB.x + way.startX;
-        var y:Number = centerA.y - centerB.y + way.startY;
-        var z:Number = centerA.z - centerB.z + way.startZ;
-        var reach:Number = a.radius + b.radius;
-        reach *= reach;
-        if (x * x + y * y + z * z <= reach)
-        {
-            return 0;
-        }
-        var closing:Number = -(x * wayX + y * wayY + z * wayZ);
-        if (!(closing > 0))
-        {
-            return Way.NEVER;
-        }
-        // from the point of the line that is nearest, as far back as half the chord
-        var waySquared:Number = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        var nearest:Number = closing / waySquared;
-        x += nearest * wayX;
-        y += nearest * wayY;
-        z += nearest * wayZ;
-        var half:Number = reach - (x * x + y * y + z * z);
-        if (half < 0)
-        {
-            return Way.NEVER;
-        }
-        var time:Number = nearest - Math.sqrt(half / waySquared);
-        if (time > 1)
-        {
-            return Way.NEVER;
-        }
-        return time > 0 ? time : 0;
+        return pointPointTouch(centerA.x - centerB.x + way.startX, centerA.y - centerB.y + way.startY, centerA.z - centerB.z + way.startZ,
+                way.x, way.y, way.z, a.radius + b.radius);
     }
 }

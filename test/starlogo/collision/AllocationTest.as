@@ -100,6 +100,42 @@ package starlogo.collision
             assertAllocatesNothing(new CombinationCollider(_greatLand));
         }
 
+        [Test]
+        public function sweepingAllocatesNothing():void
+        {
+            _agents.length = 100;
+            for (var i:int = 0; i < _agents.length; i++)
+            {
+                _agents[i].sweeps = i % 3 == 0;
+                _agents[i].hierarchical = i % 10 == 0;
+            }
+            assertAllocatesNothing(new CombinationCollider(_greatLand));
+        }
+
+        [Test]
+        public function contactsStartsAndEndsAllocateNothing():void
+        {
+            var collision:Collision = new Collision(new TightestFitCollider(_greatLand));
+            var calls:int = 0;
+            collision.onCollision("bears", "balls", takeContact);
+            collision.onCollisionStart("bears", "walls", takeContact);
+            collision.onCollisionEnd("bears", "walls", takeContact);
+            var grown:Number = growth(function():void
+                {
+                    moveAll();
+                    // somebody comes and goes in every frame
+                    _agents[0].z = _agents[0].z == 0 ? 100 : 0;
+                    collision.update(_agents);
+                });
+            assertTrue("handlers were called", calls > FRAMES);
+            assertTrue(grown + " bytes in " + FRAMES + " frames", grown <= NOTHING);
+
+            function takeContact(a:Agent, b:Agent, contact:Contact):void
+            {
+                calls++;
+            }
+        }
+
         private function assertAllocatesNothing(collider:CollisionSystem):void
         {
             var collision:Collision = new Collision(collider);

@@ -161,13 +161,13 @@ package starlogo.collision
         public function handlersMayComeAndGo():void
         {
             var start:Function = function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push("late start");
-                };
+            {
+                _calls.push("late start");
+            };
             var end:Function = function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push("late end");
-                };
+            {
+                _calls.push("late end");
+            };
             assertFrame("nobody asks", 0.5, "");
             _collision.onCollisionStart("bears", "balls", start);
             assertFrame("somebody asks", 0.5, "late start");
@@ -187,10 +187,10 @@ package starlogo.collision
         public function whatIsThrownStopsNobody():void
         {
             var thrower:Function = function(collider:Agent, collidee:Agent):void
-                {
-                    _calls.push("thrown");
-                    throw new Error("x");
-                };
+            {
+                _calls.push("thrown");
+                throw new Error("x");
+            };
             _collision.onCollisionStart("bears", "balls", thrower);
             _collision.onCollisionEnd("bears", "balls", thrower);
             note("bears", "balls");
@@ -209,10 +209,10 @@ package starlogo.collision
         {
             var contacts:Array = [];
             var take:Function = function(collider:Agent, collidee:Agent, contact:Contact):void
-                {
-                    contacts.push(contact);
-                    _calls.push(contact == null ? "null" : collider.breed + " " + contact.depth.toFixed(3) + " " + contact.normal.x);
-                };
+            {
+                contacts.push(contact);
+                _calls.push(contact == null ? "null" : collider.breed + " " + contact.depth.toFixed(3) + " " + contact.normal.x);
+            };
             _collision.onCollisionStart("bears", "balls", take);
             _collision.onCollision("balls", "bears", take);
             _collision.onCollisionEnd("bears", "balls", take);
@@ -235,33 +235,33 @@ package starlogo.collision
             var breeds:Array = ["bears", "balls", "walls"];
             var systems:Array = [new BinCollider(_greatLand), new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand)];
             var meddle:Function = function():void
+            {
+                var choice:int = _agents.length == 0 ? 6 : random.integer(0, 60);
+                if (choice == 0 && _agents.length > 10)
                 {
-                    var choice:int = _agents.length == 0 ? 6 : random.integer(0, 60);
-                    if (choice == 0 && _agents.length > 10)
-                    {
-                        _agents.splice(random.integer(0, _agents.length - 1), 1);
-                    }
-                    else if (choice == 1)
-                    {
-                        _agents.push(newcomer(random, breeds));
-                    }
-                    else if (choice == 2)
-                    {
-                        random.pick(arrayOf(_agents)).shape = random.pick(["sphere", "cube"]);
-                    }
-                    else if (choice == 3)
-                    {
-                        random.pick(arrayOf(_agents)).breed = random.pick(breeds);
-                    }
-                    else if (choice == 4)
-                    {
-                        _collision.collisionSystem = random.pick(systems);
-                    }
-                    else if (choice == 5)
-                    {
-                        throw new Error("now and then");
-                    }
-                };
+                    _agents.splice(random.integer(0, _agents.length - 1), 1);
+                }
+                else if (choice == 1 && _agents.length < 60)
+                {
+                    _agents.push(newcomer(random, breeds));
+                }
+                else if (choice == 2)
+                {
+                    random.pick(arrayOf(_agents)).shape = random.pick(["sphere", "cube"]);
+                }
+                else if (choice == 3)
+                {
+                    random.pick(arrayOf(_agents)).breed = random.pick(breeds);
+                }
+                else if (choice == 4)
+                {
+                    _collision.collisionSystem = random.pick(systems);
+                }
+                else if (choice == 5)
+                {
+                    throw new Error("now and then");
+                }
+            };
             for each (var breed:String in breeds)
             {
                 for each (var other:String in breeds)
@@ -274,7 +274,7 @@ package starlogo.collision
             {
                 _agents.push(newcomer(random, breeds));
             }
-            var frames:int = Effort.choose(400, 5000);
+            var frames:int = Effort.choose(300, 3000);
             for (var frame:int = 0; frame < frames; frame++)
             {
                 for each (var agent:Agent in _agents)
@@ -366,10 +366,10 @@ package starlogo.collision
         private function noting(word:String, breed:String = null, other:String = null):Function
         {
             return function(collider:Agent, collidee:Agent):void
-                {
-                    var isAny:Boolean = other == null || other == Collision.ANY_BREED;
-                    _calls.push(word + " " + (breed || collider.breed) + " " + (isAny ? collidee.breed : other));
-                };
+            {
+                var isAny:Boolean = other == null || other == Collision.ANY_BREED;
+                _calls.push(word + " " + (breed || collider.breed) + " " + (isAny ? collidee.breed : other));
+            };
         }
 
         private function assertFrame(name:String, x:Number, calls:String):void

@@ -13,7 +13,7 @@ package starlogo.collision
 
     /**
      * The thesis's paintball game (§2.2): balls of size 0.1, at 0.1 to 100 patches a frame, at a fireman, a turtle and a wall. Whether a
-     * ball's whole path hits is found by looking every 250th of a patch: all that hit are found, and none of those that miss. The
+     * ball's whole path hits is found by looking every hundredth of a patch: all that hit are found, and none of those that miss. The
      * rates without sweeps are printed beside it.
      */
     public class PaintballTest
@@ -22,7 +22,7 @@ package starlogo.collision
 
         private static const SIZE:Number = 0.1;
         private static const SPEEDS:Array = [0.1, 0.3, 1, 2, 5, 20, 100];
-        private static const LENGTH:Number = 3;
+        private static const LENGTH:Number = 9;
 
         private static var sGreatLand:GreatLand;
 
@@ -90,7 +90,7 @@ package starlogo.collision
                 var misses:int = 0;
                 var swept:int = 0;
                 var standing:int = 0;
-                var shots:int = Effort.choose(8, 60);
+                var shots:int = Effort.choose(2, 60);
                 while (hits < shots || misses < shots / 2)
                 {
                     var shot:Shot = new Shot(random, LENGTH);
@@ -120,11 +120,11 @@ package starlogo.collision
             trace("  " + shape + ", " + collider + ", patches a frame: % of hits found (without sweeps): " + rows.join(", "));
         }
 
-        // With every 250th of a patch, a fiftieth of the ball's size is enough to tell a graze.
+        // Between two places that are a hundredth apart, a ball of this size misses a 200th of its radius at most.
         private function pathHits(collider:Collider, shot:Shot, size:Number):Boolean
         {
             _ball.size = size;
-            for (var way:Number = 0; way <= LENGTH; way += 0.004)
+            for (var way:Number = 0; way <= LENGTH; way += 0.01)
             {
                 placeBall(shot, way, size, false);
                 if (collider.areColliding(_ball, _target))
@@ -204,7 +204,7 @@ class Shot
         wayZ = direction.z;
         x = random.between(-0.6, 0.6) - length / 2 * wayX;
         y = random.between(-0.6, 0.6) - length / 2 * wayY;
-        z = random.between(-0.2, 1.4) - length / 2 * wayZ;
+        z = random.between(-0.2, 2) - length / 2 * wayZ;
     }
 
     public function toString():String

@@ -131,6 +131,23 @@ package starlogo.collision
         }
 
         [Test]
+        public function aFrameThatFailsIsPartOfTheWay():void
+        {
+            for each (var collider:Collider in colliders())
+            {
+                _ball.jumpTo(0, 0, 0.4);
+                _agents = new <Agent>[_ball, _wall];
+                found(collider);
+                _ball.moveTo(7, 0, 0.4);
+                _agents.push(new Agent("nothing"));
+                assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents);
+                _agents.length = 2;
+                _ball.moveTo(8, 0, 0.4);
+                assertEquals(collider + "", 2, found(collider));
+            }
+        }
+
+        [Test]
         public function theOthersMotionCounts():void
         {
             for each (var collider:Collider in colliders())
@@ -220,7 +237,7 @@ package starlogo.collision
         public function contactsAreThoseOfTheFirstTouch():void
         {
             for each (var collider:Collider in [new TightestFitCollider(_greatLand), new HierarchicalCollider(_greatLand),
-                    exact(new HierarchicalCollider(_greatLand)), new CombinationCollider(_greatLand)])
+                        exact(new HierarchicalCollider(_greatLand)), new CombinationCollider(_greatLand)])
             {
                 _ball.shape = "cube";
                 _ball.jumpTo(0, 0.1, 0.4);
@@ -307,7 +324,7 @@ package starlogo.collision
             found(collider);
             assertTrue("entries: " + collider.statistics.binEntries, collider.statistics.binEntries <= 8);
             assertEquals(1, collider.statistics.candidatePairs);
-            assertEquals("the wall is not near the way", 0, collider.statistics.sweptPairs);
+            assertEquals(1, collider.statistics.sweptPairs);
             _ball.moveTo(-5000, 0, 0);
             _wall.moveTo(5, 0, 0);
             found(collider);

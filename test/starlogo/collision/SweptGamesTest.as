@@ -42,7 +42,7 @@ package starlogo.collision
         {
             sGreatLand = new GreatLand();
             for each (var model:* in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(),
-                    new ObjModel("bear", Fixtures.text(FIXTURES[0]))])
+                        new ObjModel("bear", Fixtures.text(FIXTURES[0]))])
             {
                 sGreatLand.addModel(model);
             }

@@ -1,0 +1,47 @@
+package starlogo.motion
+{
+    /**
+     * When a point that passes another comes as near as a distance: where its line enters the sphere of that radius, in closed form.
+     *
+     * @param x from the other to where the point is at time 0
+     * @param y likewise
+     * @param z likewise
+     * @param wayX from there to where it is at time 1
+     * @param wayY likewise
+     * @param wayZ likewise
+     * @param reach the distance
+     * @return from 0 to 1, or Way.NEVER
+     *
+     * @private
+     */
+    public function pointPointTouch(x:Number, y:Number, z:Number, wayX:Number, wayY:Number, wayZ:Number, reach:Number):Number
+    {
+        reach *= reach;
+        if (x * x + y * y + z * z <= reach)
+        {
+            return 0;
+        }
+        var closing:Number = -(x * wayX + y * wayY + z * wayZ);
+        if (!(closing > 0))
+        {
+            return Way.NEVER;
+        }
+        // from the point of the line that is nearest, as far back as half the chord
+        var waySquared:Number = wayX * wayX + wayY * wayY + wayZ * wayZ;
+        var nearest:Number = closing / waySquared;
+        x += nearest * wayX;
+        y += nearest * wayY;
+        z += nearest * wayZ;
+        var half:Number = reach - (x * x + y * y + z * z);
+        if (half < 0)
+        {
+            return Way.NEVER;
+        }
+        var time:Number = nearest - Math.sqrt(half / waySquared);
+        if (time > 1)
+        {
+            return Way.NEVER;
+        }
+        return time > 0 ? time : 0;
+    }
+}

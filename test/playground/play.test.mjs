@@ -59,7 +59,7 @@ for (const [name, size] of Object.entries(SIZES)) {
 			}
 			const turtle = world.agents.find(({ breed }) => breed === 'turtles');
 			turtle.size = 3;
-			turtle.jumpTo(bear.x + 3, bear.y, 0);
+			turtle.jumpTo(bear.x + 4, bear.y, 0);
 			globalThis.target = turtle;
 		});
 		const was = await page.evaluate(() => globalThis.target.color);

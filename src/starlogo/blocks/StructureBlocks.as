@@ -177,8 +177,8 @@ package starlogo.blocks
                 var y:Number = lines[i + 1];
                 var z:Number = lines[i + 2];
                 out.push(placement.x + size * (placement.r00 * x + placement.r01 * y + placement.r02 * z),
-                    placement.y + size * (placement.r10 * x + placement.r11 * y + placement.r12 * z),
-                    placement.z + size * (placement.r20 * x + placement.r21 * y + placement.r22 * z));
+                        placement.y + size * (placement.r10 * x + placement.r11 * y + placement.r12 * z),
+                        placement.z + size * (placement.r20 * x + placement.r21 * y + placement.r22 * z));
             }
             return out;
         }

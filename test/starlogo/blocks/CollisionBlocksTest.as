@@ -128,7 +128,7 @@ package starlogo.blocks
         public function wrongUsesSaySo():void
         {
             assertThrows(BlockError, /^The block "use collision system" does not know "sphers"\. Choose one of these: unit spheres, tight/,
-                _blocks.useCollisionSystem, "sphers");
+                    _blocks.useCollisionSystem, "sphers");
             assertThrows(BlockError, /^The block "use collision system" does not know nothing|got nothing/, _blocks.useCollisionSystem, null);
             assertEquals(CollisionBlocks.TIGHTEST_FITS, _blocks.systemName);
             assertThrows(BlockError, /^The block "on collision with" needs the name of a breed, but got nothing\.$/, _blocks.onCollision, "", "a", note(""));

@@ -13,7 +13,7 @@ package starlogo.blocks
     public class ScatteredGameTest
     {
         public static const FIXTURES:Array = ["/fixtures/playground/scattered.json", "/assets/bear.obj", "/assets/fortress.obj", "/assets/dragon.dae", "/assets/fireman.dae",
-            "/assets/seagull.dae", "/assets/person.dae"];
+                "/assets/seagull.dae", "/assets/person.dae"];
 
         private static const CAST:Array = ["bear", "dragon", "fireman", "seagull", "fortress", "person"];
 

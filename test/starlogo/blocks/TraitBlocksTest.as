@@ -77,7 +77,7 @@ package starlogo.blocks
         public function wrongUsesSaySoAndChangeNothing():void
         {
             assertThrows(BlockError, /^The block "collide as" does not know "ball"\. Choose one of these: tightest, sphere, box, capsule\.$/,
-                _blocks.collideAs, "bears", "ball");
+                    _blocks.collideAs, "bears", "ball");
             assertThrows(BlockError, /^The block "collide as" needs an agent or a breed, but got nothing\. Remember: "collidee"/, _blocks.collideAs, null, "box");
             assertThrows(BlockError, /^The block "set hierarchical" needs an agent or a breed, but got 7\./, _blocks.setHierarchical, 7, true);
             assertThrows(BlockError, /^The block "set hierarchical" needs the name of a breed/, _blocks.setHierarchical, "", true);

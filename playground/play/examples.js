@@ -68,7 +68,7 @@ function nearMiss(shape, scale, x, y, z, ball) {
 export const EXAMPLES = {
 	paintball,
 	// all of the helmet is above the unit sphere
-	helmet: nearMiss("fireman", 4, 0, 0, 8.8, 0.8),
+	helmet: nearMiss("fireman", 3, 0, 0, 6.6, 0.6),
 	// in the box around the dragon, and nowhere near its body
 	wing: nearMiss("dragon", 8, 0.8, -2.6, 0.4, 0.8),
 	// in the unit sphere of the wall, and a good way from it

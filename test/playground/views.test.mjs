@@ -21,6 +21,11 @@ for (const [name, size] of Object.entries(SIZES)) {
 			const { page, context, said } = await open(site, view, size);
 			const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 			assert.ok(wide <= 0, `the page is ${wide} pixels too wide`);
+			const jumps = await page.evaluate(() => new Promise((resolve) => {
+				new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
+				setTimeout(() => resolve(0), 300);
+			}));
+			assert.ok(jumps < 0.05, `what was there moved: ${jumps}`);
 			// page.evaluate is not bound by the page's policy
 			await page.evaluate(axe);
 			for (const colorScheme of ['light', 'dark']) {

@@ -57,13 +57,13 @@ package starlogo.collision
         [Test]
         public function spheres():void
         {
-            play("spheres", 501, Effort.choose(4, 250), 6, new BinCollider(sGreatLand), new BinCollider(sGreatLand));
+            play("spheres", 501, Effort.choose(2, 250), 6, new BinCollider(sGreatLand), new BinCollider(sGreatLand));
         }
 
         [Test]
         public function tightestFits():void
         {
-            play("tightest fits", 502, Effort.choose(4, 400), 6, new TightestFitCollider(sGreatLand), new TightestFitCollider(sGreatLand));
+            play("tightest fits", 502, Effort.choose(2, 400), 6, new TightestFitCollider(sGreatLand), new TightestFitCollider(sGreatLand));
         }
 
         [Test]
@@ -84,7 +84,7 @@ package starlogo.collision
         [Test]
         public function combinations():void
         {
-            play("combinations", 505, Effort.choose(2, 150), 5, new CombinationCollider(sGreatLand), new CombinationCollider(sGreatLand));
+            play("combinations", 505, Effort.choose(1, 150), 5, new CombinationCollider(sGreatLand), new CombinationCollider(sGreatLand));
         }
 
         private function play(name:String, seed:int, games:int, count:int, collider:Collider, brute:Collider):void

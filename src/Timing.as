@@ -25,7 +25,8 @@ package
      */
     public class Timing extends Sprite
     {
-        private static const STEP_MS:int = 25;
+        // drawing the stage takes the player a good part of a shorter step
+        private static const STEP_MS:int = 150;
         private static const VIEW_MS:int = 250;
         private static const FRAME_RATE:int = 60;
         // the player takes longer to draw more than to collide them
@@ -119,7 +120,7 @@ package
                 _caption.appendText("\n\n" + game.lastFrame);
                 if (_view.visible)
                 {
-                    _view.show(game.scene.agents, game.collider.findCollisions(game.scene.agents));
+                    _view.show(game.scene.agents, game.colliding);
                 }
             }
             var monitored:MonitorTask = task as MonitorTask;

@@ -62,6 +62,20 @@ package evaluation
             return _collision == null ? "" : _collision.statistics.candidatePairs + " pairs\n" + _collision.statistics.collisions + " collisions";
         }
 
+        /** The agents that have collided in the last frame: their handlers painted them. Nothing is searched again. */
+        public function get colliding():Vector.<Agent>
+        {
+            var painted:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < scene.agents.length; i++)
+            {
+                if (_paint > 0 && scene.agents[i].color == _paint)
+                {
+                    painted.push(scene.agents[i]);
+                }
+            }
+            return painted;
+        }
+
         /** @inheritDoc */
         override protected function prepare():void
         {

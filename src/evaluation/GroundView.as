@@ -20,10 +20,17 @@ package evaluation
         public function GroundView(width:Number)
         {
             _scale = width / (2 * HALF_WIDTH);
+            // the stage is drawn in every frame, this only when it changes
+            cacheAsBitmap = true;
         }
 
-        /** Draws the agents, and those in red that have collided in this frame. */
-        public function show(agents:Vector.<Agent>, collisions:Vector.<Agent>):void
+        /**
+         * Draws the agents.
+         *
+         * @param agents all of them
+         * @param colliding those to draw in red, each once
+         */
+        public function show(agents:Vector.<Agent>, colliding:Vector.<Agent>):void
         {
             graphics.clear();
             graphics.lineStyle(1, BORDER);
@@ -32,7 +39,7 @@ package evaluation
             graphics.endFill();
             graphics.lineStyle();
             drawDots(agents, FREE);
-            drawDots(collisions, COLLIDING);
+            drawDots(colliding, COLLIDING);
         }
 
         private function drawDots(agents:Vector.<Agent>, color:uint):void

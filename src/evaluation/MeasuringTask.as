@@ -2,17 +2,19 @@ package evaluation
 {
     import evaluation.pairs.PairLoops;
     import evaluation.pairs.PairSet;
+    import headless.Host;
     import starlogo.bounding.BoundingStructure;
 
     /**
      * Measures some things in turns with the sphere-sphere test, after a warm-up that does not count. Where the samples
-     * are too far apart it takes up to three times as many.
+     * are too far apart it takes up to three times as many. What has taken seconds is not repeated as often.
      */
     public class MeasuringTask extends Task
     {
         private static const SEED:uint = 31;
         private static const HITS:Number = 0.4;
         private static const MOST_TIMES:int = 3;
+        private static const LONG_MS:Number = 2500;
 
         private static var sBasePairs:PairLoops;
 
@@ -23,12 +25,14 @@ package evaluation
         protected var _base:Measurement;
 
         private var _repetitions:int;
+        private var _longRepetitions:int;
         private var _measurements:Vector.<Measurement> = new Vector.<Measurement>();
         private var _overheads:Vector.<Measurement> = new Vector.<Measurement>();
         private var _isPrepared:Boolean = false;
         private var _warm:int = 0;
         private var _next:int = 0;
         private var _rounds:int = 0;
+        private var _spent:Number = 0;
 
         /**
          * For subclasses.
@@ -42,6 +46,7 @@ package evaluation
         {
             super(title, weight);
             _repetitions = settings.repetitions;
+            _longRepetitions = settings.longRepetitions;
             _results = results;
         }
 
@@ -97,7 +102,9 @@ package evaluation
 
         private function sampleNext():void
         {
+            var start:Number = Host.now;
             _measurements[_next++].sample();
+            _spent += Host.now - start;
             if (_next == _measurements.length)
             {
                 _next = 0;
@@ -107,11 +114,12 @@ package evaluation
 
         private function areEnough():Boolean
         {
-            if (_next != 0 || _rounds < _repetitions)
+            var wanted:int = _spent < LONG_MS ? _repetitions : _longRepetitions;
+            if (_next != 0 || _rounds < wanted)
             {
                 return false;
             }
-            return _rounds >= MOST_TIMES * _repetitions || areSteady();
+            return _rounds >= MOST_TIMES * wanted || areSteady();
         }
 
         private function areSteady():Boolean

@@ -38,6 +38,9 @@ package evaluation
         /** How often a thing is measured. */
         public var repetitions:int;
 
+        /** How often a thing is measured that takes long: as often as in a quick run, unless a number is asked for. */
+        public var longRepetitions:int;
+
         /** Whether everything is run. */
         public var isFull:Boolean;
 
@@ -55,6 +58,7 @@ package evaluation
             games = numbers("agents", parameters["agents"], isFull ? [100, 300, 1000, 3000, 10000] : [100, 1000, 10000]);
             casts = isFull ? Scenes.CASTS : ["mix"];
             repetitions = numbers("repetitions", parameters["repetitions"], [isFull ? 11 : 5])[0];
+            longRepetitions = numbers("repetitions", parameters["repetitions"], [5])[0];
         }
 
         private static function chosen(option:String, list:String, all:Array):Array

@@ -24,6 +24,8 @@ package evaluation
             var full:Settings = new Settings({full: "true"});
             assertTrue(full.isFull);
             assertTrue(full.repetitions > quick.repetitions);
+            assertEquals(quick.repetitions, full.longRepetitions);
+            assertEquals(quick.repetitions, quick.longRepetitions);
             assertEquals("10,100,300", full.crowds.join());
             assertEquals(10000, full.games[full.games.length - 1]);
         }
@@ -36,6 +38,7 @@ package evaluation
             assertEquals("20,50", settings.crowds.join());
             assertEquals("20,50", settings.games.join());
             assertEquals(3, settings.repetitions);
+            assertEquals(3, settings.longRepetitions);
             assertEquals("bear", settings.models.join());
         }
 

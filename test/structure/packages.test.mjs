@@ -60,6 +60,16 @@ test('src uses nothing of test', () => {
 	assert.equal(wrong.join('\n'), '');
 });
 
+test('no file of the engine declares a function outside of its package: it would be looked up by name in every call', () => {
+	const outside = (text) => /^(?:\w+ )?function \w+/m.exec(codeOf(text))?.[0];
+	assert.equal(outside('package a\n{\n    function b():void\n    {\n    }\n}\n\nfunction c():void\n{\n}\n'), 'function c');
+	const wrong = [...sources].filter(([name]) => isEngine(name)).flatMap(([name, file]) => {
+		const found = outside(read(file));
+		return found ? [`${name}: ${found}`] : [];
+	});
+	assert.equal(wrong.join('\n'), '');
+});
+
 test('the engine but for the adapters does not name Away3D', () => {
 	const wrong = [...sources].filter(([name, file]) => !mayUseAway3d(name) && /away3d/i.test(codeOf(read(file))));
 	assert.deepEqual(wrong.map(([name]) => name), []);

@@ -57,7 +57,7 @@ package starlogo.intersection
         {
             if (longest > 0)
             {
-                return areCloseRescaled(a, b, Math.sqrt(longest));
+                return ExtremeCapsules.areClose(a, b, Math.sqrt(longest));
             }
         }
         var uv:Number = ux * vx + uy * vy + uz * vz;
@@ -96,27 +96,4 @@ package starlogo.intersection
         var reach:Number = (a.radius + b.radius) * Tolerances.TOUCHING;
         return x * x + y * y + z * z <= reach * reach;
     }
-}
-
-import flash.geom.Vector3D;
-import starlogo.bounding.Capsule;
-import starlogo.intersection.capsuleCapsule;
-
-/**
- * The same for capsules so long or so short that products of four lengths would overflow or vanish: the longer one as a unit. It
- * allocates, where nobody will ever notice.
- */
-function areCloseRescaled(a:Capsule, b:Capsule, unit:Number):Boolean
-{
-    return capsuleCapsule(inUnits(a, a.start, unit), inUnits(b, a.start, unit));
-}
-
-function inUnits(capsule:Capsule, origin:Vector3D, unit:Number):Capsule
-{
-    return new Capsule(between(origin, capsule.start, unit), between(origin, capsule.end, unit), capsule.radius / unit);
-}
-
-function between(origin:Vector3D, point:Vector3D, unit:Number):Vector3D
-{
-    return new Vector3D((point.x - origin.x) / unit, (point.y - origin.y) / unit, (point.z - origin.z) / unit);
 }

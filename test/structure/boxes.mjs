@@ -1,0 +1,106 @@
+#!/usr/bin/env node
+/**
+ * Whether the engine makes garbage in every frame without anybody's seeing it: Adobe's VM keeps a Number in an object of its own where it
+ * does not know that it is one. Reads the compiled engine as the SDK's swfdump prints it, lists what does that in the functions that run
+ * every frame, and exits with 1 if there is more, or less, than is allowed.
+ *
+ *   swfdump -abc library.swf > file; node test/structure/boxes.mjs file
+ *
+ * coerce_a: both arms of a ternary that is not assigned to a typed local at once (or passed, or returned), what is assigned to an
+ * untyped variable, and what a for each goes over. Math.max and Math.min of three: their arguments are put into an Array.
+ */
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+/** Packages and classes whose functions run every frame. */
+const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.geometry.Placement',
+	'starlogo.hierarchy', 'starlogo.intersection'];
+
+/** Classes of those packages that do not, and why. */
+const COLD = {
+	'starlogo.collision.BreedInterests': 'made when handlers or breeds change',
+	'starlogo.collision.HandlerTable': 'made when handlers change',
+	'starlogo.hierarchy.HierarchyBuilder': 'when a model loads',
+	'starlogo.hierarchy.Items': 'when a model loads',
+	'starlogo.hierarchy.NodeStructures': 'when a model loads',
+	'starlogo.hierarchy.SolidBuilder': 'when a model loads',
+};
+
+/** How many there may be in a function: none of them is of a Number. */
+export const ALLOWED = {
+	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
+	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
+	'starlogo.collision.CollisionSearch.onCandidates': { count: 2, why: 'objects through an untyped local, the cheapest of casts' },
+	'starlogo.collision.HandlerCalls.callThrough': { count: 2, why: 'what a handler threw' },
+	'starlogo.collision.ListedShapes.enlistFrom': { count: 2, why: 'an object through an untyped local, the cheapest of casts' },
+};
+
+const FEWEST_FUNCTIONS = 150;
+
+/** A function's qualified name from the line that swfdump heads it with; '' for initialisers, which run once. */
+function nameIn(header) {
+	const [owner, member] = header.replace(/^[gs]et /, '').split('(')[0].split(/::(.*)/);
+	if (member === undefined || member.endsWith('init')) {
+		return '';
+	}
+	return (owner.startsWith('script') ? member : `${owner}:${member.split(':').pop()}`).replaceAll(':', '.');
+}
+
+function isHot(name) {
+	const isIn = (room) => name.startsWith(`${room}.`);
+	return HOT.some(isIn) && !Object.keys(COLD).some(isIn);
+}
+
+/**
+ * The functions that run every frame, and the source lines of what boxes Numbers in each, one for each such instruction.
+ *
+ * @param {string} dump what swfdump -abc prints
+ * @returns {Map<string, number[]>}
+ */
+export function boxesIn(dump) {
+	const boxes = new Map();
+	let lines;
+	let line = 0;
+	for (const text of dump.split('\n')) {
+		const [, header] = /^ {4}function (.*)$/.exec(text) ?? [];
+		if (header) {
+			const name = nameIn(header);
+			lines = isHot(name) ? boxes.get(name) ?? [] : undefined;
+			if (lines) {
+				boxes.set(name, lines);
+			}
+		}
+		line = Number(/^\s+(?:L\d+:\s*)?debugline\s+(\d+)/.exec(text)?.[1] ?? line);
+		if (lines && /^\s+(?:L\d+:\s*)?(?:coerce_a\b|callproperty\s+:(?:max|min) \((?!2\)))/.test(text)) {
+			lines.push(line);
+		}
+	}
+	return boxes;
+}
+
+/** What is wrong with them, in words; an empty list if nothing is. */
+export function faultsOf(boxes, allowed = ALLOWED) {
+	const faults = [];
+	for (const [name, lines] of boxes) {
+		if (lines.length > (allowed[name]?.count ?? 0)) {
+			faults.push(`${name} may box Numbers in lines ${[...new Set(lines)].join(', ')}: ${lines.length} times`);
+		}
+	}
+	for (const [name, { count }] of Object.entries(allowed)) {
+		const found = boxes.get(name)?.length ?? 0;
+		if (found < count) {
+			faults.push(`${name} is allowed ${count}, and has ${found}: say so in test/structure/boxes.mjs`);
+		}
+	}
+	return faults;
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+	const boxes = boxesIn(readFileSync(process.argv[2], 'utf8'));
+	const faults = faultsOf(boxes);
+	if (boxes.size < FEWEST_FUNCTIONS) {
+		faults.push(`only ${boxes.size} functions run every frame: is ${process.argv[2]} a dump of the engine?`);
+	}
+	console.log(faults.join('\n') || `boxed Numbers: none in ${boxes.size} functions that run every frame`);
+	process.exitCode = faults.length > 0 ? 1 : 0;
+}

@@ -121,8 +121,9 @@ package starlogo.collision
                 {
                     var handler:CollisionHandler = pair.endHandlers[_call];
                     var isBack:Boolean = _call >= pair.endForwardCount;
+                    var who:int = isBack ? TouchRecord.SECOND : TouchRecord.FIRST;
                     _call++;
-                    if (handler.isRemoved || (touch.known & (isBack ? TouchRecord.SECOND : TouchRecord.FIRST)) == 0)
+                    if (handler.isRemoved || (touch.known & who) == 0)
                     {
                         continue;
                     }

@@ -25,7 +25,7 @@ export async function page(report) {
 <h1>Collision engine: timing report</h1>
 <p>The evaluation of “Improved Collision Detection in StarLogo Nova” (section 6), run on ${date} UTC. Blue is this engine,
 amber the thesis's algorithms word for word in the same player, grey the thesis's own numbers of 2015.</p>
-<p>${takenIn(report.versions)}</p>
+<p>${takenIn(report.versions)}${report.module ? ` ${escape(moduleText(report.module))}` : ''}</p>
 <dl class="tiles">${tiles(report).map(([value, label]) => `<div><dt>${label}</dt><dd>${value}</dd></div>`).join('')}</dl>
 </header>
 <main>
@@ -42,6 +42,12 @@ ${draw}</script>
 </body>
 </html>
 `;
+}
+
+/** How fast the ES module was, in words. */
+export function moduleText({ player, count, low, median, high }) {
+	const times = (ratio) => (ratio < 9.95 ? ratio.toFixed(1) : String(Math.round(ratio)));
+	return `In ${player} the engine was ${times(median)} times as fast: the median of ${count} times, which range from ${times(low)} to ${times(high)}.`;
 }
 
 /** Which numbers were taken in which player. */

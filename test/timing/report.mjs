@@ -2,33 +2,35 @@
 /**
  * Makes the report of a timing run: prints its tables, and writes report.json, report.csv and report.html.
  *
- *   node test/timing/report.mjs folder [--compare=older-report.json] [--beside=folder]
+ *   node test/timing/report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]
  *
  * The folder has the results.json of the run; docs/timing-report.md describes report.json. With an older report, what
- * became faster or slower since then is printed. With another folder, that of a run in another player, its times stand beside.
+ * became faster or slower since then is printed. With another folder, that of a run in another player, its times stand beside; with
+ * that of a run of the ES module the report says how many times as fast that is.
  */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { addBeside } from './beside.mjs';
+import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { growth } from './figures.mjs';
 import { machine, versions } from './machine.mjs';
-import { page } from './page.mjs';
+import { moduleText, page } from './page.mjs';
 import { changes } from './statistics.mjs';
 
 const { positionals: [folder], values } = parseArgs({
 	allowPositionals: true,
-	options: { compare: { type: 'string', default: '' }, beside: { type: 'string', default: '' } },
+	options: { compare: { type: 'string', default: '' }, beside: { type: 'string', default: '' }, module: { type: 'string', default: '' } },
 });
 if (!folder) {
-	console.error('usage: report.mjs folder [--compare=older-report.json] [--beside=folder]');
+	console.error('usage: report.mjs folder [--compare=older-report.json] [--beside=folder] [--module=folder]');
 	process.exit(64);
 }
 const resultsOf = async (run) => JSON.parse(await readFile(path.join(run, 'results.json'), 'utf8'));
 const results = await resultsOf(folder);
 const beside = values.beside ? await resultsOf(values.beside) : undefined;
+const module = values.module ? await resultsOf(values.module) : undefined;
 // first: the older report may be the one that is about to be replaced
 const older = values.compare ? JSON.parse(await readFile(values.compare, 'utf8')) : undefined;
 const report = {
@@ -36,6 +38,7 @@ const report = {
 	created: new Date().toISOString(),
 	machine: machine(),
 	versions: { ...versions(results.player), ...(beside && { beside: beside.player }) },
+	...(module && { module: { player: module.player, ...timesAsFast(results.entries, module.entries) } }),
 	exponents: growth(results.entries.filter((entry) => entry.figure === 'scattered')),
 	entries: beside ? addBeside(results.entries, beside.entries) : results.entries,
 };
@@ -47,6 +50,9 @@ const text = tables(report.entries);
 await writeFile(file('timing.txt'), text + '\n');
 console.log(`\n${text}\n`);
 console.log(`Taken in ${report.versions.player}${beside ? `; the columns and rows named JIT in ${beside.player}` : ''}.`);
+if (report.module) {
+	console.log(moduleText(report.module));
+}
 console.log('Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth.');
 if (older) {
 	console.log('\n' + comparison(changes(older.entries, report.entries), older.created.slice(0, 16).replace('T', ' ')));

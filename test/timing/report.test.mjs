@@ -1,11 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addBeside } from './beside.mjs';
+import { addBeside, timesAsFast } from './beside.mjs';
 import { comparison, tables } from './console.mjs';
 import { csv } from './csv.mjs';
 import { FIGURES, growth } from './figures.mjs';
 import { percent, ratio, significant, time } from './format.mjs';
-import { page } from './page.mjs';
+import { moduleText, page } from './page.mjs';
 import { changes, exponent } from './statistics.mjs';
 
 const timed = (figure, subject, variant, value, more = {}) => ({
@@ -75,6 +75,18 @@ test('what another player took stands beside, and nowhere else', async () => {
 	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: { player: 'one', beside: 'an<other' }, exponents: [], entries: both });
 	assert.match(html, /taken in one, but.*an&lt;other/);
 	assert.match(html, /this engine, JIT/);
+});
+
+test('the report says how many times as fast the ES module is', async () => {
+	const others = [timed('fits', 'bear', 'engine', 0.68), timed('fits', 'bear', 'literal', 1), timed('tests', 'boxBox', 'engine', null),
+		timed('crowds', '100 bears', 'TightestFitCollider', 0.5), timed('crowds', '100 bears', 'TightestFitCollider, literal', 1)];
+	const faster = timesAsFast(entries, others);
+	assert.deepEqual({ ...faster, low: faster.low.toFixed(3) }, { count: 2, low: '10.000', median: 35, high: 35 });
+	assert.match(moduleText({ player: 'Node', count: 3, low: 0.96, median: 4, high: 123 }), / 4\.0 times .* from 1\.0 to 123\./);
+	assert.equal(timesAsFast(entries, []), undefined);
+	assert.match(moduleText({ player: 'Node 20', ...faster }), /^In Node 20 the engine was 35 times as fast: .* 2 times, .* from 10 to 35\.$/);
+	const html = await page({ created: '2026-01-02T03:04:05Z', machine: {}, versions: { player: 'one' }, module: { player: 'No<de', ...faster }, exponents: [], entries });
+	assert.match(html, /In No&lt;de the engine was 35 times/);
 });
 
 test('a comparison names what changed beyond the noise, and nothing else', () => {

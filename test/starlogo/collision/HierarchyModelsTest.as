@@ -68,7 +68,7 @@ package starlogo.collision
         {
             var collider:HierarchicalCollider = new HierarchicalCollider(openModels());
             var random:SeededRandom = new SeededRandom(seed);
-            var tallies:Array = [];
+            var tallies:Object = {};
             var wrong:int = 0;
             var placements:int = Effort.choose(25, 100);
             for (var i:int = 0; i < placements; i++)

@@ -1,0 +1,91 @@
+#!/usr/bin/env node
+/**
+ * Writes the npm package of the engine.
+ *
+ *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
+ */
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { transformSync } from "esbuild";
+import { SETUP, standinsText, translate } from "./assemble.mjs";
+import { writeDeclarations } from "./declarations.mjs";
+import { ROOT, publicSignatures } from "./names.mjs";
+
+const [transpiled, out] = process.argv.slice(2);
+const NAME = "starlogo-collision";
+const THIRD_PARTY = ["pako", "saxes", "xmlchars"];
+
+const types = publicSignatures();
+const program = translate(transpiled, types);
+const classes = program.text();
+const lost = /\$missing\("(.*?)"\)/.exec(classes);
+if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
+
+const { version } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
+const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.shortName(qname) ?? fail(qname));
+const text = `/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
+${standinsText()}
+${classes}
+${SETUP}
+export {
+    ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
+};
+`;
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+const readable = `${NAME}.js`;
+const minified = `${NAME}.min.js`;
+writeFileSync(join(out, readable), text);
+const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: false });
+writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified}.map\n`);
+writeFileSync(join(out, `${minified}.map`), small.map);
+writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
+writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
+writeFileSync(join(out, "LICENSES.md"), licences());
+copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
+copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
+copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
+console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
+
+function fail(qname) {
+	throw new Error(`${qname} is public, but was not compiled`);
+}
+
+function manifest() {
+	return {
+		name: NAME,
+		version,
+		description: "The collision engine of StarLogo Nova: which agents of a game have collided",
+		license: "MIT",
+		type: "module",
+		sideEffects: false,
+		engines: { node: ">=18" },
+		types: "./index.d.ts",
+		exports: {
+			".": { types: "./index.d.ts", default: `./${minified}` },
+			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+		},
+		files: ["*.js", "*.map", "*.d.ts", "*.md"],
+	};
+}
+
+/** The licences of what is bundled in. */
+function licences() {
+	const parts = THIRD_PARTY.map((name) => {
+		const folder = join(ROOT, "module/node_modules", name);
+		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+		const file = ["LICENSE", "LICENSE.md", "license"].map((each) => join(folder, each)).find((each) => exists(each));
+		return `## ${name} ${version} (${license})\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
+	});
+	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
+}
+
+function exists(file) {
+	try {
+		readFileSync(file);
+		return true;
+	} catch {
+		return false;
+	}
+}

@@ -1,0 +1,59 @@
+/** Reads what ActionScript files declare, with its documentation. The sources are formatted, so lines tell the levels. */
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+
+const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
+const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
+const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?`, "gm");
+
+/** Every type and package function below some folders. A file in a folder that comes earlier stands for others of its name. */
+export function readSignatures(folders) {
+	const found = new Map();
+	for (const folder of folders) {
+		for (const file of readdirSync(folder, { recursive: true }).sort()) {
+			const qname = file.replace(/\.as$/, "").replaceAll(/[\\/]/g, ".");
+			if (!file.endsWith(".as") || found.has(qname)) continue;
+			const type = readType(readFileSync(join(folder, file), "utf8"), qname);
+			if (type) found.set(qname, type);
+		}
+	}
+	return found;
+}
+
+function readType(source, qname) {
+	// what is between the package and the type: imports, and metadata of events
+	const match = TYPE.exec(source.replace(/^    \/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*\[.*\]$/gm, (text) => text.replace(/[^\n]/g, "")));
+	if (!match || !/^    (?:[\w ]*\b)?public\b/m.test(match[0])) return null;
+	const [, doc = "", , kind, name, signature, result, bases = "", interfaces = ""] = match;
+	const list = (text) => text.split(",").map((word) => word.trim()).filter((word) => word !== "");
+	const type = { qname, name, kind, doc: textOf(doc), isPrivate: /@private/.test(doc), bases: list(bases), interfaces: list(interfaces), members: [] };
+	if (kind === "function") return { ...type, parameters: parametersOf(signature), result };
+	for (const found of source.slice(match.index + match[0].length).matchAll(MEMBER)) type.members.push(memberOf(found, type));
+	return type;
+}
+
+function memberOf([, doc = "", modifiers, keyword, accessor, name, parameters, result = "*"], type) {
+	const words = modifiers.trim().split(/\s+/);
+	return {
+		name,
+		doc: textOf(doc),
+		isPrivate: /@private/.test(doc),
+		isPublic: words.includes("public") || type.kind === "interface",
+		isProtected: words.includes("protected"),
+		isStatic: words.includes("static"),
+		isOverride: words.includes("override"),
+		kind: keyword !== "function" ? keyword : accessor ?? (name === type.name ? "constructor" : "method"),
+		parameters: parameters ? parametersOf(parameters) : [],
+		result,
+	};
+}
+
+function parametersOf(text) {
+	return [...text.matchAll(/(\.\.\.)?(\w+)(?::([\w.<>*]+))?(?:\s*=\s*([^,)]+))?/g)]
+		.map(([, rest, name, type = "*", value]) => ({ name, type: rest ? "Array" : type, isRest: Boolean(rest), value: value?.trim() ?? null }));
+}
+
+/** A comment's text, without its stars. */
+function textOf(comment) {
+	return comment.trim().replace(/^\/\*\*/, "").replace(/\*\/$/, "").split("\n").map((line) => line.replace(/^\s*\* ?/, "").trimEnd()).join("\n").trim();
+}

@@ -1,0 +1,124 @@
+/** Reads what one of the compiler's files defines. */
+import { parse } from "acorn";
+import { isWithin, lazyValue, nameOf, pathOf } from "./syntax.mjs";
+
+/** What one of the compiler's files defines: what it is named for first, then what only that file sees. */
+export function unitsOf(file, source) {
+	const comments = [];
+	const program = parse(source, { ecmaVersion: 2022, preserveParens: true, onComment: comments });
+	const qnames = [...source.matchAll(/^goog\.provide\('([\w.]+)'\)/gm)].map((match) => match[1]);
+	return qnames.map((qname) => {
+		const isOwn = (path) => path === qname || path.startsWith(`${qname}.`) && !qnames.some((other) => other.length > qname.length && isWithin(path, other));
+		return new Unit({ file, source, comments, qname, isOwn, isInner: qname !== qnames[0] }, program);
+	}).filter((unit) => unit.main !== null);
+}
+
+/** A class, an interface, a function of a package, or a variable of a file. */
+class Unit {
+	constructor({ file, source, comments, qname, isOwn, isInner }, program) {
+		this.source = source;
+		this.file = file;
+		this.comments = comments;
+		this.qname = qname;
+		this.isOwn = isOwn;
+		this.isInner = isInner; // only its file sees it
+		this.name = qname.split(".").pop();
+		this.mangled = isInner ? `${this.name}_` : qname.replaceAll(".", "_") + "_";
+		this.kind = "function";
+		this.base = null;
+		this.main = null; // the constructor, the package's function, or the variable's value
+		this.doc = "";
+		this.types = new Map(); // of members, by mangled name
+		this.statics = new Map(); // types of static members
+		this.constants = new Map(); // numbers that stand in place of their names: a class's static is looked up each time
+		this.members = []; // { name, node, doc, isStatic, kind: "method" | "get" | "set" }
+		this.fields = []; // { name, value }
+		this.staticValues = []; // { name, value, doc }
+		this.tests = [];
+		for (const statement of program.body) this.#read(statement);
+		if (this.kind === "function" && this.main && this.main.type !== "FunctionExpression") this.kind = "variable";
+	}
+
+	#read(statement) {
+		if (statement.type !== "ExpressionStatement") return;
+		const expression = statement.expression;
+		const doc = this.#docBefore(statement);
+		if (expression.type === "CallExpression") {
+			if (!this.isOwn(pathOf(expression.arguments[0]))) return;
+			if (pathOf(expression.callee) === "goog.inherits") this.base = pathOf(expression.arguments[1]);
+			else if (pathOf(expression.callee) === "Object.defineProperties") this.#readAccessors(expression);
+			return;
+		}
+		const left = expression.type === "AssignmentExpression" ? expression.left : expression;
+		const path = pathOf(left);
+		if (!this.isOwn(path)) return;
+		if (path === this.qname && expression.right) this.#readMain(expression.right, doc);
+		else if (path.startsWith(`${this.qname}.prototype.`)) this.#readMember(path.slice(this.qname.length + 11), expression.right, doc, false);
+		else if (path.startsWith(`${this.qname}.`)) this.#readMember(path.slice(this.qname.length + 1), expression.right, doc, true);
+	}
+
+	#readMain(node, doc) {
+		this.main = node;
+		this.doc = doc;
+		if (/@constructor/.test(doc)) this.kind = "class";
+		if (/@interface/.test(doc)) this.kind = "interface";
+	}
+
+	#readMember(name, value, doc, isStatic) {
+		if (name === "ROYALE_REFLECTION_INFO") this.#readTests(value);
+		if (name.startsWith("ROYALE_")) return;
+		const types = isStatic ? this.statics : this.types;
+		const accessor = /^(starlogo_engine__)?([gs]et)__(.*)$/.exec(name)?.slice(1);
+		if (accessor) {
+			accessor.splice(0, 3, name, accessor[1], (accessor[0] ?? "") + accessor[2]);
+			const lazy = isStatic ? lazyValue(value) : null;
+			if (lazy) this.staticValues.push({ name: accessor[2], value: lazy });
+			else if (!(isStatic && this.staticValues.some((known) => known.name === accessor[2]))) {
+				this.members.push({ name: accessor[2], node: value, doc, isStatic, kind: accessor[1] });
+			}
+			return;
+		}
+		if (value?.type === "FunctionExpression") {
+			types.set(name, /@return \{(.*)\}/.exec(doc)?.[1] ?? "void");
+			this.members.push({ name, node: value, doc, isStatic, kind: "method" });
+			return;
+		}
+		types.set(name, /@type \{(.*)\}/.exec(doc)?.[1] ?? "*");
+		if (value?.type === "Literal" && typeof value.value === "number" && isStatic && /@const/.test(doc)) this.constants.set(name, value.raw);
+		if (value && isStatic) this.staticValues.push({ name, value, doc });
+		else if (value) this.fields.push({ name, value, doc });
+		else if (this.kind === "interface") this.members.push({ name, node: null, doc, isStatic, kind: "get" });
+	}
+
+	// An accessor whose other half is inherited.
+	#readAccessors(call) {
+		if (pathOf(call.arguments[0]) !== `${this.qname}.prototype`) return;
+		for (const property of call.arguments[1].properties) {
+			for (const half of property.value.properties) {
+				const path = half.value.type === "MemberExpression" ? pathOf(half.value) : "";
+				if (path !== "" && !path.startsWith(`${this.qname}.`)) {
+					this.members.push({ name: nameOf(property.key), node: null, doc: "", isStatic: false, kind: nameOf(half.key) });
+				}
+			}
+		}
+	}
+
+	// The metadata that FlexUnit reads: [{ name, kind: "Test", args: { expects: "ArgumentError" } }]
+	#readTests(info) {
+		const text = this.source.slice(info.start, info.end);
+		if (!/metadata:/.test(text)) return;
+		const methods = new Function(`return (${text})()`)().methods?.() ?? {};
+		for (const [name, method] of Object.entries(methods)) {
+			for (const tag of method.metadata?.() ?? []) {
+				const args = Object.fromEntries((tag.args ?? []).map((arg) => [arg.key || arg.value, arg.value]));
+				this.tests.push({ name: name.replace("|", ""), kind: tag.name, args });
+			}
+		}
+	}
+
+	#docBefore(statement) {
+		const comment = this.comments.filter((each) => each.type === "Block" && each.end <= statement.start).pop();
+		const isNext = comment && /^\s*$/.test(this.source.slice(comment.end, statement.start));
+		return isNext ? `/*${comment.value}*/` : "";
+	}
+}

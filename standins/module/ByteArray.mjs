@@ -1,0 +1,247 @@
+/** Stands in for flash.utils.ByteArray: as much of it as the engine and its tests use. */
+import { Inflate } from "pako/lib/inflate.js";
+
+const DEFAULT_ROOM = 64;
+const LATIN_1 = /^(iso-8859-1|latin1|us-ascii)$/i;
+
+/** Bytes with a place to read and write at. */
+export class ByteArray {
+	#bytes;
+	#view;
+	#length;
+
+	/** The byte order of numbers: "bigEndian" or "littleEndian". */
+	endian = "bigEndian";
+
+	/** Where the next byte is read or written. */
+	position = 0;
+
+	/** @param source bytes to begin with, which are copied: an ArrayBuffer or a view of one */
+	constructor(source = null) {
+		const given = source === null ? new Uint8Array() : toBytes(source);
+		this.#length = given.length;
+		this.#take(given.slice());
+	}
+
+	/** The bytes of a ByteArray, an ArrayBuffer or a view of one, as a ByteArray. */
+	static from(source) {
+		return source === null || source === undefined || source instanceof ByteArray ? source : new ByteArray(source);
+	}
+
+	get length() {
+		return this.#length;
+	}
+
+	set length(value) {
+		this.#reserve(value);
+		if (value < this.#length) this.#bytes.fill(0, value, this.#length);
+		this.#length = value;
+		this.position = Math.min(this.position, value);
+	}
+
+	get bytesAvailable() {
+		return Math.max(0, this.#length - this.position);
+	}
+
+	/** A byte; undefined behind the last. */
+	byteAt(index) {
+		return index < this.#length ? this.#bytes[index] : undefined;
+	}
+
+	/** Sets a byte; the bytes grow if need be. */
+	setByte(index, value) {
+		if (index >= this.#length) this.length = index + 1;
+		this.#bytes[index] = value;
+	}
+
+	clear() {
+		this.length = 0;
+	}
+
+	readBoolean() {
+		return this.readUnsignedByte() !== 0;
+	}
+
+	readByte() {
+		return this.#view.getInt8(this.#advance(1));
+	}
+
+	readUnsignedByte() {
+		return this.#bytes[this.#advance(1)];
+	}
+
+	readUnsignedShort() {
+		return this.#view.getUint16(this.#advance(2), this.#isLittle);
+	}
+
+	readInt() {
+		return this.#view.getInt32(this.#advance(4), this.#isLittle);
+	}
+
+	readUnsignedInt() {
+		return this.#view.getUint32(this.#advance(4), this.#isLittle);
+	}
+
+	readFloat() {
+		return this.#view.getFloat32(this.#advance(4), this.#isLittle);
+	}
+
+	readDouble() {
+		return this.#view.getFloat64(this.#advance(8), this.#isLittle);
+	}
+
+	/** Text in UTF-8; a byte order mark at its beginning is left out, and it ends at a zero. */
+	readUTFBytes(length) {
+		return this.readMultiByte(length, "utf-8");
+	}
+
+	/** Text in some encoding; in the platform's own, which is UTF-8 here, if it is not known. */
+	readMultiByte(length, charset) {
+		const start = this.#advance(length);
+		const bytes = this.#bytes.subarray(start, start + length);
+		const text = decoder(charset).decode(bytes);
+		const end = text.indexOf("\0");
+		return end < 0 ? text : text.slice(0, end);
+	}
+
+	writeBoolean(value) {
+		this.writeByte(value ? 1 : 0);
+	}
+
+	writeByte(value) {
+		const at = this.#extend(1);
+		this.#bytes[at] = value;
+	}
+
+	writeShort(value) {
+		const at = this.#extend(2);
+		this.#view.setInt16(at, value, this.#isLittle);
+	}
+
+	writeInt(value) {
+		const at = this.#extend(4);
+		this.#view.setInt32(at, value, this.#isLittle);
+	}
+
+	writeUnsignedInt(value) {
+		const at = this.#extend(4);
+		this.#view.setUint32(at, value, this.#isLittle);
+	}
+
+	writeFloat(value) {
+		const at = this.#extend(4);
+		this.#view.setFloat32(at, value, this.#isLittle);
+	}
+
+	writeDouble(value) {
+		const at = this.#extend(8);
+		this.#view.setFloat64(at, value, this.#isLittle);
+	}
+
+	writeUTFBytes(text) {
+		this.#write(new TextEncoder().encode(text));
+	}
+
+	writeMultiByte(text, charset) {
+		if (LATIN_1.test(charset)) this.#write(Uint8Array.from(text, (letter) => letter.charCodeAt(0)));
+		else if (/^(utf-16|unicode)(le)?$/i.test(charset)) this.#write(utf16(text, true));
+		else if (/^(utf-16be|unicodeFFFE)$/i.test(charset)) this.#write(utf16(text, false));
+		else this.writeUTFBytes(text);
+	}
+
+	/** Writes bytes of another; all from offset on if length is 0. */
+	writeBytes(source, offset = 0, length = 0) {
+		const count = length === 0 ? source.length - offset : length;
+		if (offset + count > source.length) throw new RangeError("Error #2006: The supplied index is out of bounds.");
+		this.#write(source.#bytes.slice(offset, offset + count));
+	}
+
+	/** @throws Error if the bytes are no whole deflated data */
+	inflate() {
+		if (this.#length > 0) {
+			const inflate = new Inflate({ raw: true });
+			inflate.push(this.toUint8Array(), true);
+			if (inflate.err !== 0 || !inflate.ended) throw new Error("Error #2058: There was an error decompressing the data.");
+			this.#replace(inflate.result);
+		}
+		this.position = 0;
+	}
+
+	/** The bytes, copied. */
+	toUint8Array() {
+		return this.#bytes.slice(0, this.#length);
+	}
+
+	/** The bytes as text. */
+	toString() {
+		return decoder("utf-8").decode(this.toUint8Array());
+	}
+
+	get #isLittle() {
+		return this.endian === "littleEndian";
+	}
+
+	#take(bytes) {
+		this.#bytes = bytes;
+		this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+	}
+
+	#replace(bytes) {
+		this.#take(bytes);
+		this.#length = bytes.length;
+	}
+
+	#reserve(length) {
+		if (length <= this.#bytes.length) return;
+		const roomy = new Uint8Array(Math.max(DEFAULT_ROOM, length, 2 * this.#bytes.length));
+		roomy.set(this.#bytes.subarray(0, this.#length));
+		this.#take(roomy);
+	}
+
+	#advance(count) {
+		const at = this.position;
+		if (at + count > this.#length) throw new EOFError();
+		this.position = at + count;
+		return at;
+	}
+
+	#extend(count) {
+		const at = this.position;
+		if (at + count > this.#length) this.length = at + count;
+		this.position = at + count;
+		return at;
+	}
+
+	#write(bytes) {
+		const at = this.#extend(bytes.length);
+		this.#bytes.set(bytes, at);
+	}
+}
+
+/** There were fewer bytes than were to be read. */
+export class EOFError extends Error {
+	constructor(message = "Error #2030: End of file was encountered.") {
+		super(message);
+		this.name = "EOFError";
+	}
+}
+
+function toBytes(source) {
+	if (source instanceof ArrayBuffer) return new Uint8Array(source);
+	return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
+}
+
+function decoder(charset) {
+	const label = { unicode: "utf-16le", unicodefffe: "utf-16be" }[charset.toLowerCase()] ?? charset;
+	try {
+		return new TextDecoder(label);
+	} catch {
+		return new TextDecoder();
+	}
+}
+
+function utf16(text, isLittle) {
+	const view = new DataView(new ArrayBuffer(2 * text.length));
+	for (let i = 0; i < text.length; i++) view.setUint16(2 * i, text.charCodeAt(i), isLittle);
+	return new Uint8Array(view.buffer);
+}

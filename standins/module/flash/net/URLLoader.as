@@ -1,0 +1,78 @@
+package flash.net
+{
+    import flash.events.Event;
+    import flash.events.EventDispatcher;
+    import flash.events.IOErrorEvent;
+    import flash.events.ProgressEvent;
+    import flash.utils.ByteArray;
+    import standin.Network;
+
+    /** Fetches a file, with Flash's events: open, progress, and complete or ioError. */
+    public class URLLoader extends EventDispatcher
+    {
+        /** The file, from when the event complete comes. */
+        public var data:* = null;
+
+        /** What data is to be: see URLLoaderDataFormat. */
+        public var dataFormat:String = URLLoaderDataFormat.TEXT;
+
+        /** How many bytes are here. */
+        public var bytesLoaded:uint = 0;
+
+        /** How many bytes the file has; 0 if that is not known. */
+        public var bytesTotal:uint = 0;
+
+        private var _stop:Function = null;
+
+        /** @param request loaded at once; null waits for load() */
+        public function URLLoader(request:URLRequest = null)
+        {
+            if (request != null)
+            {
+                load(request);
+            }
+        }
+
+        /** Begins to fetch a file, in place of one that is under way. */
+        public function load(request:URLRequest):void
+        {
+            var url:String = request.url;
+            if (url == null)
+            {
+                throw new TypeError("Error #2007: Parameter url must be non-null.");
+            }
+            close();
+            bytesLoaded = 0;
+            bytesTotal = 0;
+            _stop = Network.fetch(url, onProgress, onDone, function(problem:String):void
+                {
+                    _stop = null;
+                    dispatchEvent(new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, "Error #2032: Stream Error. URL: " + url + " (" + problem + ")"));
+                });
+        }
+
+        /** Stops fetching. */
+        public function close():void
+        {
+            if (_stop != null)
+            {
+                _stop();
+                _stop = null;
+            }
+        }
+
+        private function onProgress(loaded:uint, total:uint):void
+        {
+            bytesLoaded = loaded;
+            bytesTotal = total;
+            dispatchEvent(new ProgressEvent(ProgressEvent.PROGRESS, false, false, loaded, total));
+        }
+
+        private function onDone(bytes:ByteArray):void
+        {
+            _stop = null;
+            data = dataFormat == URLLoaderDataFormat.BINARY ? bytes : bytes.readUTFBytes(bytes.length);
+            dispatchEvent(new Event(Event.COMPLETE));
+        }
+    }
+}

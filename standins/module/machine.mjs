@@ -1,0 +1,94 @@
+/** What the stand-ins for Flash's classes need of the machine: time, frames, files. Nothing of it is looked at before it is needed. */
+
+/** Milliseconds from one frame to the next. */
+const FRAME_MS = 1000 / 60;
+
+/** Milliseconds. */
+export function now() {
+	return performance.now();
+}
+
+/** Throws an error that no caller can catch, for whoever listens for such. */
+export function uncaught(error) {
+	setTimeout(() => {
+		throw error;
+	});
+}
+
+/** The list of who listens for frames; frames come while there is anybody. */
+export class FrameListeners extends Array {
+	#newFrame;
+	#isTicking = false;
+
+	/** @param newFrame makes the event that the listeners get */
+	constructor(newFrame) {
+		super();
+		this.#newFrame = newFrame;
+	}
+
+	static get [Symbol.species]() {
+		return Array;
+	}
+
+	push(...listeners) {
+		const length = super.push(...listeners);
+		this.#tick();
+		return length;
+	}
+
+	#tick() {
+		if (this.#isTicking) return;
+		this.#isTicking = true;
+		setTimeout(() => {
+			this.#isTicking = false;
+			for (const listener of [...this]) listener.dispatchEvent(this.#newFrame());
+			if (this.length > 0) this.#tick();
+		}, FRAME_MS);
+	}
+}
+
+/** Fetches a file as fetchFile does, but hands over a ByteArray. */
+export function fetchBytes(url, onProgress, onDone, onError) {
+	return fetchFile(url, onProgress, (bytes) => onDone(new ByteArray(bytes)), onError);
+}
+
+/**
+ * Fetches a file.
+ *
+ * @param url its address
+ * @param onProgress called with the bytes that are here and those of all, 0 if that is not known
+ * @param onDone called with the bytes, a Uint8Array
+ * @param onError called with what is wrong
+ * @returns a function that stops it
+ */
+export function fetchFile(url, onProgress, onDone, onError) {
+	const controller = new AbortController();
+	read(url, controller.signal, onProgress).then(
+		(bytes) => controller.signal.aborted || onDone(bytes),
+		(error) => controller.signal.aborted || onError(String(error?.message ?? error)),
+	);
+	return () => controller.abort();
+}
+
+async function read(url, signal, onProgress) {
+	const response = await fetch(url, { signal });
+	if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
+	const total = Number(response.headers.get("content-length") ?? 0);
+	if (response.body === null) return new Uint8Array();
+	const pieces = [];
+	let count = 0;
+	for (const reader = response.body.getReader(); ; ) {
+		const { done, value } = await reader.read();
+		if (done) break;
+		pieces.push(value);
+		count += value.length;
+		onProgress(count, total);
+	}
+	const bytes = new Uint8Array(count);
+	let at = 0;
+	for (const piece of pieces) {
+		bytes.set(piece, at);
+		at += piece.length;
+	}
+	return bytes;
+}

@@ -1,0 +1,221 @@
+#!/usr/bin/env node
+/**
+ * Times the ES module in Node, beside a floor of flat typed arrays and beside other engines.
+ *
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, exact, peers
+ *
+ * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
+ * One row's numbers are taken in turns.
+ */
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import * as engine from "../../bin/module/starlogo-collision.min.js";
+import { FlatCells } from "./flat-cells.mjs";
+
+const tools = createRequire(new URL("../../module/package.json", import.meta.url));
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const { Agent, BinCollider, BuiltInModel, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+
+const HALF_WIDTH = 50;
+const COUNTS = [1000, 5000, 10000];
+const MODELS = ["sphere", "cube", "cylinder", "bear"];
+
+const parts = process.argv.slice(2);
+const asset = (file) => readFileSync(`${root}/assets/${file}`, "utf8");
+const greatLand = new GreatLand();
+for (const model of [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), new ObjModel("bear", asset("bear.obj"))]) greatLand.addModel(model);
+
+/** Numbers from 0 to 1, the same on every run. */
+function randomNumbers(seed) {
+	let state = seed;
+	return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 4294967296;
+}
+
+function fastTenth(values) {
+	const sorted = [...values].sort((a, b) => a - b);
+	return sorted[Math.floor(sorted.length / 10)];
+}
+
+/** Milliseconds that each of some tasks takes: the tasks in turns, each with what prepares it untimed. */
+function measure(tasks, rounds) {
+	const times = tasks.map(() => []);
+	for (let round = 0; round < 2 * rounds; round++) {
+		tasks.forEach(({ prepare, run }, i) => {
+			prepare?.(round);
+			const start = performance.now();
+			run();
+			const time = performance.now() - start;
+			if (round >= rounds) times[i].push(time);
+		});
+	}
+	return times.map(fastTenth);
+}
+
+function scatter(count, names, seed = 20150601) {
+	const random = randomNumbers(seed);
+	const between = (low, high) => low + (high - low) * random();
+	const agents = Array.from({ length: count }, (_, i) => {
+		const agent = new Agent(names[i % names.length]);
+		agent.moveTo(between(-HALF_WIDTH, HALF_WIDTH), between(-HALF_WIDTH, HALF_WIDTH), 0);
+		agent.heading = between(0, 360);
+		return agent;
+	});
+	const wrap = (x) => (x > HALF_WIDTH ? x - 2 * HALF_WIDTH : x < -HALF_WIDTH ? x + 2 * HALF_WIDTH : x);
+	const walk = (agent) => {
+		const angle = agent.heading * Math.PI / 180;
+		agent.moveTo(wrap(agent.x + 0.3 * Math.cos(angle)), wrap(agent.y + 0.3 * Math.sin(angle)), 0);
+	};
+	const step = () => {
+		for (const agent of agents) {
+			agent.heading += between(-10, 10);
+			walk(agent);
+		}
+	};
+	return { agents, step, walk: () => agents.forEach(walk) };
+}
+
+function print(title, head, rows) {
+	const cells = [head, ...rows.map((row) => row.map((cell) => (typeof cell === "number" ? cell.toPrecision(3) : String(cell))))];
+	const widths = head.map((_, column) => Math.max(...cells.map((row) => row[column].length)));
+	console.log(`\n${title}\n${cells.map((row) => `  ${row.map((cell, i) => (i === 0 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join("  ")}`).join("\n")}`);
+}
+
+/** BinCollider beside flat typed arrays, written for these spheres alone. */
+function floor() {
+	const rows = COUNTS.map((count) => {
+		const { agents, walk } = scatter(count, ["sphere"]);
+		const collider = new BinCollider(greatLand);
+		const flat = new FlatCells(HALF_WIDTH + 1, 1, count);
+		const out = [];
+		const [bins, least] = measure([
+			{ prepare: walk, run: () => collider.findCollisions(agents, out) },
+			{ prepare: () => flat.take(agents), run: () => flat.find() },
+		], 150);
+		return [`${count} agents, all moving`, bins, least, bins / least, out.length === flat.length ? out.length / 2 : "DIFFER"];
+	});
+	print("BinCollider beside the floor, ms a frame", ["", "bins", "floor", "times", "pairs"], rows);
+}
+
+const SYSTEMS = { bins: BinCollider, "tightest fit": TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
+
+/** Milliseconds a frame that 100 bears in one place take, which march together. */
+function crowdOfBears(system) {
+	const crowd = Array.from({ length: 100 }, () => new Agent("bear"));
+	const out = [];
+	const march = (round) => crowd.forEach((agent) => agent.moveTo(round % 40, 1, 0));
+	return measure([{ prepare: march, run: () => system.findCollisions(crowd, out) }], 100)[0];
+}
+
+/** The games of ./antw timing. */
+function scenes() {
+	const rows = Object.entries(SYSTEMS).map(([name, System]) => {
+		const { agents, step } = scatter(10000, MODELS);
+		const system = new System(greatLand);
+		const out = [];
+		const [scattered] = measure([{ prepare: step, run: () => system.findCollisions(agents, out) }], 40);
+		return [name, scattered, crowdOfBears(system)];
+	});
+	const exact = new HierarchicalCollider(greatLand);
+	exact.exact = true;
+	rows.push(["exact", "", crowdOfBears(exact)]);
+	print("Games, ms a frame", ["", "10,000 scattered, all moving", "100 bears in one place"], rows);
+}
+
+/** The same pairs of dragons for the exact test and for three-mesh-bvh. */
+async function exact() {
+	const three = await import(pathToFileURL(tools.resolve("three")));
+	const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
+	const dragon = new ColladaModel("dragon", asset("dragon.dae"));
+	greatLand.addModel(dragon);
+	const geometry = new three.BufferGeometry();
+	geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(dragon.vertices), 3));
+	geometry.setIndex(new three.BufferAttribute(new Uint32Array(dragon.triangles), 1));
+	const bvh = new MeshBVH(geometry);
+	geometry.boundsTree = bvh;
+	const random = randomNumbers(7);
+	const collider = new HierarchicalCollider(greatLand);
+	collider.exact = true;
+	const pairs = Array.from({ length: 400 }, () => {
+		const a = new Agent("dragon");
+		const b = new Agent("dragon");
+		b.heading = 360 * random();
+		b.pitch = 360 * random();
+		b.roll = 360 * random();
+		b.moveTo(1.2 * random() - 0.6, 1.2 * random() - 0.6, 0.4 * random() - 0.2);
+		return { a, b, matrix: new three.Matrix4().fromArray(b.transform.rawData) };
+	});
+	const isHit = pairs.map(({ a, b }) => collider.areColliding(a, b));
+	const meets = pairs.map(({ matrix }) => bvh.intersectsGeometry(geometry, matrix));
+	const same = pairs.filter((_, i) => isHit[i] === meets[i]).length;
+	const rows = [true, false].map((wanted) => {
+		const chosen = pairs.filter((_, i) => isHit[i] === wanted && meets[i] === wanted);
+		const [own, other] = measure([
+			{ prepare: () => chosen.forEach(({ b }) => b.moveTo(b.x, b.y, b.z)), run: () => chosen.forEach(({ a, b }) => collider.areColliding(a, b)) },
+			{ run: () => chosen.forEach(({ matrix }) => bvh.intersectsGeometry(geometry, matrix)) },
+		], 15);
+		return [wanted ? "touching" : "not touching", chosen.length, 1000 * own / chosen.length, 1000 * other / chosen.length, other / own];
+	});
+	print(`Dragons, exact, microseconds a pair (${same} of ${pairs.length} verdicts the same: three-mesh-bvh knows no inside)`, ["", "pairs", "engine", "three-mesh-bvh", "times"], rows);
+}
+
+/** Spheres that move, all at once: who touches whom. */
+async function peers() {
+	const rapier = await import(pathToFileURL(tools.resolve("@dimforge/rapier3d-compat")));
+	const RAPIER = rapier.default ?? rapier;
+	await RAPIER.init();
+	const cannon = await import(pathToFileURL(tools.resolve("cannon-es")));
+	const rows = COUNTS.map((count) => {
+		const { agents, walk } = scatter(count, ["sphere"]);
+		const own = [BinCollider, TightestFitCollider].map((System) => new System(greatLand));
+		const out = [];
+		const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
+		const handles = agents.map((agent) => {
+			const body = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(agent.x, agent.y, 0.5));
+			const types = RAPIER.ActiveCollisionTypes.ALL;
+			const collider = world.createCollider(RAPIER.ColliderDesc.ball(0.5).setSensor(true).setActiveCollisionTypes(types), body);
+			return { body, collider };
+		});
+		let touching = 0;
+		const askRapier = () => {
+			world.step();
+			touching = 0;
+			for (const { collider } of handles) world.intersectionPairsWith(collider, () => touching++);
+		};
+		const space = new cannon.World();
+		space.broadphase = new cannon.SAPBroadphase(space);
+		const bodies = agents.map((agent) => {
+			const body = new cannon.Body({ mass: 1, shape: new cannon.Sphere(0.5), collisionResponse: false });
+			body.position.set(agent.x, agent.y, 0.5);
+			space.addBody(body);
+			return body;
+		});
+		const [bins, tightest, wasm, js] = measure([
+			{ prepare: walk, run: () => own[0].findCollisions(agents, out) },
+			{ run: () => own[1].findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
+			{
+				prepare: () => agents.forEach((agent, i) => handles[i].body.setNextKinematicTranslation({ x: agent.x, y: agent.y, z: 0.5 })),
+				run: askRapier,
+			},
+			{
+				prepare: () => agents.forEach((agent, i) => {
+					bodies[i].position.set(agent.x, agent.y, 0.5);
+					bodies[i].aabbNeedsUpdate = true;
+				}),
+				run: () => {
+					const first = [];
+					const second = [];
+					space.broadphase.collisionPairs(space, first, second);
+					space.narrowphase.getContacts(first, second, space, [], [], [], []);
+				},
+			},
+		], 20);
+		askRapier(); // it finds what touched before a step
+		world.free();
+		return [`${count} spheres`, bins, tightest, wasm, js, out.length / 2, touching / 2];
+	});
+	print("Spheres, all moving, ms a frame", ["", "bins", "tightest fit", "Rapier (WebAssembly)", "cannon-es", "pairs", "Rapier's"], rows);
+}
+
+console.log(`the ES module in Node ${process.versions.node}`);
+for (const part of [floor, scenes, exact, peers]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -1,0 +1,111 @@
+/** Stands in for FlexUnit, and for what of Flash only the tests use, where the tests run on the ES module. */
+
+import { deflateRawSync } from "node:zlib";
+
+/** A test can't be run here. */
+export class AssumptionViolatedException extends Error {}
+
+export function assertEquals(...args) {
+	const [message, expected, actual] = withMessage(args, 2);
+	if (!(expected == actual)) fail(`${message}expected:<${expected}> but was:<${actual}>`);
+}
+
+export function assertStrictlyEquals(...args) {
+	const [message, expected, actual] = withMessage(args, 2);
+	if (expected !== actual) fail(`${message}expected:<${expected}> but was:<${actual}>`);
+}
+
+export function assertTrue(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (!value) fail(`${message}expected true but was false`);
+}
+
+export function assertFalse(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (value) fail(`${message}expected false but was true`);
+}
+
+export function assertNull(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (value != null) fail(`${message}object was not null: ${value}`);
+}
+
+export function assertNotNull(...args) {
+	const [message, value] = withMessage(args, 1);
+	if (value == null) fail(`${message}object was null: ${value}`);
+}
+
+export function fail(message = "") {
+	throw new Error(message);
+}
+
+function withMessage(args, count) {
+	return args.length > count ? [`${args[0]} - `, ...args.slice(1)] : ["", ...args];
+}
+
+/** What the running test waits for. */
+export const waiting = [];
+
+export const Async = {
+	handleEvent(test, target, type, handler, timeout = 500, data = null) {
+		const event = new Promise((resolve, reject) => {
+			const timer = setTimeout(() => reject(new Error(`Timeout Occurred before expected event "${type}"`)), timeout);
+			target.addEventListener(type, function listener(event) {
+				target.removeEventListener(type, listener);
+				clearTimeout(timer);
+				try {
+					handler(event, data);
+					resolve();
+				} catch (error) {
+					reject(error);
+				}
+			});
+		});
+		event.catch(() => {}); // the test may have failed before
+		waiting.push(event);
+	},
+};
+
+/** A class with objects for keys. */
+export class Dictionary extends Map {}
+
+/** Gives ByteArray what only the tests use. */
+export function extendByteArray(ByteArray) {
+	ByteArray.prototype.deflate = function () {
+		const packed = deflateRawSync(this.toUint8Array());
+		this.length = 0;
+		this.writeBytes(new ByteArray(packed));
+	};
+}
+
+export const ExternalInterface = {
+	available: true,
+	call(name) {
+		if (name === "headless.now") return performance.now();
+		if (name === "headless.memory") return process.memoryUsage().heapUsed;
+		if (name === "headless.player") return `Node ${process.versions.node}, as an ES module`;
+		throw new Error(`${name} is nothing that a test may ask for`);
+	},
+};
+
+/** The name of a value's class. */
+export function getQualifiedClassName(value) {
+	return (typeof value === "function" ? value : value.constructor).name;
+}
+
+/** What a class that is not here is: an error once it is used. */
+export function missing(name) {
+	return new Proxy(class {}, {
+		get(target, key) {
+			if (key === "prototype") return target.prototype;
+			if (typeof key === "symbol") return undefined;
+			throw new Error(`${name} is not here`);
+		},
+		construct() {
+			throw new Error(`${name} is not here`);
+		},
+		apply() {
+			throw new Error(`${name} is not here`);
+		},
+	});
+}

@@ -1,0 +1,239 @@
+/** Tests of the npm package that the build makes: bin/module. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import vm from "node:vm";
+import { chromium } from "playwright-core";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const folder = path.join(root, "bin/module");
+const work = path.join(root, "bin/generated/module/package-test");
+const tools = createRequire(path.join(root, "module/package.json"));
+const esbuild = tools("esbuild");
+const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
+const minified = path.join(folder, manifest.exports["."].default);
+const readable = path.join(folder, manifest.exports["./readable"].default);
+const sample = path.join(root, "test/module/sample.ts");
+const bear = readFileSync(path.join(root, "assets/bear.obj"), "utf8");
+
+// as if it were installed, for the sample
+before(() => {
+	rmSync(work, { recursive: true, force: true });
+	mkdirSync(path.join(work, "node_modules"), { recursive: true });
+	symlinkSync(folder, path.join(work, "node_modules/starlogo-collision"));
+	const config = { target: "es2022", module: "nodenext", moduleResolution: "nodenext", strict: true, noEmit: true, types: [], lib: ["es2022"] };
+	writeFileSync(path.join(work, "package.json"), '{ "type": "module" }');
+	writeFileSync(path.join(work, "sample.ts"), readFileSync(sample));
+	writeFileSync(path.join(work, "tsconfig.json"), JSON.stringify({ compilerOptions: config, files: ["sample.ts"] }));
+	bundle("sample.bundle.js");
+});
+
+function bundle(name, options = {}) {
+	esbuild.buildSync({ entryPoints: [path.join(work, "sample.ts")], bundle: true, format: "esm", outfile: path.join(work, name), logLevel: "silent", ...options });
+	return path.join(work, name);
+}
+
+/** What the sample does, as an object that can be compared. */
+const use = async (sample, base, bear, bytes) => ({
+	calls: sample.play(bear),
+	volumes: sample.fitAll(Float64Array.from({ length: 300 }, (_, i) => Math.sin(i * i))),
+	pairs: sample.testPairs(),
+	loaded: await sample.load(base, bytes),
+	errors: sample.refuse(),
+});
+
+function check(result) {
+	assert.equal(result.calls, 4);
+	assert.deepEqual(result.pairs, [true, true, true, true, true, true, true]);
+	assert.ok(result.volumes.every((volume) => volume > 1 && volume < 50), String(result.volumes));
+	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "zipped"]);
+	assert.match(result.loaded.find((name) => name.startsWith("model ")), /^model "nothing": its file can't be fetched: .*nothing\.obj/);
+	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
+	assert.match(result.errors[1], /^ModelError: model "broken", line 1: expected a vertex/);
+	assert.match(result.errors[2], /^ModelError: model "broken": this is not well-formed XML/);
+	assert.match(result.errors[4], /^IllegalOperationError: at this moment/);
+	assert.equal(result.errors.filter((text) => text.startsWith("unknown")).length, 0);
+}
+
+/** The whole of a zip archive with one file, stored. */
+function zipped(name, content) {
+	const local = Buffer.alloc(30);
+	local.writeUInt32LE(0x04034b50, 0);
+	local.writeUInt32LE(content.length, 18);
+	local.writeUInt32LE(content.length, 22);
+	local.writeUInt16LE(name.length, 26);
+	const central = Buffer.alloc(46);
+	central.writeUInt32LE(0x02014b50, 0);
+	central.writeUInt32LE(content.length, 20);
+	central.writeUInt32LE(content.length, 24);
+	central.writeUInt16LE(name.length, 28);
+	const end = Buffer.alloc(22);
+	end.writeUInt32LE(0x06054b50, 0);
+	end.writeUInt16LE(1, 8);
+	end.writeUInt16LE(1, 10);
+	end.writeUInt32LE(central.length + name.length, 12);
+	end.writeUInt32LE(local.length + name.length + content.length, 16);
+	return Buffer.concat([local, Buffer.from(name), content, central, Buffer.from(name), end]);
+}
+
+const archive = zipped("person.dae", readFileSync(path.join(root, "assets/person.dae")));
+
+/** A server of the assets, the package and the sample, under a policy without eval, inline scripts or anything from elsewhere. */
+const PAGES = { "/page.html": "<!DOCTYPE html><script type=module src=/page.js></script>", "/module.js": minified, "/sample.js": "sample.external.js", "/bundle.js": "sample.bundle.js" };
+const POLICY = "default-src 'none'; script-src 'self'; worker-src 'self'; connect-src 'self'";
+const TYPES = { ".html": "text/html", ".js": "text/javascript" };
+let server;
+let base;
+
+before(async () => {
+	writeFileSync(path.join(work, "page.js"), `window.run = async (name) => {
+	const worker = new Worker("/worker.js?" + name, { type: "module" });
+	const inWorker = await new Promise((resolve, reject) => { worker.onmessage = (event) => resolve(event.data); worker.onerror = (event) => reject(new Error(event.message)); });
+	return { here: await window.use(name), inWorker };
+};
+import { use } from "/use.js";
+window.use = use;
+`);
+	writeFileSync(path.join(work, "worker.js"), 'import { use } from "/use.js";\nuse(location.search.slice(1)).then(postMessage);\n');
+	writeFileSync(path.join(work, "use.js"), `const run = ${use};
+export async function use(name) {
+	const sample = await import(name);
+	const bear = await (await fetch("/assets/bear.obj")).text();
+	return run(sample, "/assets", bear, new Uint8Array(await (await fetch("/archive")).arrayBuffer()));
+}
+`);
+	bundle("sample.external.js", { external: ["starlogo-collision"] });
+	server = createServer((request, response) => {
+		const { pathname } = new URL(request.url, "http://localhost");
+		const type = TYPES[path.extname(pathname)] ?? "application/octet-stream";
+		try {
+			const content = contentOf(pathname);
+			response.writeHead(200, { "content-type": type, "content-security-policy": POLICY }).end(content);
+		} catch {
+			response.writeHead(404).end();
+		}
+	});
+	await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+	base = `http://127.0.0.1:${server.address().port}`;
+});
+
+function contentOf(pathname) {
+	if (pathname === "/page.html") return PAGES[pathname];
+	if (pathname === "/archive") return archive;
+	if (pathname.startsWith("/assets/")) return readFileSync(path.join(root, pathname));
+	if (pathname === "/sample.js") return readFileSync(path.join(work, "sample.external.js"), "utf8").replace('"starlogo-collision"', '"/module.js"');
+	return readFileSync(path.resolve(work, PAGES[pathname] ?? pathname.slice(1)));
+}
+
+after(() => server.close());
+
+test("the package says what it is", () => {
+	assert.equal(manifest.type, "module");
+	assert.equal(manifest.sideEffects, false);
+	assert.equal(manifest.license, "MIT");
+	for (const file of [manifest.types, manifest.exports["."].default, "README.md", "CHANGELOG.md", "LICENSE", "LICENSES.md"]) {
+		assert.ok(readFileSync(path.join(folder, file), "utf8").length > 500, file);
+	}
+	assert.match(readFileSync(path.join(folder, "LICENSES.md"), "utf8"), /## pako[\s\S]*## saxes[\s\S]*## xmlchars/);
+});
+
+test("every public class is exported, declared, and used by the sample", async () => {
+	const exported = Object.keys(await import(pathToFileURL(minified))).sort();
+	assert.deepEqual(Object.keys(await import(pathToFileURL(readable))).sort(), exported);
+	const declarations = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+	const declared = [...declarations.matchAll(/^export (?:class|function) (\w+)/gm)].map((match) => match[1]).sort();
+	assert.deepEqual(exported, declared);
+	const listed = readFileSync(sample, "utf8").split("} from")[0];
+	const used = readFileSync(sample, "utf8").split("} from")[1];
+	for (const [, name] of declarations.matchAll(/^export (?:class|function|interface) (\w+)/gm)) {
+		assert.match(listed, new RegExp(`\\b${name}\\b`), `the sample does not import ${name}`);
+		assert.match(used, new RegExp(`\\b${name}\\b`), `the sample does not use ${name}`);
+	}
+	assert.ok(exported.length > 50);
+});
+
+test("names are the sources' own, minified too", async () => {
+	const all = await import(pathToFileURL(minified));
+	for (const [name, value] of Object.entries(all)) assert.equal(value.name, name);
+	assert.equal(String(new all.Sphere(new all.Vector3D(), 1)), "[object Sphere]");
+});
+
+test("tsc --strict accepts the sample, and refuses a wrong one", () => {
+	const tsc = tools.resolve("typescript/bin/tsc");
+	const run = () => execFileSync(process.execPath, [tsc, "-p", work], { encoding: "utf8", stdio: "pipe" });
+	run();
+	writeFileSync(path.join(work, "sample.ts"), `${readFileSync(sample, "utf8")}\nexport const wrong: string = new Agent("bear").heading;\n`);
+	try {
+		assert.throws(run, (error) => /Type 'number' is not assignable to type 'string'/.test(error.stdout));
+	} finally {
+		writeFileSync(path.join(work, "sample.ts"), readFileSync(sample));
+	}
+});
+
+test("importing it reads no global but the language's own, and adds none", () => {
+	const code = readFileSync(minified, "utf8").replace(/export\{.*?\};/, "");
+	const asked = new Set();
+	const language = vm.runInNewContext("globalThis");
+	const sandbox = vm.createContext(new Proxy({}, {
+		has(target, name) {
+			asked.add(name);
+			return name in target;
+		},
+		get(target, name) {
+			asked.add(name);
+			return name in target ? target[name] : language[name];
+		},
+	}));
+	const own = new Set(Object.getOwnPropertyNames(language));
+	const before = Object.keys(sandbox);
+	new vm.Script(`"use strict"; (() => { ${code} })();`).runInContext(sandbox);
+	const foreign = [...asked].filter((name) => typeof name === "string" && !own.has(name));
+	assert.deepEqual(foreign, []);
+	assert.ok(asked.has("Math"), "the sandbox sees what is asked for");
+	assert.deepEqual(Object.keys(sandbox), before);
+	assert.doesNotMatch(code, /\beval\(|new Function\(/);
+});
+
+test("its source map names the readable build", () => {
+	const map = JSON.parse(readFileSync(`${minified}.map`, "utf8"));
+	assert.deepEqual(map.sources, [path.basename(readable)]);
+	assert.ok(map.mappings.length > 100000);
+});
+
+test("it runs in Node", async () => {
+	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
+	check(await use(sampleModule, `${base}/assets`, bear, new Uint8Array(archive)));
+	assert.ok(sampleModule.log.includes("500 of 500"), sampleModule.log.join("; "));
+});
+
+test("bundled by esbuild it runs in Node, and what is not used is left out", async () => {
+	check(await use(await import(pathToFileURL(path.join(work, "sample.bundle.js"))), `${base}/assets`, bear, new Uint8Array(archive)));
+	writeFileSync(path.join(work, "unused.ts"), 'import { GreatLand } from "starlogo-collision";\nexport const one = 1;\n');
+	esbuild.buildSync({ entryPoints: [path.join(work, "unused.ts")], bundle: true, format: "esm", outfile: path.join(work, "unused.js") });
+	assert.ok(readFileSync(path.join(work, "unused.js")).length < 200);
+});
+
+test("it runs in Chromium and in a Worker there, bundled or not, under a strict content security policy", async () => {
+	const browser = await chromium.launch({ executablePath: process.env.CHROME || "/usr/bin/chromium", args: ["--no-sandbox"] });
+	try {
+		const page = await browser.newPage();
+		const complaints = [];
+		page.on("pageerror", (error) => complaints.push(String(error)));
+		page.on("console", (message) => message.type() === "error" && !/404/.test(message.text()) && complaints.push(message.text()));
+		await page.goto(`${base}/page.html`);
+		for (const name of ["/sample.js", "/bundle.js"]) {
+			const { here, inWorker } = await page.evaluate((each) => window.run(each), name);
+			check(here);
+			check(inWorker);
+			assert.deepEqual(inWorker.volumes, here.volumes);
+		}
+		assert.deepEqual(complaints.filter((text) => !text.includes("favicon")), []);
+	} finally {
+		await browser.close();
+	}
+});

@@ -1,0 +1,129 @@
+#!/usr/bin/env node
+/**
+ * Runs the FlexUnit classes on the ES module's code, in Node.
+ *
+ *   node test/module/run.mjs TESTS [--test PATTERN] [--full] [--mount /url=folder ...] [--summary FILE]
+ *
+ * TESTS is what the build made of the engine and the tests together.
+ */
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { parseArgs } from "node:util";
+import { pathToFileURL } from "node:url";
+import { AssumptionViolatedException, waiting } from "./flexunit.mjs";
+import { NOT_HERE } from "./not-here.mjs";
+
+const { values: options, positionals } = parseArgs({
+	allowPositionals: true,
+	options: { test: { type: "string", default: "" }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
+});
+const mounts = options.mount.map((mount) => mount.split("="));
+const [classPattern, methodPattern = ""] = options.test.split(/[.#]/);
+
+const tests = await import(pathToFileURL(path.resolve(positionals[0])));
+tests.Effort.isFull = options.full;
+
+/** Reads a fixture as the player's server gives it. */
+function read(url) {
+	const [address] = url.split("?");
+	const mount = mounts.find(([prefix]) => address.startsWith(`${prefix}/`));
+	return mount ? readFileSync(path.join(mount[1], address.slice(mount[0].length))) : null;
+}
+
+// the fixtures are read at once
+tests.setFetch((url, onProgress, onDone, onError) => {
+	let bytes = null;
+	try {
+		bytes = read(url);
+	} catch {
+		// as if it were not mounted
+	}
+	const timer = setTimeout(() => {
+		if (bytes === null) return onError("404");
+		onProgress(bytes.length, bytes.length);
+		onDone(bytes);
+	});
+	return () => clearTimeout(timer);
+});
+
+/** A test that takes longer is named. */
+const SLOW_MS = 3000;
+
+let passed = 0;
+let failed = 0;
+let skipped = 0;
+let leftOut = 0;
+const started = performance.now();
+const only = new Set(NOT_HERE.keys());
+
+process.on("uncaughtException", (error) => {
+	failed++;
+	console.log(`FAILED, outside of any test: ${error.stack}`);
+});
+
+for (const { name, type, metadata } of tests.CLASSES) {
+	if (!name.split(".").pop().includes(classPattern)) continue;
+	const methods = (kind) => metadata.filter((each) => each.kind === kind);
+	await new Promise((resolve) => tests.Fixtures.load(type.FIXTURES ?? [], resolve));
+	let problem = null;
+	const chosen = methods("Test").filter((each) => each.name.includes(methodPattern)).sort((a, b) => Number(a.args.order ?? 0) - Number(b.args.order ?? 0));
+	const here = chosen.filter((each) => {
+		const place = [name, `${name}.${each.name}`].find((key) => NOT_HERE.has(key));
+		only.delete(place);
+		return place === undefined;
+	});
+	leftOut += chosen.length - here.length;
+	if (here.length === 0) continue;
+	try {
+		for (const each of methods("BeforeClass")) await type[each.name]();
+	} catch (error) {
+		problem = error;
+	}
+	for (const each of here) {
+		const start = performance.now();
+		const error = problem ?? await run(type, each, methods);
+		const ms = performance.now() - start;
+		if (error instanceof AssumptionViolatedException) skipped++;
+		else if (error === null) passed++;
+		else {
+			failed++;
+			console.log(`FAILED ${name.split(".").pop()}.${each.name}: ${error.stack ?? error}`);
+		}
+		if (ms > SLOW_MS) console.log(`  ${name.split(".").pop()}.${each.name}: ${(ms / 1000).toFixed(1)} s`);
+	}
+	for (const each of methods("AfterClass")) await type[each.name]();
+}
+
+/** What a test throws, or null. */
+async function run(type, test, methods) {
+	const expected = test.args.expects;
+	try {
+		const instance = new type();
+		try {
+			for (const each of methods("Before")) instance[each.name]();
+			instance[test.name]();
+			await Promise.all(waiting.splice(0));
+		} finally {
+			waiting.length = 0;
+			for (const each of methods("After")) instance[each.name]();
+		}
+	} catch (error) {
+		return expected && error?.name === expected.split(".").pop() ? null : error;
+	}
+	return expected ? new Error(`expected ${expected}, but nothing was thrown`) : null;
+}
+
+if (options.test === "" && only.size > 0) {
+	failed++;
+	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
+}
+if (passed + failed === 0) {
+	failed++;
+	console.log("FAILED: no test was run");
+}
+console.log(`on the ES module, in Node ${process.versions.node}: ${passed} passed, ${failed} failed, ${skipped} skipped, ${leftOut} not run here, in ${((performance.now() - started) / 1000).toFixed(1)} s`);
+if (options.summary) {
+	const [before, failedBefore, skippedBefore] = readFileSync(options.summary, "utf8").match(/\d+/g).map(Number);
+	writeFileSync(options.summary, `${before + passed} passed, ${failedBefore + failed} failed, ${skippedBefore + skipped} skipped\n`);
+}
+process.exitCode = failed === 0 ? 0 : 1;

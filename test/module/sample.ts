@@ -1,0 +1,197 @@
+// What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
+import {
+	Agent,
+	ArgumentError,
+	AxisAlignedBoxFitter,
+	BinCollider,
+	BoundingStructure,
+	BoundingStructuresLibrary,
+	Box,
+	BreedInterests,
+	BuiltInModel,
+	ByteArray,
+	Capsule,
+	CapsuleFitter,
+	CentredRitterSphereFitter,
+	ColladaModel,
+	Collider,
+	Collision,
+	CollisionRecorder,
+	CollisionStatistics,
+	CollisionSystem,
+	CombinationCollider,
+	ConvexHull,
+	Cylinder,
+	CylinderFitter,
+	ErrorEvent,
+	Event,
+	EventDispatcher,
+	Fit,
+	FitSession,
+	Fitter,
+	GreatLand,
+	HierarchicalCollider,
+	HierarchiesLibrary,
+	HierarchyNode,
+	IEventDispatcher,
+	IllegalOperationError,
+	Matrix3D,
+	MinimalBoxFitter,
+	MinimalCapsuleFitter,
+	MinimalSphereFitter,
+	Model,
+	ModelError,
+	ModelEvent,
+	ModelLoader,
+	ModelReceiver,
+	ModelSource,
+	NaiveSphereFitter,
+	ObjModel,
+	OrientedBoxFitter,
+	Placement,
+	PreciseCollider,
+	ProgressEvent,
+	RitterSphereFitter,
+	SelectiveCollisionSystem,
+	Sphere,
+	StepSequence,
+	Steps,
+	StructureTests,
+	TextEvent,
+	TightestFitCollider,
+	Tolerances,
+	Vector3D,
+	Wireframes,
+	ZAlignedBoxFitter,
+	boxBox,
+	capsuleBox,
+	capsuleCapsule,
+	finish,
+	intersects,
+	sphereBox,
+	sphereCapsule,
+	sphereSphere,
+} from "starlogo-collision";
+
+/** What went on, line by line. */
+export const log: string[] = [];
+
+/** Runs a game of three frames. */
+export function play(bearText: string): number {
+	const greatLand = new GreatLand();
+	greatLand.orientedBoxDegIncrement = 30;
+	greatLand.addModel(BuiltInModel.sphere());
+	greatLand.addModel(new ObjModel("bear", bearText));
+	const receiver: ModelReceiver = greatLand;
+	finish(receiver.receive(new Model("triangle", new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), new Uint16Array([0, 1, 2]))));
+
+	const bear = new Agent("bear", "bears");
+	const ball = new Agent("sphere", "paintballs");
+	ball.size = 0.2;
+	ball.heading = 30;
+	const systems: CollisionSystem[] = [
+		new BinCollider(greatLand),
+		new TightestFitCollider(greatLand),
+		new HierarchicalCollider(greatLand),
+		new CombinationCollider(greatLand),
+	];
+	let calls = 0;
+	for (const system of systems) {
+		const recorder: SelectiveCollisionSystem = new CollisionRecorder(system);
+		const collision = new Collision(recorder);
+		collision.onCollision("bears", Collision.ANY_BREED, (collider: Agent, collidee: Agent) => {
+			calls++;
+			collider.color = collidee.color;
+		});
+		ball.moveTo(0.4, 0, 0.5);
+		collision.update([bear, ball]);
+		const statistics: CollisionStatistics = collision.statistics;
+		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
+	}
+	const collider: Collider = new TightestFitCollider(greatLand);
+	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
+	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
+	precise.exact = true;
+	const root: HierarchyNode = greatLand.hierarchies.root("bear");
+	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
+	return calls;
+}
+
+/** Fits every kind of structure. */
+export function fitAll(vertices: Float64Array): number[] {
+	const boxFitter = new OrientedBoxFitter(30);
+	const fitters: Fitter[] = [
+		new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(), new MinimalSphereFitter(),
+		new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), boxFitter, new MinimalBoxFitter(),
+		new CapsuleFitter(boxFitter), new MinimalCapsuleFitter(), new CylinderFitter(boxFitter),
+	];
+	const library = new BoundingStructuresLibrary();
+	library.add("cloud", vertices);
+	const hierarchies = new HierarchiesLibrary();
+	hierarchies.add("cloud", vertices);
+	const hull = new ConvexHull(vertices);
+	log.push(`${library.tightestFit("cloud").volume}, ${hierarchies.has("cloud")}, ${hull.dimension}`);
+	const session = new FitSession(vertices);
+	const fit: Fit = new NaiveSphereFitter().begin(session);
+	const work: Steps = new StepSequence().add(fit);
+	finish(work);
+	return fitters.map((fitter) => fitter.fit(vertices).volume);
+}
+
+/** Tests pairs of structures. */
+export function testPairs(): boolean[] {
+	const sphere = new Sphere(new Vector3D(0, 0, 0), 1);
+	const capsule = new Capsule(new Vector3D(0.5, 0, 0), new Vector3D(3, 0, 0), 0.5);
+	const box = new Box(new Vector3D(0, 0, 0), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
+	const moved: BoundingStructure = box.clone();
+	const matrix = new Matrix3D();
+	matrix.appendRotation(45, Vector3D.Z_AXIS);
+	moved.rotate(matrix);
+	const cylinder = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
+	log.push(`${Wireframes.ofStructure(box).length / 6} lines`);
+	log.push(`${cylinder.volume}, ${Tolerances.TOUCHING}, ${new Placement().size}`);
+	return [
+		sphereSphere(sphere, sphere), sphereCapsule(sphere, capsule), sphereBox(sphere, box), capsuleCapsule(capsule, capsule),
+		capsuleBox(capsule, box), boxBox(box, box), intersects(sphere, moved),
+	];
+}
+
+/** Loads models while the game runs. */
+export function load(base: string, bytes: Uint8Array): Promise<string[]> {
+	const greatLand = new GreatLand();
+	const loader = new ModelLoader(greatLand, 8);
+	const dispatcher: EventDispatcher & IEventDispatcher = loader;
+	const loaded: string[] = [];
+	loader.addEventListener(ModelEvent.LOADED, (event: ModelEvent) => loaded.push(event.model.name));
+	loader.addEventListener(ErrorEvent.ERROR, (event: ErrorEvent & TextEvent) => loaded.push(event.text));
+	loader.addEventListener(ProgressEvent.PROGRESS, (event: ProgressEvent) => log.push(`${event.bytesLoaded} of ${event.bytesTotal}`));
+	loader.load("bear", `${base}/bear.obj`);
+	loader.load("dragon", `${base}/dragon.dae`);
+	loader.load("nothing", `${base}/nothing.obj`);
+	loader.loadBytes("zipped", bytes);
+	const source: ModelSource = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
+	loader.loadFrom(source);
+	return new Promise((resolve) => dispatcher.addEventListener(Event.COMPLETE, () => resolve(loaded.sort())));
+}
+
+/** What goes wrong is said by name. */
+export function refuse(): string[] {
+	const errors: string[] = [];
+	const attempts: (() => unknown)[] = [
+		() => new Agent(""),
+		() => new ObjModel("broken", "v 1 2"),
+		() => new ColladaModel("broken", "<COLLADA>"),
+		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
+		() => { throw new IllegalOperationError("at this moment"); },
+		() => new BreedInterests(),
+	];
+	for (const attempt of attempts) {
+		try {
+			attempt();
+		} catch (error) {
+			const known = error instanceof ArgumentError || error instanceof ModelError || error instanceof IllegalOperationError;
+			errors.push(`${known ? "" : "unknown: "}${error}`);
+		}
+	}
+	return errors;
+}

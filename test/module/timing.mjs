@@ -1,0 +1,38 @@
+#!/usr/bin/env node
+/**
+ * Runs the thesis's evaluation on the ES module's code, in Node: what src/Timing.as does in a player, without its pictures.
+ *
+ *   node test/module/timing.mjs TESTS FOLDER [name=value ...]
+ *
+ * TESTS is what the build made of the engine and the tests together; FOLDER gets results.json. The names are Settings' own.
+ */
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [file, folder, ...given] = process.argv.slice(2);
+const { ModelFiles, Plan, Progress, Results, Settings, setFetch } = await import(pathToFileURL(path.resolve(file)));
+
+setFetch((url, onProgress, onDone, onError) => {
+	const timer = setTimeout(() => onDone(readFileSync(path.join(".", url))));
+	return () => clearTimeout(timer);
+});
+
+const settings = new Settings(Object.fromEntries(given.map((each) => each.split("="))));
+// the monitor draws on Flash's stage
+settings.figures = settings.figures.filter((figure) => figure !== "monitor");
+const files = await new Promise((resolve, reject) => {
+	const loaded = new ModelFiles(() => resolve(loaded), (text) => reject(new Error(text)));
+});
+const results = new Results();
+const { tasks } = new Plan(settings, files.models, results, null);
+const progress = new Progress(tasks);
+console.log("the same as an ES module, in Node:");
+tasks.forEach((task, i) => {
+	progress.report(i);
+	while (!task.work());
+});
+progress.finish();
+mkdirSync(folder, { recursive: true });
+writeFileSync(path.join(folder, "results.json"), results.toText());
+process.exitCode = results.failures === 0 ? 0 : 1;

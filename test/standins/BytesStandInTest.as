@@ -1,0 +1,215 @@
+package standins
+{
+    import flash.errors.EOFError;
+    import flash.events.Event;
+    import flash.events.IOErrorEvent;
+    import flash.events.ProgressEvent;
+    import flash.net.URLLoader;
+    import flash.net.URLLoaderDataFormat;
+    import flash.net.URLRequest;
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+    import support.assertThrows;
+
+    /**
+     * ByteArray and URLLoader as far as the engine uses them: the same calls and results with the player's own classes and, where the
+     * engine runs without a player, with what stands in for them there.
+     */
+    public class BytesStandInTest
+    {
+        private static const FILE:String = "/assets/palette.mtl";
+
+        private var _bytes:ByteArray;
+        private var _events:Array = [];
+
+        [Before]
+        public function setUp():void
+        {
+            _bytes = new ByteArray();
+        }
+
+        [Test]
+        public function numbersHaveTwoOrders():void
+        {
+            assertEquals(Endian.BIG_ENDIAN, _bytes.endian);
+            _bytes.writeInt(-2);
+            _bytes.writeUnsignedInt(0x01020304);
+            _bytes.endian = Endian.LITTLE_ENDIAN;
+            _bytes.writeShort(-3);
+            _bytes.writeFloat(1.1);
+            _bytes.writeDouble(1.1);
+            _bytes.writeByte(300);
+            _bytes.writeBoolean(true);
+            assertEquals("255,255,255,254,1,2,3,4,253,255,205,204,140,63,154,153,153,153,153,153,241,63,44,1", listOf(_bytes));
+            _bytes.position = 4;
+            assertEquals(0x04030201, _bytes.readUnsignedInt());
+            assertEquals(0xFFFD, _bytes.readUnsignedShort());
+            assertEquals(1.100000023841858, _bytes.readFloat());
+            assertEquals(1.1, _bytes.readDouble());
+            assertEquals(44, _bytes.readByte());
+            assertTrue(_bytes.readBoolean());
+            _bytes.endian = Endian.BIG_ENDIAN;
+            _bytes.position = 0;
+            assertEquals(-2, _bytes.readInt());
+            assertEquals(0x01020304, _bytes.readInt());
+        }
+
+        [Test]
+        public function growsAndShrinks():void
+        {
+            assertEquals(undefined, _bytes[0]);
+            _bytes[3] = 258;
+            assertEquals("0,0,0,2", listOf(_bytes));
+            assertEquals(0, _bytes.position);
+            assertEquals(4, _bytes.bytesAvailable);
+            _bytes.position = 4;
+            _bytes.length = 2;
+            assertEquals(2, _bytes.position);
+            _bytes.length = 3;
+            assertEquals("0,0,0", listOf(_bytes));
+            _bytes.position = 5;
+            assertEquals(0, _bytes.bytesAvailable);
+            _bytes.writeByte(7);
+            assertEquals("0,0,0,0,0,7", listOf(_bytes));
+        }
+
+        [Test]
+        public function readsNothingBeyondTheEnd():void
+        {
+            _bytes.writeByte(1);
+            assertThrows(EOFError, /^Error #2030/, _bytes.readByte);
+            assertEquals(1, _bytes.position);
+            _bytes.position = 0;
+            assertThrows(EOFError, /^Error #2030/, _bytes.readUnsignedShort);
+            assertEquals(0, _bytes.position);
+        }
+
+        [Test]
+        public function copiesBytes():void
+        {
+            for (var i:int = 0; i < 5; i++)
+            {
+                _bytes.writeByte(i);
+            }
+            var copy:ByteArray = new ByteArray();
+            copy.writeBytes(_bytes, 3);
+            copy.writeBytes(_bytes, 1, 2);
+            assertEquals("3,4,1,2", listOf(copy));
+            assertEquals(4, copy.position);
+        }
+
+        [Test]
+        public function textHasEncodings():void
+        {
+            _bytes.writeUTFBytes("\u00E4\u20AC");
+            assertEquals("195,164,226,130,172", listOf(_bytes));
+            _bytes.position = 0;
+            assertEquals("\u00E4\u20AC", _bytes.readUTFBytes(5));
+            _bytes.position = 0;
+            assertEquals("\u00C3\u00A4", _bytes.readMultiByte(2, "iso-8859-1"));
+            _bytes.clear();
+            _bytes.writeByte(0xE4);
+            _bytes.writeByte(0);
+            _bytes.position = 0;
+            assertEquals("\u00E4", _bytes.readMultiByte(2, "utf-16"));
+            _bytes.position = 0;
+            assertEquals("", new ByteArray().readUTFBytes(0));
+        }
+
+        [Test]
+        public function inflatesWhatItDeflated():void
+        {
+            for (var i:int = 0; i < 5000; i++)
+            {
+                _bytes.writeByte(i % 7);
+            }
+            var before:String = listOf(_bytes);
+            _bytes.deflate();
+            assertTrue(_bytes.length < 100);
+            _bytes.inflate();
+            assertEquals(before, listOf(_bytes));
+            assertEquals(0, _bytes.position);
+        }
+
+        [Test]
+        public function refusesToInflateWhatIsDamaged():void
+        {
+            _bytes.writeUnsignedInt(0x07000000);
+            assertThrows(Error, /^Error #2058/, _bytes.inflate);
+            assertEquals(4, _bytes.length);
+        }
+
+        [Test(async, timeout="10000")]
+        public function loadsAFileWithEvents():void
+        {
+            var loader:URLLoader = newLoader();
+            loader.dataFormat = URLLoaderDataFormat.BINARY;
+            Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    var bytes:ByteArray = loader.data;
+                    assertTrue(bytes.length > 100);
+                    assertEquals(0, bytes.position);
+                    assertEquals(bytes.length, loader.bytesLoaded);
+                    assertEquals(ProgressEvent.PROGRESS, _events[0]);
+                    assertEquals(Event.COMPLETE, _events[_events.length - 1]);
+                    assertFalse(_events.indexOf(IOErrorEvent.IO_ERROR) >= 0);
+                }, 10000);
+            loader.load(new URLRequest(FILE));
+            assertNull(loader.data);
+            assertEquals(0, _events.length);
+        }
+
+        [Test(async, timeout="10000")]
+        public function loadsText():void
+        {
+            var loader:URLLoader = newLoader();
+            assertEquals(URLLoaderDataFormat.TEXT, loader.dataFormat);
+            Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertTrue(loader.data is String);
+                    assertTrue(loader.data.indexOf("newmtl") > 0);
+                }, 10000);
+            loader.load(new URLRequest(FILE));
+        }
+
+        [Test(async, timeout="10000")]
+        public function saysThatThereIsNoFile():void
+        {
+            var loader:URLLoader = newLoader();
+            Async.handleEvent(this, loader, IOErrorEvent.IO_ERROR, function(event:IOErrorEvent, data:Object):void
+                {
+                    assertTrue(event.text, event.text.indexOf("Error #2032") == 0);
+                    assertFalse(_events.indexOf(Event.COMPLETE) >= 0);
+                }, 10000);
+            loader.load(new URLRequest("/assets/nothing"));
+        }
+
+        private function newLoader():URLLoader
+        {
+            var loader:URLLoader = new URLLoader();
+            for each (var type:String in [ProgressEvent.PROGRESS, Event.COMPLETE, IOErrorEvent.IO_ERROR])
+            {
+                loader.addEventListener(type, function(event:Event):void
+                    {
+                        _events.push(event.type);
+                    });
+            }
+            return loader;
+        }
+
+        private static function listOf(bytes:ByteArray):String
+        {
+            var all:Array = [];
+            for (var i:int = 0; i < bytes.length; i++)
+            {
+                all.push(bytes[i]);
+            }
+            return all.join(",");
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package starlogo.fitting
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.models.Model;
+    import support.Fixtures;
+    import support.SteppedModels;
+
+    /**
+     * The volumes of every fit of the twelve models are the same on every machine that runs the engine, but for what their sines and
+     * cosines differ by: the fixture has those of Ruffle.
+     */
+    public class ModelFitsTest
+    {
+        public static const FIXTURES:Array = SteppedModels.FIXTURES.concat("/fixtures/models/fits.json");
+
+        private static const EXPECTED:String = "/fixtures/models/fits.json";
+        private static const LARGEST_DIFFERENCE:Number = 1e-13;
+
+        [Test]
+        public function volumesAreTheSameOnEveryMachine():void
+        {
+            var expected:Object = JSON.parse(Fixtures.text(EXPECTED));
+            var largest:Number = 0;
+            var count:int = 0;
+            for each (var model:Model in SteppedModels.twelve())
+            {
+                var volumes:Array = volumesOf(model);
+                assertEquals(model.name, expected[model.name].length, volumes.length);
+                for (var i:int = 0; i < volumes.length; i++)
+                {
+                    var difference:Number = Math.abs(volumes[i] / expected[model.name][i] - 1);
+                    assertTrue(model.name + ", fit " + i + ": " + volumes[i], difference <= LARGEST_DIFFERENCE);
+                    largest = Math.max(largest, difference);
+                    count++;
+                }
+            }
+            trace("  " + count + " volumes, the largest difference " + largest);
+            assertEquals(12 * 9, count);
+        }
+
+        private static function volumesOf(model:Model):Array
+        {
+            var boxFitter:OrientedBoxFitter = new OrientedBoxFitter(15);
+            var volumes:Array = [];
+            for each (var fitter:Fitter in [new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(),
+                        new MinimalSphereFitter(), new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(15), boxFitter,
+                        new CapsuleFitter(boxFitter), new CylinderFitter(boxFitter)])
+            {
+                volumes.push(fitter.fit(model.vertices).volume);
+            }
+            return volumes;
+        }
+    }
+}

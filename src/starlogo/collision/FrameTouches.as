@@ -32,6 +32,12 @@ package starlogo.collision
             return _tracker.count > 0;
         }
 
+        /** The number of the frame, in which the touches of this one began. */
+        public function get frame():int
+        {
+            return _tracker.frame;
+        }
+
         /** Begins a frame: no touch goes on. */
         public function begin(pairCount:int):void
         {
@@ -66,13 +72,6 @@ package starlogo.collision
             touch.secondIndex = second.breedIndex;
             touch.breedToken = first.breedToken;
             ofPairs[pair] = touch;
-        }
-
-        /** Whether this is the first frame of a pair's touch. */
-        public function isFirst(pair:int):Boolean
-        {
-            var touch:TouchRecord = ofPairs[pair];
-            return touch != null && touch.beganIn == _tracker.frame;
         }
 
         /**

@@ -13,6 +13,7 @@ package starlogo
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
     import starlogo.collision.Collision;
+    import starlogo.collision.Contact;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
@@ -186,6 +187,34 @@ package starlogo
             }
             agent.x = 1.01;
             assertFalse(hierarchical.areColliding(agent, other));
+        }
+
+        [Test]
+        public function motion():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.cube());
+            var agent:Agent = new Agent("cube");
+            var agents:Vector.<Agent> = new <Agent>[agent, new Agent("cube", "walls")];
+            assertFalse(agent.sweeps);
+            agent.sweeps = true;
+            agent.jumpTo(-5, 0, 0);
+            var collision:Collision = new Collision(new TightestFitCollider(greatLand));
+            var calls:Array = [];
+            collision.onCollisionStart("turtles", "walls", function(collider:Agent, collidee:Agent, contact:Contact):void
+                {
+                    calls.push([contact.time.toFixed(6), contact.point.x.toFixed(6), contact.normal.x, contact.depth.toFixed(6)].join(" "));
+                });
+            collision.onCollisionEnd("turtles", "walls", function(collider:Agent, collidee:Agent):void
+                {
+                    calls.push("end");
+                });
+            for each (var x:Number in [-5, 3, 9])
+            {
+                agent.moveTo(x, 0, 0);
+                collision.update(agents);
+            }
+            assertEquals("0.500000 -0.500000 -1 0.000000,end", calls.join());
         }
     }
 }

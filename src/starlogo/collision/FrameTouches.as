@@ -32,6 +32,12 @@ package starlogo.collision
             return _tracker.count > 0;
         }
 
+        /** The number of the frame, in which the touches of this one began. */
+        public function get frame():int
+        {
+            return _tracker.frame;
+        }
+
         /** Begins a frame: no touch goes on. */
         public function begin(pairCount:int):void
         {
@@ -66,13 +72,6 @@ package starlogo.collision
             touch.secondIndex = second.breedIndex;
             touch.breedToken = first.breedToken;
             ofPairs[pair] = touch;
-        }
-
-        /** Whether this is the first frame of a pair's touch. */
-        public function isFirst(pair:int):Boolean
-        {
-            var touch:TouchRecord = ofPairs[pair];
-            return touch != null && touch.beganIn == _tracker.frame;
         }
 
         /**
@@ -121,8 +120,9 @@ package starlogo.collision
                 {
                     var handler:CollisionHandler = pair.endHandlers[_call];
                     var isBack:Boolean = _call >= pair.endForwardCount;
+                    var who:int = isBack ? TouchRecord.SECOND : TouchRecord.FIRST;
                     _call++;
-                    if (handler.isRemoved || (touch.known & (isBack ? TouchRecord.SECOND : TouchRecord.FIRST)) == 0)
+                    if (handler.isRemoved || (touch.known & who) == 0)
                     {
                         continue;
                     }

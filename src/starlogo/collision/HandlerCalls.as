@@ -40,7 +40,6 @@ package starlogo.collision
         private var _postponed:Vector.<int> = new Vector.<int>();
         private var _turns:Vector.<int> = null;
         private var _turn:int;
-
         private var _touches:FrameTouches = new FrameTouches();
         private var _contacts:FrameContacts = new FrameContacts();
 
@@ -115,8 +114,7 @@ package starlogo.collision
             _list.end();
         }
 
-        // Before any handler runs: finds the contacts that are asked for, and the touches that go on. Then calls those who ask for the ends of
-        // the others.
+        // Finds the contacts that are asked for, and the touches that go on; calls those who ask for the ends of the others.
         private function prepare(tracks:Boolean, system:CollisionSystem):void
         {
             var length:int = pairs.length;
@@ -197,6 +195,7 @@ package starlogo.collision
             var breedToken:Object = _table.interests.token;
             var touches:Vector.<TouchRecord> = _touches.ofPairs;
             var isTracking:Boolean = touches.length > 0;
+            var frame:int = _touches.frame;
             var call:int = _call;
             for (var pair:int = _pair; pair < end; pair += 2)
             {
@@ -238,7 +237,8 @@ package starlogo.collision
                         }
                         _touches.start(pair >> 1, record, other);
                     }
-                    isFirst = _touches.isFirst(pair >> 1);
+                    var touch:TouchRecord = touches[pair >> 1];
+                    isFirst = touch != null && touch.beganIn == frame;
                     if (isFirst)
                     {
                         handlers = _handlers.firstHandlers;
@@ -285,7 +285,7 @@ package starlogo.collision
                 }
                 if (isFirst && (call > forwardCount || call == callCount))
                 {
-                    touches[pair >> 1].known |= TouchRecord.SECOND;
+                    touch.known |= TouchRecord.SECOND;
                 }
                 call = 0;
             }

@@ -174,6 +174,12 @@ package starlogo.geometry
          */
         public static const DIRECTION:Number = 1e-9;
 
+        /**
+         * How much later than it was found first a touch may be found again, as a fraction of the way. Smaller: rounding may have the contact
+         * of two models taken for that of the structures around them. Larger: a later touch may be taken for the first.
+         */
+        public static const SAME_TIME:Number = 1e-9;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

@@ -7,6 +7,7 @@ package starlogo.hierarchy
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.motion.Touch;
     import starlogo.motion.TouchFinder;
     import starlogo.motion.Way;
@@ -30,9 +31,6 @@ package starlogo.hierarchy
     {
         // As in HierarchyTraversal.
         private static const MUCH_LARGER:Number = 1e40;
-
-        // How much later a touch may be found again, by rounding.
-        private static const SAME_TIME:Number = 1e-9;
 
         private var _standing:HierarchyTraversal;
         private var _pose:RelativePose = new RelativePose();
@@ -175,7 +173,7 @@ package starlogo.hierarchy
             }
             relate(placementA, placementB, way);
             var found:Number = touchOfTrees(a, depthA, b, depthB, exact);
-            if (!(found <= time + SAME_TIME))
+            if (!(found <= time + Tolerances.SAME_TIME))
             {
                 findTouchOf(a.root.bounds, b.root.bounds, time, out);
             }
@@ -206,7 +204,7 @@ package starlogo.hierarchy
         {
             relate(placementA, placementB, way);
             var found:Number = _structures.structureTouch(a.root, depth, structure, _wayX, _wayY, _wayZ);
-            var node:HierarchyNode = found <= time + SAME_TIME ? _structures.firstA : a.root;
+            var node:HierarchyNode = found <= time + Tolerances.SAME_TIME ? _structures.firstA : a.root;
             findTouchOf(node.bounds, structure, time, out);
             moveToWorld(placementA, way, time, out);
         }

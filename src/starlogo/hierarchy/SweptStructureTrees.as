@@ -209,7 +209,8 @@ package starlogo.hierarchy
         private function firstIn(moved:BoundingStructure, other:BoundingStructure, from:Number, to:Number):Number
         {
             _part.takePart(_way, from, to);
-            return from + (to - from) * firstTouch(moved, other, _part);
+            var time:Number = firstTouch(moved, other, _part);
+            return time <= 1 ? from + (to - from) * time : Way.NEVER;
         }
 
         // When they touch for the last time, of two that touch in the beginning.

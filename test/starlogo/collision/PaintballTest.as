@@ -90,7 +90,7 @@ package starlogo.collision
                 var misses:int = 0;
                 var swept:int = 0;
                 var standing:int = 0;
-                var shots:int = Effort.choose(2, 60);
+                var shots:int = Effort.choose(1, 60);
                 while (hits < shots || misses < shots / 2)
                 {
                     var shot:Shot = new Shot(random, LENGTH);

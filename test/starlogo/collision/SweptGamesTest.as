@@ -57,13 +57,13 @@ package starlogo.collision
         [Test]
         public function spheres():void
         {
-            play("spheres", 501, Effort.choose(4, 250), 6, new BinCollider(sGreatLand), new BinCollider(sGreatLand));
+            play("spheres", 501, Effort.choose(2, 250), 6, new BinCollider(sGreatLand), new BinCollider(sGreatLand));
         }
 
         [Test]
         public function tightestFits():void
         {
-            play("tightest fits", 502, Effort.choose(4, 400), 6, new TightestFitCollider(sGreatLand), new TightestFitCollider(sGreatLand));
+            play("tightest fits", 502, Effort.choose(2, 400), 6, new TightestFitCollider(sGreatLand), new TightestFitCollider(sGreatLand));
         }
 
         [Test]
@@ -84,7 +84,7 @@ package starlogo.collision
         [Test]
         public function combinations():void
         {
-            play("combinations", 505, Effort.choose(2, 150), 5, new CombinationCollider(sGreatLand), new CombinationCollider(sGreatLand));
+            play("combinations", 505, Effort.choose(1, 150), 5, new CombinationCollider(sGreatLand), new CombinationCollider(sGreatLand));
         }
 
         private function play(name:String, seed:int, games:int, count:int, collider:Collider, brute:Collider):void
@@ -168,6 +168,7 @@ package starlogo.collision
                 collider.contactOf(found[k], found[k + 1], contact);
                 assertTrue(name + ": times in order", contact.time >= latest);
                 latest = contact.time;
+                checkContact(name + ": " + found[k] + " and " + found[k + 1], contact, found[k]);
                 times[found[k].id + " " + found[k + 1].id] = contact.time;
                 _found++;
             }
@@ -188,6 +189,19 @@ package starlogo.collision
                 _last[3 * i + 1] = _agents[i].y;
                 _last[3 * i + 2] = _agents[i].z;
             }
+        }
+
+        private function checkContact(name:String, contact:Contact, collider:Agent):void
+        {
+            assertTrue(name + ": normal " + contact.normal, Math.abs(contact.normal.length - 1) < 1e-9);
+            // a first touch is none that goes deep
+            assertTrue(name + ": depth " + contact.depth, contact.depth >= 0 && (contact.time == 0 || contact.time == 1 || contact.depth < 1e-6));
+            var i:int = _agents.indexOf(collider);
+            var back:Number = isNaN(_last[3 * i]) ? 0 : 1 - contact.time;
+            var x:Number = contact.point.x - collider.x + back * (collider.x - _last[3 * i] || 0);
+            var y:Number = contact.point.y - collider.y + back * (collider.y - _last[3 * i + 1] || 0);
+            var z:Number = contact.point.z - collider.z + back * (collider.z - _last[3 * i + 2] || 0);
+            assertTrue(name + ": point " + [x, y, z], Math.sqrt(x * x + y * y + z * z) < 4 * collider.size);
         }
 
         // The time is undefined if the pair was not found.

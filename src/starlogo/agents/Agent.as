@@ -39,7 +39,7 @@ package starlogo.agents
         public static const CAPSULE:String = "capsule";
 
         // by the numbers of the kinds in BoundingStructure
-        private static const NAMES_OF_KINDS:Array = [SPHERE, CAPSULE, BOX];
+        private static const NAMES_OF_KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
 
         /** The largest size. */
         public static const LARGEST_SIZE:Number = 1e120;
@@ -348,13 +348,18 @@ package starlogo.agents
          */
         public function get collideAs():String
         {
-            return structureKind == ANY_KIND ? TIGHTEST : NAMES_OF_KINDS[structureKind];
+            if (structureKind == ANY_KIND)
+            {
+                return TIGHTEST;
+            }
+            return NAMES_OF_KINDS[structureKind];
         }
 
         public function set collideAs(value:String):void
         {
-            var kind:int = value == TIGHTEST ? ANY_KIND : NAMES_OF_KINDS.indexOf(value);
-            if (kind < 0 && value != TIGHTEST)
+            // ANY_KIND for TIGHTEST, which is no kind's name
+            var kind:int = NAMES_OF_KINDS.indexOf(value);
+            if (kind == ANY_KIND && value != TIGHTEST)
             {
                 throw new ArgumentError(this + ": collideAs must be \"tightest\", \"sphere\", \"box\" or \"capsule\", not "
                         + (value == null ? "null" : "\"" + value + "\""));

@@ -197,39 +197,51 @@ package starlogo.collision
             var isTracking:Boolean = touches.length > 0;
             var frame:int = _touches.frame;
             var call:int = _call;
+            var made:int = count;
+            var length:int = _length;
+            var breed:int = _breed;
+            var otherBreed:int = _otherBreed;
+            var ofPair:PairHandlers = _handlers;
+            var handlers:Vector.<CollisionHandler> = ofPair.handlers;
+            var forwardCount:int = ofPair.forwardCount;
+            var callCount:int = handlers.length;
             for (var pair:int = _pair; pair < end; pair += 2)
             {
+                _pair = pair;
                 var record:AgentRecord = records[pair];
                 var other:AgentRecord = records[int(pair + 1)];
                 if (call == 0)
                 {
-                    if (record.breedToken !== breedToken || other.breedToken !== breedToken || record.breedIndex != _breed
-                            || other.breedIndex != _otherBreed)
+                    if (record.breedToken !== breedToken || other.breedToken !== breedToken || record.breedIndex != breed
+                            || other.breedIndex != otherBreed)
                     {
-                        _pair = pair;
                         lookUpHandlers();
+                        breed = _breed;
+                        otherBreed = _otherBreed;
+                        ofPair = _handlers;
+                        handlers = ofPair.handlers;
+                        forwardCount = ofPair.forwardCount;
+                        callCount = handlers.length;
                     }
                 }
                 var first:Agent = record.agent;
                 var second:Agent = other.agent;
                 var firstIndex:int = record.listIndex;
                 var secondIndex:int = other.listIndex;
-                if (firstIndex >= _length || secondIndex >= _length)
+                if (firstIndex >= length || secondIndex >= length)
                 {
                     // the list has changed, or a handler has had the collider search another one
-                    _length = -1;
+                    length = _length = -1;
                 }
-                var handlers:Vector.<CollisionHandler> = _handlers.handlers;
-                var forwardCount:int = _handlers.forwardCount;
                 var isFirst:Boolean = false;
                 if (isTracking)
                 {
-                    if (_handlers.tracks && touches[pair >> 1] == null)
+                    if (ofPair.tracks && touches[pair >> 1] == null)
                     {
-                        if (agents.length != _length || agents[firstIndex] !== first || agents[secondIndex] !== second)
+                        if (agents.length != length || agents[firstIndex] !== first || agents[secondIndex] !== second)
                         {
-                            _pair = pair;
                             _call = 0;
+                            length = -1;
                             if (!areListed(first, second))
                             {
                                 continue;
@@ -239,20 +251,17 @@ package starlogo.collision
                     }
                     var touch:TouchRecord = touches[pair >> 1];
                     isFirst = touch != null && touch.beganIn == frame;
-                    if (isFirst)
-                    {
-                        handlers = _handlers.firstHandlers;
-                        forwardCount = _handlers.firstForwardCount;
-                    }
+                    handlers = isFirst ? ofPair.firstHandlers : ofPair.handlers;
+                    forwardCount = isFirst ? ofPair.firstForwardCount : ofPair.forwardCount;
+                    callCount = handlers.length;
                 }
-                var callCount:int = handlers.length;
                 while (call < callCount)
                 {
                     // mostly both still are where they were
-                    if (agents.length != _length || agents[firstIndex] !== first || agents[secondIndex] !== second)
+                    if (agents.length != length || agents[firstIndex] !== first || agents[secondIndex] !== second)
                     {
-                        _pair = pair;
                         _call = call;
+                        length = -1;
                         if (!areListed(first, second))
                         {
                             break;
@@ -262,9 +271,9 @@ package starlogo.collision
                     call++;
                     if (handler.isPlain)
                     {
-                        _pair = pair;
                         _call = call;
-                        count++;
+                        made++;
+                        count = made;
                         var toCall:Function = handler.handler;
                         if (call > forwardCount)
                         {
@@ -277,9 +286,9 @@ package starlogo.collision
                     }
                     else if (!handler.isRemoved)
                     {
-                        _pair = pair;
                         _call = call;
-                        count++;
+                        made++;
+                        count = made;
                         callWithContact(handler.handler, record, other, call > forwardCount);
                     }
                 }

@@ -151,7 +151,7 @@ export class Stage {
 	}
 
 	/** Shows lines under a name, in place of those that it had: x, y, z of one end, then of the other. */
-	showLines(name, numbers, color = 0, { onTop = false } = {}) {
+	showLines(name, numbers, color) {
 		if (!this.renderer) return;
 		let lines = this.#lines.get(name);
 		if (!lines) {
@@ -161,8 +161,6 @@ export class Stage {
 			this.scene.add(lines);
 		}
 		lines.material.color.set(color);
-		lines.material.depthTest = !onTop;
-		lines.renderOrder = onTop ? 1 : 0;
 		lines.visible = numbers.length > 0;
 		// a new geometry where the room does not do
 		const room = lines.geometry.getAttribute("position")?.array.length ?? 0;

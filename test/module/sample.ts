@@ -20,6 +20,8 @@ import {
 	CollisionStatistics,
 	CollisionSystem,
 	CombinationCollider,
+	Contact,
+	ContactSystem,
 	ConvexHull,
 	Cylinder,
 	CylinderFitter,
@@ -108,6 +110,7 @@ export function play(bearText: string): number {
 		const statistics: CollisionStatistics = collision.statistics;
 		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
 	}
+	passThrough(greatLand);
 	const collider: Collider = new TightestFitCollider(greatLand);
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
 	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
@@ -115,6 +118,28 @@ export function play(bearText: string): number {
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
 	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
 	return calls;
+}
+
+// A ball that is faster than a bear is wide.
+function passThrough(greatLand: GreatLand): void {
+	const bear = new Agent("bear", "bears");
+	const ball = new Agent("sphere", "paintballs");
+	ball.sweeps = true;
+	ball.jumpTo(-10, 0, 0);
+	const system = new TightestFitCollider(greatLand);
+	const collision = new Collision(system);
+	let touch = "";
+	collision.onCollisionStart("paintballs", "bears", (collider: Agent, collidee: Agent, contact: Contact) => {
+		touch = `${contact.time < 0.5} ${contact.normal.x < 0} ${contact.depth} ${contact.point.x < 0}`;
+	});
+	collision.onCollisionEnd("paintballs", "bears", () => log.push("gone"));
+	collision.update([bear, ball]);
+	ball.moveTo(10, 0, 0);
+	collision.update([bear, ball]);
+	collision.update([bear, ball]);
+	const contacts: ContactSystem = system;
+	ball.moveTo(0, 0, 0);
+	log.push(touch, String(contacts.contactOf(ball, bear).depth > 0));
 }
 
 /** Fits every kind of structure. */

@@ -21,6 +21,8 @@ for (const [name, size] of Object.entries(SIZES)) {
 			const { page, context, said } = await open(site, view, size);
 			const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 			assert.ok(wide <= 0, `the page is ${wide} pixels too wide`);
+			const cut = await page.evaluate(() => Math.max(0, ...[...document.querySelectorAll('.table')].map((table) => table.scrollWidth - table.clientWidth)));
+			assert.equal(cut, 0, 'pixels that a table is wider than its place');
 			const jumps = await page.evaluate(() => new Promise((resolve) => {
 				new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
 				setTimeout(() => resolve(0), 300);

@@ -147,7 +147,7 @@ export class Program {
 		const base = unit.base ? ` extends ${this.#reference(unit.base)}` : "";
 		const lines = [];
 		for (const field of unit.staticValues) {
-			if (isLiteral(field.value)) lines.push(`${docOf(field.doc ?? "")}static ${field.name} = ${this.#text(field.value)};`);
+			if (isLiteral(field.value)) lines.push(`${docOf(field.doc ?? "")}static ${this.#member(field.name)} = ${this.#text(field.value)};`);
 		}
 		lines.push(this.#constructorText(unit));
 		if (!unit.base) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);

@@ -1,5 +1,6 @@
 package starlogo
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.hierarchy.Hierarchy;
@@ -236,6 +237,19 @@ package starlogo
         engine function get revision():int
         {
             return _revision + _boundingStructures.revision + _hierarchies.revision;
+        }
+
+        /**
+         * The smallest structure of a kind around a model, found now if it was not kept.
+         *
+         * @param name the name of a model that was added
+         * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
+         * @throws ArgumentError if its structures were not loaded, or no fitter finds this kind
+         * @private
+         */
+        engine function structureOfKind(name:String, kind:int):BoundingStructure
+        {
+            return _boundingStructures.ofKind(name, kind, Model(_models[PREFIX + name]).vertices);
         }
 
         private function store(model:Model, hierarchy:Hierarchy, structures:ShapeStructures):void

@@ -4,18 +4,23 @@ import {
 	ArgumentError,
 	AxisAlignedBoxFitter,
 	BinCollider,
+	BlockError,
 	BoundingStructure,
 	BoundingStructuresLibrary,
 	Box,
+	boxBox,
 	BreedInterests,
 	BuiltInModel,
 	ByteArray,
 	Capsule,
+	capsuleBox,
+	capsuleCapsule,
 	CapsuleFitter,
 	CentredRitterSphereFitter,
 	ColladaModel,
 	Collider,
 	Collision,
+	CollisionBlocks,
 	CollisionRecorder,
 	CollisionStatistics,
 	CollisionSystem,
@@ -28,6 +33,7 @@ import {
 	ErrorEvent,
 	Event,
 	EventDispatcher,
+	finish,
 	Fit,
 	FitSession,
 	Fitter,
@@ -37,6 +43,7 @@ import {
 	HierarchyNode,
 	IEventDispatcher,
 	IllegalOperationError,
+	intersects,
 	Matrix3D,
 	MinimalBoxFitter,
 	MinimalCapsuleFitter,
@@ -56,23 +63,20 @@ import {
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
 	Sphere,
-	StepSequence,
+	sphereBox,
+	sphereCapsule,
+	sphereSphere,
 	Steps,
+	StepSequence,
+	StructureBlocks,
 	StructureTests,
 	TextEvent,
 	TightestFitCollider,
 	Tolerances,
+	TraitBlocks,
 	Vector3D,
 	Wireframes,
 	ZAlignedBoxFitter,
-	boxBox,
-	capsuleBox,
-	capsuleCapsule,
-	finish,
-	intersects,
-	sphereBox,
-	sphereCapsule,
-	sphereSphere,
 } from "starlogo-collision";
 
 /** What went on, line by line. */
@@ -111,6 +115,7 @@ export function play(bearText: string): number {
 		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
 	}
 	passThrough(greatLand);
+	useBlocks(greatLand, [bear, ball]);
 	const collider: Collider = new TightestFitCollider(greatLand);
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
 	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
@@ -118,6 +123,21 @@ export function play(bearText: string): number {
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
 	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
 	return calls;
+}
+
+// What a program of blocks calls.
+function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
+	const collisions = new CollisionBlocks(greatLand, agents);
+	const structures = new StructureBlocks(collisions);
+	new TraitBlocks(agents).collideAs("bears", Agent.BOX);
+	structures.show("bears", true);
+	collisions.whenTouchingStarts("bears", "paintballs", () => log.push(`${structures.lines().length / 6} lines`));
+	collisions.collision.update(agents);
+	try {
+		collisions.useCollisionSystem("guesses");
+	} catch (error) {
+		log.push(error instanceof BlockError ? error.message : "not a BlockError");
+	}
 }
 
 // A ball that is faster than a bear is wide.

@@ -26,6 +26,21 @@ package starlogo.agents
          */
         public static const LARGEST_COORDINATE:Number = 1e120;
 
+        /** For <code>collideAs</code>: the tightest of all. */
+        public static const TIGHTEST:String = "tightest";
+
+        /** For <code>collideAs</code>. */
+        public static const SPHERE:String = "sphere";
+
+        /** For <code>collideAs</code>. */
+        public static const BOX:String = "box";
+
+        /** For <code>collideAs</code>. */
+        public static const CAPSULE:String = "capsule";
+
+        // by the numbers of the kinds in BoundingStructure
+        private static const NAMES_OF_KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
+
         /** The largest size. */
         public static const LARGEST_SIZE:Number = 1e120;
 
@@ -38,6 +53,13 @@ package starlogo.agents
          * @private
          */
         engine static var haveSwept:Boolean = false;
+
+        /**
+         * In place of a kind of structure: the tightest.
+         *
+         * @private
+         */
+        engine static const ANY_KIND:int = -1;
 
         private static var sCreated:int = 0;
 
@@ -63,6 +85,13 @@ package starlogo.agents
          * @private
          */
         engine var jumpRevision:int = -1;
+
+        /**
+         * The kind of structure that stands for the agent, ANY_KIND for the tightest.
+         *
+         * @private
+         */
+        engine var structureKind:int = ANY_KIND;
 
         /**
          * What the users of the agent keep with it, one record each.
@@ -305,6 +334,39 @@ package starlogo.agents
             if (value != _traversalDepth)
             {
                 _traversalDepth = value;
+                extentsChanged();
+            }
+        }
+
+        /**
+         * Which structure around its model stands for the agent where one does, in the TightestFitCollider and, while it is not
+         * hierarchical, in the CombinationCollider: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3). May change between
+         * frames. One that was not kept when the model was added (loadAllBoundingStructures) is found when a collider first needs
+         * it, which takes as long as adding the model does.
+         *
+         * @throws ArgumentError if set to anything else
+         */
+        public function get collideAs():String
+        {
+            if (structureKind == ANY_KIND)
+            {
+                return TIGHTEST;
+            }
+            return NAMES_OF_KINDS[structureKind];
+        }
+
+        public function set collideAs(value:String):void
+        {
+            // ANY_KIND for TIGHTEST, which is no kind's name
+            var kind:int = NAMES_OF_KINDS.indexOf(value);
+            if (kind == ANY_KIND && value != TIGHTEST)
+            {
+                throw new ArgumentError(this + ": collideAs must be \"tightest\", \"sphere\", \"box\" or \"capsule\", not "
+                        + (value == null ? "null" : "\"" + value + "\""));
+            }
+            if (kind != structureKind)
+            {
+                structureKind = kind;
                 extentsChanged();
             }
         }

@@ -4,6 +4,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleCapsule;
@@ -16,7 +17,9 @@ package starlogo.collision
     import starlogo.motion.boxBoxTouch;
     import starlogo.motion.firstTouch;
 
-    /** Every agent is the tightest fitting structure of its model, put through the agent's whole transform (thesis §3). */
+    use namespace engine;
+
+    /** Every agent is the tightest fitting structure of its model, or the one that it collides as (§7.3), put through the agent's whole transform (thesis §3). */
     internal final class TightestFitStrategy extends ShapeStrategy
     {
         /** How two structures are tested. */
@@ -45,9 +48,13 @@ package starlogo.collision
             {
                 throw new ArgumentError(agent + ": its model was added while loadTightestFit was off; set it, and add the model again");
             }
-            shape.structure = library.tightestFit(agent.shape);
+            var kind:int = agent.structureKind;
+            shape.structure = kind == Agent.ANY_KIND ? library.tightestFit(agent.shape) : _greatLand.structureOfKind(agent.shape, kind);
+            shape.structureKind = kind;
             shape.worldStructure = shape.structure.clone();
-            if (shape.structure.kind != BoundingStructure.SPHERE && library.hasAll(agent.shape))
+            shape.placedRevision = shape.placedExtentsRevision = -1;
+            shape.outer = null;
+            if (kind == Agent.ANY_KIND && shape.structure.kind != BoundingStructure.SPHERE && library.hasAll(agent.shape))
             {
                 shape.outer = new OuterStructures(library.sphere(agent.shape), library.capsule(agent.shape));
             }
@@ -64,6 +71,10 @@ package starlogo.collision
         /** @inheritDoc */
         override public function updateWorldShape(shape:WorldShape):void
         {
+            if (shape.structureKind != shape.agent.structureKind)
+            {
+                bindModel(shape);
+            }
             shape.takeExtentsOf(shape.structure);
             if (shape.isSphere)
             {

@@ -47,6 +47,9 @@ package starlogo.collision
         /** The structure that stands for the model, in the model's space; null where none does. */
         public var structure:BoundingStructure = null;
 
+        /** The kind that was asked for, or Agent.ANY_KIND. */
+        public var structureKind:int = -1;
+
         /** The same in the world, if <code>placeStructure()</code> was called since the shape was updated. */
         public var worldStructure:BoundingStructure = null;
 

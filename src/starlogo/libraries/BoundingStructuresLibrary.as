@@ -25,6 +25,9 @@ package starlogo.libraries
         // in front of every key: a shape may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
+        // by the numbers of the kinds
+        private static const KINDS:Array = ["sphere", "capsule", "box"];
+
         /**
          * The algorithms whose results are compared when a model is added; to be changed or replaced at any time. At
          * first: the naive sphere, the oriented box, and the capsule of that box (which then is computed once).
@@ -162,6 +165,33 @@ package starlogo.libraries
         {
             var shape:ShapeStructures = _shapes[PREFIX + name] as ShapeStructures;
             return shape != null && shape.sphere != null && shape.capsule != null && shape.box != null;
+        }
+
+        /**
+         * The smallest structure of a kind for a shape: that which was kept, or else what the fitters find now, once.
+         *
+         * @param name the shape's name
+         * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
+         * @param vertices those of the shape's model
+         * @throws ArgumentError if no model of this name was added, or no fitter in the list finds this kind
+         * @private
+         */
+        engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
+        {
+            var shape:ShapeStructures = find(name);
+            var structure:BoundingStructure = shape.ofKind(kind);
+            if (structure == null && shape.late == null)
+            {
+                var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, true);
+                finish(build);
+                shape.late = build.structures;
+                structure = shape.ofKind(kind);
+            }
+            if (structure == null)
+            {
+                throw new ArgumentError("shape \"" + name + "\" cannot be a " + KINDS[kind] + ": none of the library's fitters finds one");
+            }
+            return structure;
         }
 
         /**

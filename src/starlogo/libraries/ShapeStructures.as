@@ -24,6 +24,9 @@ package starlogo.libraries
         /** The smallest one found, or null. */
         public var box:Box;
 
+        /** All of them, found when one was asked for that was not kept; or null. */
+        public var late:ShapeStructures = null;
+
         /**
          * @param found all that were found
          * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
@@ -38,6 +41,22 @@ package starlogo.libraries
                 capsule = smallest(found, BoundingStructure.CAPSULE) as Capsule;
                 box = smallest(found, BoundingStructure.BOX) as Box;
             }
+        }
+
+        /**
+         * The smallest structure of a kind, as far as it was kept or found late.
+         *
+         * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
+         * @return null if there is none
+         */
+        public function ofKind(kind:int):BoundingStructure
+        {
+            if (tightest.kind == kind)
+            {
+                return tightest;
+            }
+            var kept:BoundingStructure = kind == BoundingStructure.SPHERE ? sphere : (kind == BoundingStructure.CAPSULE ? capsule : box);
+            return kept == null && late != null ? late.ofKind(kind) : kept;
         }
 
         private static function choose(found:Vector.<BoundingStructure>, factor:Number):BoundingStructure

@@ -1,0 +1,78 @@
+/** A game of agents all over the ground, and what each collision system makes of it. Nothing here draws. */
+import { Agent, CollisionBlocks } from "starlogo-collision";
+
+const HALF_WIDTH = 50;
+const STEP = 0.3;
+const SIZE = 5;
+
+/** The shapes of its agents, in turn. */
+export const CAST = ["bear", "dragon", "fireman", "seagull", "fortress", "person"];
+
+/** The systems that are compared with the exact one. */
+export const SYSTEMS = [CollisionBlocks.UNIT_SPHERES, CollisionBlocks.TIGHTEST_FITS, CollisionBlocks.HIERARCHIES, CollisionBlocks.COMBINATION];
+
+/** The engine's own scattered scene (ScatteredScene.as): all walk on, turn a little every frame, and come in on the other side. */
+export class ScatteredGame {
+	agents = [];
+	#random = 20150601;
+
+	/** @param {number} count how many agents */
+	constructor(count) {
+		for (let i = 0; i < count; i++) {
+			const agent = new Agent(CAST[i % CAST.length]);
+			agent.moveTo(this.#between(-HALF_WIDTH, HALF_WIDTH), this.#between(-HALF_WIDTH, HALF_WIDTH), 0);
+			agent.heading = this.#between(0, 360);
+			agent.size = SIZE;
+			// every other one is the main character of a combination
+			agent.hierarchical = i % 2 === 0;
+			this.agents.push(agent);
+		}
+	}
+
+	step() {
+		for (const agent of this.agents) {
+			agent.heading += this.#between(-10, 10);
+			const angle = (agent.heading * Math.PI) / 180;
+			agent.moveTo(wrapped(agent.x + STEP * Math.cos(angle)), wrapped(agent.y + STEP * Math.sin(angle)), 0);
+		}
+	}
+
+	// Knuth, TAOCP 2, §3.3.4
+	#between(low, high) {
+		this.#random = (Math.imul(this.#random, 1664525) + 1013904223) >>> 0;
+		return low + ((high - low) * this.#random) / 4294967296;
+	}
+}
+
+const wrapped = (coordinate) => (coordinate > HALF_WIDTH ? coordinate - 2 * HALF_WIDTH : coordinate < -HALF_WIDTH ? coordinate + 2 * HALF_WIDTH : coordinate);
+
+/** The pairs that a system finds, as a map from a key to the two. */
+function pairsOf(system, agents) {
+	const found = system.findCollisions(agents);
+	const pairs = new Map();
+	for (let i = 0; i < found.length; i += 2) {
+		const [a, b] = found[i].id < found[i + 1].id ? [found[i], found[i + 1]] : [found[i + 1], found[i]];
+		pairs.set(`${a.id} ${b.id}`, [a, b]);
+	}
+	return pairs;
+}
+
+/**
+ * What each system says of a game, beside what is true.
+ *
+ * @param {CollisionBlocks} blocks know the systems by their names
+ * @param {Agent[]} agents
+ * @returns {{truth: Map, systems: Record<string, {found: number, wrong: Agent[][], missed: Agent[][], precision: number, recall: number}>}}
+ */
+export function compare(blocks, agents) {
+	const truth = pairsOf(blocks.systemNamed(CollisionBlocks.EXACT), agents);
+	const systems = {};
+	for (const name of SYSTEMS) {
+		const pairs = pairsOf(blocks.systemNamed(name), agents);
+		const wrong = [...pairs].filter(([key]) => !truth.has(key)).map(([, pair]) => pair);
+		const missed = [...truth].filter(([key]) => !pairs.has(key)).map(([, pair]) => pair);
+		const right = pairs.size - wrong.length;
+		systems[name] = { found: pairs.size, wrong, missed, precision: right / pairs.size, recall: right / truth.size };
+	}
+	return { truth, systems };
+}

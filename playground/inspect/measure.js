@@ -1,0 +1,117 @@
+/** What Inspect's table says of a model. */
+import {
+	AxisAlignedBoxFitter, CapsuleFitter, CentredRitterSphereFitter, CylinderFitter, GreatLand, MinimalBoxFitter, MinimalCapsuleFitter, MinimalSphereFitter,
+	NaiveSphereFitter, OrientedBoxFitter, RitterSphereFitter, ZAlignedBoxFitter,
+} from "starlogo-collision";
+
+/** The fitters, in the table's order. */
+const FITTERS = {
+	naiveSphere: () => new NaiveSphereFitter(),
+	ritterSphere: () => new RitterSphereFitter(),
+	centredRitterSphere: () => new CentredRitterSphereFitter(),
+	minimalSphere: () => new MinimalSphereFitter(),
+	axisAlignedBox: () => new AxisAlignedBoxFitter(),
+	zAlignedBox: (increment) => new ZAlignedBoxFitter(increment),
+	orientedBox: (increment) => new OrientedBoxFitter(increment),
+	minimalBox: () => new MinimalBoxFitter(),
+	capsule: (increment) => new CapsuleFitter(new OrientedBoxFitter(increment)),
+	minimalCapsule: () => new MinimalCapsuleFitter(),
+	cylinder: (increment) => new CylinderFitter(new OrientedBoxFitter(increment)),
+};
+
+/** Those that the engine compares by itself (thesis §3.7). */
+const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
+
+/**
+ * Fits everything to a model.
+ *
+ * @param {object} model
+ * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
+ * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number}>}
+ * @throws {Error} the engine's own, if a setting is not possible
+ */
+export async function measure(model, settings) {
+	const greatLand = new GreatLand();
+	greatLand.orientedBoxDegIncrement = settings.increment;
+	greatLand.cheaperTestsFactor = settings.tolerance;
+	greatLand.hierarchies.minVerticesToSplit = settings.minVertices;
+	greatLand.hierarchies.splitByMean = settings.byMean;
+	const rows = [];
+	for (const [name, make] of Object.entries(FITTERS)) {
+		const { result: structure, ms } = timed(() => make(settings.increment).fit(model.vertices));
+		rows.push({ name, structure, volume: structure.volume, ms });
+		await breath();
+	}
+	const { ms: hierarchyMs } = timed(() => greatLand.hierarchies.add(model.name, model.vertices, model.triangles));
+	greatLand.loadHierarchies = false;
+	const root = greatLand.hierarchies.root(model.name);
+	greatLand.boundingStructures.add(model.name, model.vertices);
+	const chosen = greatLand.boundingStructures.tightestFit(model.name);
+	const compared = rows.filter(({ name }) => COMPARED.includes(name));
+	const tightest = compared.reduce((best, row) => (row.structure.kind === chosen.kind && best?.structure.kind !== chosen.kind ? row : best), null);
+	return { rows, chosen: tightest.name, root, hierarchyMs, volume: volumeOf(model) };
+}
+
+function timed(action) {
+	const start = performance.now();
+	const result = action();
+	return { result, ms: performance.now() - start };
+}
+
+/** Lets the browser draw. */
+const breath = () => new Promise((resolve) => setTimeout(resolve));
+
+/** How many levels a hierarchy has. */
+export function depthOf(node) {
+	return node.isLeaf ? 1 : 1 + Math.max(depthOf(node.left), depthOf(node.right));
+}
+
+/** How many nodes a collider looks at last that visits so many levels. */
+export function nodesAt(node, level) {
+	return level === 1 || node.isLeaf ? 1 : nodesAt(node.left, level - 1) + nodesAt(node.right, level - 1);
+}
+
+const COLUMNS = 160;
+
+/**
+ * The volume that a model fills, its parts counted once where they overlap: lengths of columns along z between entering and leaving
+ * its surface. NaN where the surface is not closed.
+ */
+export function volumeOf({ vertices, triangles }) {
+	if (!triangles) return NaN;
+	const cell = 1.0001 / COLUMNS;
+	const columns = Array.from({ length: COLUMNS * COLUMNS }, () => []);
+	// off the middle, so that no column runs along an edge
+	const at = (i) => (i + 0.4997) * cell - 0.50003;
+	const from = (x) => Math.max(0, Math.ceil((x + 0.50003) / cell - 0.4997));
+	const to = (x) => Math.min(COLUMNS - 1, Math.floor((x + 0.50003) / cell - 0.4997));
+	for (let t = 0; t < triangles.length; t += 3) {
+		const [a, b, c] = [0, 1, 2].map((k) => vertices.slice(3 * triangles[t + k], 3 * triangles[t + k] + 3));
+		const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+		if (area === 0) continue;
+		for (let i = from(Math.min(a[0], b[0], c[0])); i <= to(Math.max(a[0], b[0], c[0])); i++) {
+			for (let j = from(Math.min(a[1], b[1], c[1])); j <= to(Math.max(a[1], b[1], c[1])); j++) {
+				const [x, y] = [at(i), at(j)];
+				const u = ((b[0] - x) * (c[1] - y) - (b[1] - y) * (c[0] - x)) / area;
+				const v = ((c[0] - x) * (a[1] - y) - (c[1] - y) * (a[0] - x)) / area;
+				const w = 1 - u - v;
+				if (u >= 0 && v >= 0 && w >= 0) columns[i * COLUMNS + j].push([u * a[2] + v * b[2] + w * c[2], Math.sign(area)]);
+			}
+		}
+	}
+	let length = 0;
+	let open = 0;
+	let crossed = 0;
+	for (const crossings of columns) {
+		if (crossings.length === 0) continue;
+		crossed++;
+		crossings.sort((p, q) => p[0] - q[0]);
+		let winding = 0;
+		crossings.forEach(([z, sign], k) => {
+			winding += sign;
+			if (winding !== 0 && k + 1 < crossings.length) length += crossings[k + 1][0] - z;
+		});
+		if (winding !== 0) open++;
+	}
+	return open > crossed * 0.02 ? NaN : length * cell * cell;
+}

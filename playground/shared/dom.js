@@ -1,0 +1,94 @@
+/** Elements in few words. Styles are classes: the page's policy allows no style attributes. */
+
+/**
+ * Makes an element.
+ *
+ * @param {string} tag its name, with classes: "div.card.wide"
+ * @param {object} properties attributes; those that begin with "on" are listeners; null and false are left out
+ * @param {...(Node|string|null)} children what it holds
+ */
+export function h(tag, properties = {}, ...children) {
+	const [name, ...classes] = tag.split(".");
+	const element = document.createElement(name);
+	if (classes.length > 0) element.className = classes.join(" ");
+	for (const [key, value] of Object.entries(properties)) {
+		if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
+		else if (value === true) element.setAttribute(key, "");
+		else if (value !== null && value !== undefined && value !== false) element.setAttribute(key, value);
+	}
+	element.append(...children.filter((child) => child !== null));
+	return element;
+}
+
+let labelled = 0;
+
+/** A control under its label. */
+export function field(label, control, note = null) {
+	control.id ||= `control-${++labelled}`;
+	const hint = note === null ? null : h("small", { id: `${control.id}-note` }, note);
+	if (hint) control.setAttribute("aria-describedby", hint.id);
+	return h("div.field", {}, h("label", { for: control.id }, label), control, hint);
+}
+
+/** A list to choose from: options are [value, text]. */
+export function choice(options, value, onChange) {
+	const select = h("select", { onchange: () => onChange(select.value) }, ...options.map(([each, text]) => h("option", { value: each, selected: each === value }, text)));
+	return select;
+}
+
+/** A box to tick, with its label. */
+export function tick(label, checked, onChange) {
+	const box = h("input", { type: "checkbox", checked, onchange: () => onChange(box.checked) });
+	return h("label.tick", {}, box, label);
+}
+
+/** A slider with its label and value. */
+export function slider(label, { min, max, step, value, format = String }, onInput) {
+	const output = h("output", {}, format(value));
+	const input = h("input", { type: "range", min, max, step, value });
+	const show = () => {
+		output.textContent = format(Number(input.value));
+	};
+	input.addEventListener("input", () => {
+		show();
+		onInput(Number(input.value));
+	});
+	const element = h("div.slider", {}, field(label, input), output);
+	return {
+		element,
+		input,
+		set(next) {
+			input.value = next;
+			show();
+		},
+	};
+}
+
+export function button(text, onclick, properties = {}) {
+	return h("button", { type: "button", onclick, ...properties }, text);
+}
+
+/** Asks for a file of the user's. */
+export function fileButton(text, accept, onFile) {
+	const input = h("input.visually-hidden", { type: "file", accept, tabindex: "-1", "aria-hidden": "true", onchange: () => {
+		if (input.files.length > 0) onFile(input.files[0]);
+		input.value = "";
+	} });
+	return h("span", {}, button(text, () => input.click()), input);
+}
+
+/** Calls a function when the user's preference for light or dark changes. */
+export function onThemeChange(listener) {
+	const query = matchMedia("(prefers-color-scheme: dark)");
+	query.addEventListener("change", listener);
+	return () => query.removeEventListener("change", listener);
+}
+
+export const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches;
+
+/** Numbers for people: three digits that say something. */
+export function short(value) {
+	if (!Number.isFinite(value)) return "–";
+	const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
+	return value.toFixed(digits);
+}

@@ -1,0 +1,37 @@
+/** The models of the game: the twelve of the thesis's table, and the two that only the playground has. */
+import { BuiltInModel, ColladaModel, Model, ObjModel } from "starlogo-collision";
+import { turtle, wall } from "./made.js";
+
+const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder() };
+const FILES = { bear: "bear.obj", dragon: "dragon.dae", seagull: "seagull.dae", tree: "tree.obj", kelp: "kelp.obj", fortress: "fortress.obj", spaceship: "spaceship.obj", fireman: "fireman.dae", person: "person.dae" };
+const MADE = { turtle, wall };
+
+const loaded = new Map();
+
+/** A model by its name; loaded once. */
+export function loadModel(name) {
+	if (!loaded.has(name)) loaded.set(name, read(name));
+	return loaded.get(name);
+}
+
+async function read(name) {
+	if (name in BUILT_IN) return BUILT_IN[name]();
+	if (name in MADE) {
+		const { vertices, triangles } = MADE[name]();
+		return new Model(name, vertices, triangles);
+	}
+	const response = await fetch(`models/${FILES[name]}`);
+	if (!response.ok) throw new Error(`${FILES[name]}: ${response.status}`);
+	return parseModel(name, FILES[name], new Uint8Array(await response.arrayBuffer()));
+}
+
+/**
+ * The model in a file; throws a ModelError if it is none.
+ *
+ * @param {string} name what the model is called
+ * @param {string} file its file's name, which says what it is
+ * @param {Uint8Array} bytes its content
+ */
+export function parseModel(name, file, bytes) {
+	return /\.obj$/i.test(file) ? ObjModel.fromBytes(name, bytes) : ColladaModel.fromBytes(name, bytes);
+}

@@ -1,0 +1,194 @@
+package starlogo.blocks
+{
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.collision.TightestFitCollider;
+
+    /**
+     * The blocks that say what happens at collisions, and what decides about them: "on collision with", "when touching starts",
+     * "when touching ends", "use collision system" (thesis §7.1).
+     */
+    public class CollisionBlocks
+    {
+        /** Every agent is a sphere of its size: BinCollider. */
+        public static const UNIT_SPHERES:String = "unit spheres";
+
+        /** Every agent is the structure that it collides as: TightestFitCollider. */
+        public static const TIGHTEST_FITS:String = "tightest fits";
+
+        /** Every agent is a hierarchy: HierarchicalCollider. */
+        public static const HIERARCHIES:String = "hierarchies";
+
+        /** Agents that are hierarchical are hierarchies, the others what they collide as: CombinationCollider. */
+        public static const COMBINATION:String = "combination";
+
+        /** The triangles of the models decide: HierarchicalCollider in exact mode. */
+        public static const EXACT:String = "exact";
+
+        private static const NAMES:Array = [UNIT_SPHERES, TIGHTEST_FITS, HIERARCHIES, COMBINATION, EXACT];
+
+        private var _greatLand:GreatLand;
+        private var _agents:Vector.<Agent>;
+        private var _systems:Object = {};
+        private var _systemName:String = TIGHTEST_FITS;
+        private var _collision:Collision;
+
+        /**
+         * Blocks without scripts, with the tightest fits.
+         *
+         * @param greatLand has the models of the agents
+         * @param agents those of the game, a list that goes on being the game's
+         * @throws ArgumentError if one is null
+         */
+        public function CollisionBlocks(greatLand:GreatLand, agents:Vector.<Agent>)
+        {
+            if (greatLand == null || agents == null)
+            {
+                throw new ArgumentError("a GreatLand and a list of agents are needed, not " + greatLand + " and " + agents);
+            }
+            _greatLand = greatLand;
+            _agents = agents;
+            forgetScripts();
+        }
+
+        /** The names that "use collision system" offers. */
+        public static function get systemNames():Array
+        {
+            return NAMES.concat();
+        }
+
+        /** The game's models. */
+        public function get greatLand():GreatLand
+        {
+            return _greatLand;
+        }
+
+        /** The game's agents. */
+        public function get agents():Vector.<Agent>
+        {
+            return _agents;
+        }
+
+        /** What finds the collisions and calls the scripts; another one after forgetScripts. */
+        public function get collision():Collision
+        {
+            return _collision;
+        }
+
+        /** The name of the collision system in use. */
+        public function get systemName():String
+        {
+            return _systemName;
+        }
+
+        /**
+         * A collision system by its name; the same one for the same name.
+         *
+         * @throws BlockError if there is none of that name
+         */
+        public function systemNamed(name:String):CollisionSystem
+        {
+            if (NAMES.indexOf(name) < 0)
+            {
+                throw new BlockError("use collision system", "does not know " + Whom.said(name) + ". Choose one of these: " + NAMES.join(", ") + ".");
+            }
+            if (_systems[name] == null)
+            {
+                _systems[name] = makeSystem(name);
+            }
+            return _systems[name];
+        }
+
+        /**
+         * The block "use collision system": from the next frame on.
+         *
+         * @param name one of systemNames
+         * @throws BlockError if it is none of them
+         */
+        public function useCollisionSystem(name:String):void
+        {
+            _collision.collisionSystem = systemNamed(name);
+            _systemName = name;
+        }
+
+        /**
+         * The block "on collision with ... do".
+         *
+         * @param breed whose block it is
+         * @param otherBreed whom they collide with, or Collision.ANY_BREED
+         * @param script called with the collider and the collidee, every frame in which they touch
+         * @throws BlockError if something is missing
+         */
+        public function onCollision(breed:String, otherBreed:String, script:Function):void
+        {
+            check("on collision with", breed, otherBreed, script);
+            _collision.onCollision(breed, otherBreed, script);
+        }
+
+        /**
+         * The block "when touching starts".
+         *
+         * @param breed as in onCollision
+         * @param otherBreed as in onCollision
+         * @param script called in the first frame in which they touch
+         * @throws BlockError if something is missing
+         */
+        public function whenTouchingStarts(breed:String, otherBreed:String, script:Function):void
+        {
+            check("when touching starts", breed, otherBreed, script);
+            _collision.onCollisionStart(breed, otherBreed, script);
+        }
+
+        /**
+         * The block "when touching ends".
+         *
+         * @param breed as in onCollision
+         * @param otherBreed as in onCollision
+         * @param script called in the first frame in which they do not touch any more
+         * @throws BlockError if something is missing
+         */
+        public function whenTouchingEnds(breed:String, otherBreed:String, script:Function):void
+        {
+            check("when touching ends", breed, otherBreed, script);
+            _collision.onCollisionEnd(breed, otherBreed, script);
+        }
+
+        /** Takes all scripts away, as before a program runs anew. The collision system stays. */
+        public function forgetScripts():void
+        {
+            _collision = new Collision(systemNamed(_systemName));
+        }
+
+        private static function check(block:String, breed:String, otherBreed:String, script:Function):void
+        {
+            Whom.checkBreed(block, breed);
+            Whom.checkBreed(block, otherBreed);
+            if (script == null)
+            {
+                throw new BlockError(block, "has nothing to do: put blocks into it.");
+            }
+        }
+
+        private function makeSystem(name:String):CollisionSystem
+        {
+            switch (name)
+            {
+                case UNIT_SPHERES:
+                    return new BinCollider(_greatLand);
+                case TIGHTEST_FITS:
+                    return new TightestFitCollider(_greatLand);
+                case COMBINATION:
+                    return new CombinationCollider(_greatLand);
+                default:
+                    var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+                    collider.exact = name == EXACT;
+                    return collider;
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+/** The playground in headless Chromium with software GL, as a desktop's and a phone's browser show it. */
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { serveFolder } from '../../playground/serve.mjs';
+
+export const root = fileURLToPath(new URL('../..', import.meta.url));
+const folder = path.join(root, 'bin/playground');
+
+const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage',
+	'--disable-background-networking', '--no-first-run'];
+
+/** The sizes that everything is tried at. */
+export const SIZES = {
+	desktop: { viewport: { width: 1366, height: 820 } },
+	phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+};
+
+/** Begins: a server below a path of its own, and a browser. */
+export async function begin() {
+	if (!existsSync(path.join(folder, 'index.html'))) {
+		throw new Error(`${folder} is not built: ./antw test builds it`);
+	}
+	const server = await serveFolder(folder, { below: '/any/where/' });
+	const browser = await chromium.launch({ executablePath: process.env.CHROME || '/usr/bin/chromium', args: ARGUMENTS });
+	return {
+		browser,
+		url: server.url,
+		async close() {
+			await browser.close();
+			server.close();
+		},
+	};
+}
+
+/**
+ * Opens a view in a browser of its own, which remembers nothing.
+ *
+ * @param {object} site what begin gave
+ * @param {string} hash the view, with its argument
+ * @param {object} options of the browser's context
+ * @returns {Promise<{page: object, context: object, said: string[]}>} said is what came on the console, and from elsewhere
+ */
+export async function open(site, hash, options = SIZES.desktop) {
+	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...options });
+	const page = await context.newPage();
+	const said = [];
+	page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
+	page.on('pageerror', (error) => said.push(String(error)));
+	page.on('request', (request) => {
+		if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(site.url)) {
+			said.push(`loaded ${request.url()}`);
+		}
+	});
+	await page.goto(`${site.url}#${hash}`);
+	await ready(page, hash.split('/')[0]);
+	return { page, context, said };
+}
+
+export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: 60000 });

@@ -1,0 +1,199 @@
+/** The worlds that programs of the playground move, without a page. */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { root } from './browser.mjs';
+
+const { buildSync } = createRequire(path.join(root, 'playground/package.json'))('esbuild');
+const FILES = { bear: 'bear.obj', seagull: 'seagull.dae', fireman: 'fireman.dae', dragon: 'dragon.dae' };
+const FRAME_MS = 1000 / 60;
+let parts;
+let greatLand;
+
+before(async () => {
+	const out = path.join(root, 'bin/generated/playground-world.mjs');
+	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
+	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	buildSync({
+		stdin: { contents: [...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
+		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', alias: { 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
+	});
+	parts = await import(pathToFileURL(out).href);
+	greatLand = new parts.GreatLand();
+	greatLand.addModel(parts.BuiltInModel.sphere());
+	for (const [name, file] of Object.entries(FILES)) {
+		const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
+		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
+	}
+	for (const name of ['turtle', 'wall']) {
+		const { vertices, triangles } = parts[name]();
+		greatLand.addModel(new parts.Model(name, vertices, triangles));
+	}
+});
+
+const number = (value) => ({ shadow: { type: 'math_number', fields: { NUM: value } } });
+const chain = (...blocks) => blocks.reduceRight((next, block) => (next ? { ...block, next: { block: next } } : block), undefined);
+const inside = (...blocks) => ({ DO: { block: chain(...blocks) } });
+const program = (...scripts) => ({ blocks: { blocks: scripts } });
+const start = (...blocks) => ({ type: 'starlogo_start', inputs: inside(...blocks) });
+const each = (BREED, ...blocks) => ({ type: 'starlogo_each', fields: { BREED }, inputs: inside(...blocks) });
+const create = (count, BREED, SHAPE, ...blocks) => ({ type: 'starlogo_create', fields: { BREED, SHAPE }, inputs: { COUNT: number(count), ...inside(...blocks) } });
+const forward = (steps) => ({ type: 'starlogo_forward', inputs: { STEPS: number(steps) } });
+const value = (type, fields, inputs) => ({ block: { type, fields, inputs } });
+
+/** A world after some frames of a program. */
+function played(state, frames, system) {
+	const world = new parts.World(greatLand);
+	if (system) {
+		world.useSystem(system);
+	}
+	world.begin(state);
+	for (let i = 0; i < frames; i++) {
+		world.step();
+	}
+	return world;
+}
+
+/** A game of a crowd that walks, turns and changes colour where it meets. */
+const crowd = (count, hierarchical) => program(
+	start(create(count / 2, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(count / 2, 'seagulls', 'seagull', { type: 'starlogo_scatter' }),
+		...(hierarchical ? ['turtles', 'seagulls'].map((WHO) => ({ type: 'starlogo_hierarchical', fields: { WHO, ON: 'on' } })) : [])),
+	each('anyone', forward(0.05), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: value('math_random_int', {}, { FROM: number(-5), TO: number(5) }) } }),
+	{ type: 'starlogo_collision', fields: { BREED: 'turtles', OTHER: 'seagulls' }, inputs: inside({ type: 'starlogo_colour', fields: { WHO: 'collidee' }, inputs: { COLOUR: value('starlogo_any_colour') } }) },
+);
+
+for (const [what, count, hierarchical, system] of [['tightest fits', 300, false, 'tightest fits'], ['all hierarchical', 100, true, 'combination']]) {
+	test(`${count} agents, ${what}, leave a frame time for drawing`, () => {
+		const world = played(crowd(count, hierarchical), 60, system);
+		assert.equal(world.agents.length, count);
+		const times = [];
+		let collisions = 0;
+		for (let i = 0; i < 200; i++) {
+			const begin = performance.now();
+			world.step();
+			times.push(performance.now() - begin);
+			collisions += world.collisions.collision.statistics.collisions;
+		}
+		times.sort((a, b) => a - b);
+		console.log(`${count} agents, ${what}: ${times[100].toFixed(2)} ms a frame of ${FRAME_MS.toFixed(1)} (95 of 100 within ${times[190].toFixed(2)}), ${(collisions / 200).toFixed(0)} collisions`);
+		assert.ok(collisions > 0, 'some meet');
+		assert.ok(times[100] < FRAME_MS, `${times[100]} ms`);
+	});
+}
+
+test('the same program plays the same game', () => {
+	const places = () => played(parts.EXAMPLES.paintball, 100).agents.map(({ x, y, heading }) => `${x} ${y} ${heading}`).join();
+	assert.equal(places(), places());
+});
+
+test('every block of the toolbox has a meaning', () => {
+	const world = new parts.World(greatLand);
+	const types = parts.TOOLBOX.contents.flatMap(({ contents = [] }) => contents).map(({ type }) => type);
+	assert.ok(types.length > 30);
+	for (const type of types) {
+		const { fields = {}, output, isHat } = described(type);
+		const block = { type, id: type, fields };
+		const top = isHat ? block : start(output ? { type: 'starlogo_size', id: 'size', inputs: { SIZE: { block } } } : block);
+		assert.doesNotThrow(() => parts.compile(program(top), world), type);
+		assert.equal(parts.compile(program(top), world).length, 1, type);
+	}
+});
+
+/** What a block is: the playground's by its definition, Blockly's own by name. */
+function described(type) {
+	const own = parts.DEFINITIONS.find((each) => each.type === type);
+	const isValue = own ? 'output' in own : /^(math|logic)_/.test(type);
+	const fields = { OP: 'ADD', NUM: 1, BOOL: 'TRUE' };
+	for (const { type: kind, name, options } of own?.args0 ?? []) {
+		if (kind === 'field_dropdown') {
+			[[, fields[name]]] = options;
+		}
+	}
+	return { fields, output: isValue, isHat: own !== undefined && !('previousStatement' in own) && !isValue };
+}
+
+test('loops, conditions, variables and arithmetic', () => {
+	const get = value('variables_get', { VAR: { id: 'n' } });
+	const state = program(start(
+		{ type: 'controls_repeat_ext', inputs: { TIMES: number(5), ...inside({ type: 'math_change', fields: { VAR: { id: 'n' } }, inputs: { DELTA: number(2) } }) } },
+		{ type: 'controls_if', extraState: { elseIfCount: 1, hasElse: true }, inputs: {
+			IF0: value('logic_compare', { OP: 'LT' }, { A: get, B: number(10) }), DO0: { block: create(1, 'walls', 'wall') },
+			IF1: value('logic_operation', { OP: 'AND' }, { A: value('logic_boolean', { BOOL: 'TRUE' }), B: value('logic_compare', { OP: 'EQ' }, { A: get, B: number(10) }) }),
+			DO1: { block: create(3, 'bears', 'bear', { type: 'starlogo_size', inputs: { SIZE: value('math_arithmetic', { OP: 'DIVIDE' }, { A: get, B: number(4) }) } }) },
+			ELSE: { block: create(1, 'turtles', 'turtle') },
+		} },
+	));
+	assert.deepEqual(played(state, 0).agents.map(({ breed, size }) => [breed, size]), Array(3).fill(['bears', 2.5]));
+});
+
+test('keys that are held, pressed, and timers', () => {
+	const key = (KEY, MODE, ...blocks) => ({ type: 'starlogo_key', fields: { KEY, MODE, BREED: 'bears' }, inputs: inside(...blocks) });
+	const up = { type: 'starlogo_up', inputs: { STEPS: number(1) } };
+	const world = played(program(start(create(1, 'bears', 'bear')), key('up', 'held', forward(1)), key('space', 'pressed', up),
+		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(0.5), ...inside({ type: 'starlogo_size', inputs: { SIZE: number(3) } }) } }), 0);
+	const [bear] = world.agents;
+	world.press('up');
+	world.press('space');
+	for (let i = 0; i < 3; i++) {
+		world.step();
+	}
+	assert.deepEqual([bear.x, bear.z, bear.size], [3, 1, 1]);
+	world.release('up');
+	for (let i = 0; i < 27; i++) {
+		world.step();
+	}
+	assert.deepEqual([bear.x, bear.size], [3, 3]);
+});
+
+test('who leaves the ground comes in on the other side', () => {
+	const world = played(program(start(create(1, 'bears', 'bear')), each('bears', forward(1))), 2 * parts.HALF_WIDTH + 3);
+	assert.equal(world.agents[0].x, 3);
+});
+
+test('touches start and end; the one in the middle is a collision', () => {
+	const colours = (breed, type, name) => ({ type, fields: { BREED: 'paintballs', OTHER: breed }, inputs: inside({ type: 'starlogo_colour', fields: { WHO: 'collidee' }, inputs: { COLOUR: value('starlogo_pick', { COLOUR: name }) } }) });
+	const world = played(program(
+		start(create(1, 'walls', 'wall'), create(1, 'paintballs', 'sphere', { type: 'starlogo_size', inputs: { SIZE: number(0.2) } }, forward(-1))),
+		each('paintballs', forward(0.25)), colours('walls', 'starlogo_touch_start', 'red'), colours('walls', 'starlogo_touch_end', 'green')), 0);
+	const seen = [];
+	for (let i = 0; i < 8; i++) {
+		world.step();
+		seen.push(world.agents[0].color);
+	}
+	const [grey, red, green] = [seen[0], 0xe5484d, 0x46a758];
+	assert.deepEqual([...new Set(seen)], [grey, red, green]);
+});
+
+test('too many agents, and blocks that are about nobody, are errors that name the block', () => {
+	assert.throws(() => played(program(start({ ...create(5000, 'bears', 'bear'), id: 'many' })), 0), { block: 'many', message: /^there are 2000 agents already/ });
+	assert.throws(() => played(program(start({ ...forward(1), id: 'lost' })), 0), { block: 'lost', message: /the block “forward” is about an agent/ });
+	const paint = { type: 'starlogo_colour', id: 'who', fields: { WHO: 'collidee' }, inputs: { COLOUR: value('starlogo_pick', { COLOUR: 'red' }) } };
+	assert.throws(() => played(program(start(create(1, 'bears', 'bear', paint))), 0), { block: 'who', message: /^the block “set colour of … to” speaks of the collidee/ });
+});
+
+test('nested endless loops name the inner one', () => {
+	const always = value('logic_boolean', { BOOL: 'TRUE' });
+	const inner = { type: 'controls_whileUntil', id: 'inner', fields: { MODE: 'WHILE' }, inputs: { BOOL: always } };
+	const outer = { type: 'controls_whileUntil', id: 'outer', fields: { MODE: 'WHILE' }, inputs: { BOOL: always, ...inside(inner) } };
+	assert.throws(() => played(program(start(outer)), 0), { block: 'inner' });
+});
+
+test('who goes back from a wall never gets stuck in it', () => {
+	const world = played(parts.EXAMPLES.paintball, 0);
+	const bear = world.agents.find(({ breed }) => breed === 'bears');
+	const keys = ['up', 'left', 'up', 'down', 'right'];
+	let touched = 0;
+	for (let i = 0; i < 4000; i++) {
+		if (i % 40 === 0) {
+			world.releaseAll();
+			world.press(keys[Math.floor(world.random() * keys.length)]);
+		}
+		world.step();
+		touched += bear.before.every((each, k) => each === [bear.x, bear.y, bear.z, bear.heading][k]) ? 1 : 0;
+	}
+	assert.ok(touched > 20, `walls were met in ${touched} frames`);
+	assert.ok(touched < 3000, `stuck for ${touched} frames`);
+});

@@ -57,12 +57,11 @@ package starlogo.collision
         public function takePairs(found:Vector.<Agent>, agents:Vector.<Agent>):void
         {
             _list.begin(agents);
-            var length:int = found.length;
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = 0; i < found.length; i++)
             {
                 pairs[i] = _list.recordOf(found[i]);
             }
-            pairs.length = length;
+            pairs.length = found.length;
         }
 
         /**
@@ -80,12 +79,11 @@ package starlogo.collision
             _errors = errors;
             _length = agents.length;
             _list.end();
-            _pair = _call = 0;
+            _pair = _call = count = 0;
             _breed = _otherBreed = -1;
             _handlers = table.handlersOf(-1, -1);
             _postponed.length = 0;
             _turns = null;
-            count = 0;
             if (table.tracks || _touches.hasAny || table.takesContacts)
             {
                 prepare(table.tracks || _touches.hasAny, system);
@@ -145,14 +143,13 @@ package starlogo.collision
         // Each time that it throws, a handler has thrown.
         private function callThrough():void
         {
-            var hasMore:Boolean = true;
-            while (hasMore)
+            while (true)
             {
                 var calls:int = count;
                 try
                 {
                     callRest();
-                    hasMore = false;
+                    return;
                 }
                 catch (error:*)
                 {
@@ -269,12 +266,16 @@ package starlogo.collision
                     }
                     var handler:CollisionHandler = handlers[call];
                     call++;
+                    if (handler.isRemoved)
+                    {
+                        continue;
+                    }
+                    _call = call;
+                    made++;
+                    count = made;
+                    var toCall:Function = handler.handler;
                     if (handler.isPlain)
                     {
-                        _call = call;
-                        made++;
-                        count = made;
-                        var toCall:Function = handler.handler;
                         if (call > forwardCount)
                         {
                             toCall(second, first);
@@ -284,12 +285,9 @@ package starlogo.collision
                             toCall(first, second);
                         }
                     }
-                    else if (!handler.isRemoved)
+                    else
                     {
-                        _call = call;
-                        made++;
-                        count = made;
-                        callWithContact(handler.handler, record, other, call > forwardCount);
+                        callWithContact(toCall, record, other, call > forwardCount);
                     }
                 }
                 if (isFirst && (call > forwardCount || call == callCount))
@@ -304,15 +302,9 @@ package starlogo.collision
 
         private function callWithContact(toCall:Function, first:AgentRecord, second:AgentRecord, isBack:Boolean):void
         {
-            var contact:Contact = _contacts.contactOf(_pair >> 1, first, second, isBack);
-            if (isBack)
-            {
-                toCall(second.agent, first.agent, contact);
-            }
-            else
-            {
-                toCall(first.agent, second.agent, contact);
-            }
+            var collider:AgentRecord = isBack ? second : first;
+            var collidee:AgentRecord = isBack ? first : second;
+            toCall(collider.agent, collidee.agent, _contacts.contactOf(_pair >> 1, first, second, isBack));
         }
 
         // The breeds count that the two have now, for all of the pair's calls.

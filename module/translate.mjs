@@ -563,7 +563,7 @@ export class Program {
 				this.#unit = unit;
 				for (const needed of this.#needed(field.value, unit)) visit(needed, seen);
 				this.#unit = unit;
-				return `${this.shortName(unit.qname)}.${field.name} = ${this.#text(field.value)};`;
+				return `${this.shortName(unit.qname)}.${this.#member(field.name)} = ${this.#text(field.value)};`;
 			});
 			if (unit.kind === "variable") {
 				for (const needed of this.#needed(unit.main, unit)) visit(needed, seen);

@@ -321,12 +321,9 @@ package starlogo.collision
             {
                 interests.lookUp(second);
             }
-            if (first.breedIndex != _breed || second.breedIndex != _otherBreed)
-            {
-                _breed = first.breedIndex;
-                _otherBreed = second.breedIndex;
-                _handlers = _table.handlersOf(_breed, _otherBreed);
-            }
+            _breed = first.breedIndex;
+            _otherBreed = second.breedIndex;
+            _handlers = _table.handlersOf(_breed, _otherBreed);
         }
 
         // Asks the list, from now on for the rest of the frame.

@@ -9,11 +9,13 @@ package standins
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import org.flexunit.assumeThat;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
+    import org.hamcrest.object.equalTo;
     import support.assertThrows;
 
     /**
@@ -67,6 +69,8 @@ package standins
             assertEquals("0,0,0,2", listOf(_bytes));
             assertEquals(0, _bytes.position);
             assertEquals(4, _bytes.bytesAvailable);
+            // what was beyond the end comes back in Adobe's VM when writing goes there, and nowhere else
+            _bytes[3] = 0;
             _bytes.position = 4;
             _bytes.length = 2;
             assertEquals(2, _bytes.position);
@@ -110,6 +114,18 @@ package standins
             assertEquals("195,164,226,130,172", listOf(_bytes));
             _bytes.position = 0;
             assertEquals("\u00E4\u20AC", _bytes.readUTFBytes(5));
+            assertEquals("", new ByteArray().readUTFBytes(0));
+        }
+
+        [Test]
+        public function textHasOtherEncodings():void
+        {
+            // in Adobe's shell readMultiByte does nothing
+            _bytes.writeByte(0x61);
+            _bytes.position = 0;
+            assumeThat(_bytes.readMultiByte(1, "iso-8859-1"), equalTo("a"));
+            _bytes.clear();
+            _bytes.writeUTFBytes("\u00E4");
             _bytes.position = 0;
             assertEquals("\u00C3\u00A4", _bytes.readMultiByte(2, "iso-8859-1"));
             _bytes.clear();
@@ -117,8 +133,6 @@ package standins
             _bytes.writeByte(0);
             _bytes.position = 0;
             assertEquals("\u00E4", _bytes.readMultiByte(2, "utf-16"));
-            _bytes.position = 0;
-            assertEquals("", new ByteArray().readUTFBytes(0));
         }
 
         [Test]

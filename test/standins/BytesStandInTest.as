@@ -9,13 +9,12 @@ package standins
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import org.flexunit.assumeThat;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
-    import org.hamcrest.object.equalTo;
+    import org.flexunit.internals.AssumptionViolatedException;
     import support.assertThrows;
 
     /**
@@ -120,10 +119,13 @@ package standins
         [Test]
         public function textHasOtherEncodings():void
         {
-            // in Adobe's shell readMultiByte does nothing
+            // as in Adobe's shell
             _bytes.writeByte(0x61);
             _bytes.position = 0;
-            assumeThat(_bytes.readMultiByte(1, "iso-8859-1"), equalTo("a"));
+            if (_bytes.readMultiByte(1, "iso-8859-1") == "")
+            {
+                throw new AssumptionViolatedException("readMultiByte does nothing here");
+            }
             _bytes.clear();
             _bytes.writeUTFBytes("\u00E4");
             _bytes.position = 0;

@@ -4,7 +4,7 @@
  *
  *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
  */
-import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { transformSync } from "esbuild";
 import { SETUP, standinsText, translate } from "./assemble.mjs";
@@ -75,17 +75,8 @@ function licences() {
 	const parts = THIRD_PARTY.map((name) => {
 		const folder = join(ROOT, "module/node_modules", name);
 		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-		const file = ["LICENSE", "LICENSE.md", "license"].map((each) => join(folder, each)).find((each) => exists(each));
+		const file = ["LICENSE", "LICENSE.md", "license"].map((each) => join(folder, each)).find(existsSync);
 		return `## ${name} ${version} (${license})\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
 	});
 	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
-}
-
-function exists(file) {
-	try {
-		readFileSync(file);
-		return true;
-	} catch {
-		return false;
-	}
 }

@@ -4,17 +4,21 @@ import sirv from 'sirv';
 /**
  * Serves folders on loopback, each below a path of its own, and one page at `/`.
  *
- * @param {string} page the page's HTML
- * @param {Record<string, string>} folders what to serve: path ('/assets') to folder
+ * @param {string | null} page the page's HTML, if there is one
+ * @param {Record<string, string>} folders what to serve: path ('/assets', or '' for all other) to folder; the first that fits counts
+ * @param {{port?: number, headers?: Record<string, string>}} options the port, any free one unless told; what every answer says
  * @returns {Promise<{url: string, close: () => void}>}
  */
-export async function serve(page, folders) {
+export async function serve(page, folders, { port = 0, headers = {} } = {}) {
 	const mounts = Object.entries(folders).map(([path, folder]) => ({
 		path,
 		handle: sirv(folder, { dev: true, etag: false }),
 	}));
 	const server = http.createServer((request, response) => {
-		if (request.url === '/') {
+		for (const [name, value] of Object.entries(headers)) {
+			response.setHeader(name, value);
+		}
+		if (request.url === '/' && page !== null) {
 			response.setHeader('Content-Type', 'text/html; charset=utf-8');
 			response.end(page);
 			return;
@@ -33,7 +37,7 @@ export async function serve(page, folders) {
 	});
 	await new Promise((resolve, reject) => {
 		server.once('error', reject);
-		server.listen(0, '127.0.0.1', resolve);
+		server.listen(port, '127.0.0.1', resolve);
 	});
 	return {
 		url: `http://127.0.0.1:${server.address().port}/`,

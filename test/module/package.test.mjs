@@ -1,14 +1,14 @@
 /** Tests of the npm package that the build makes: bin/module. */
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
-import { createServer } from "node:http";
+import { copyFileSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import vm from "node:vm";
 import { chromium } from "playwright-core";
+import { serve } from "../headless/server.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
@@ -84,11 +84,9 @@ function zipped(name, content) {
 const archive = zipped("person.dae", readFileSync(path.join(root, "assets/person.dae")));
 
 /** A server of the assets, the package and the sample, under a policy without eval, inline scripts or anything from elsewhere. */
-const PAGES = { "/page.html": "<!DOCTYPE html><script type=module src=/page.js></script>", "/module.js": minified, "/sample.js": "sample.external.js", "/bundle.js": "sample.bundle.js" };
+const PAGE = "<!DOCTYPE html><script type=module src=/page.js></script>";
 const POLICY = "default-src 'none'; script-src 'self'; worker-src 'self'; connect-src 'self'";
-const TYPES = { ".html": "text/html", ".js": "text/javascript" };
 let server;
-let base;
 
 before(async () => {
 	writeFileSync(path.join(work, "page.js"), `window.run = async (name) => {
@@ -108,27 +106,11 @@ export async function use(name) {
 }
 `);
 	bundle("sample.external.js", { external: ["starlogo-collision"] });
-	server = createServer((request, response) => {
-		const { pathname } = new URL(request.url, "http://localhost");
-		const type = TYPES[path.extname(pathname)] ?? "application/octet-stream";
-		try {
-			const content = contentOf(pathname);
-			response.writeHead(200, { "content-type": type, "content-security-policy": POLICY }).end(content);
-		} catch {
-			response.writeHead(404).end();
-		}
-	});
-	await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-	base = `http://127.0.0.1:${server.address().port}`;
+	writeFileSync(path.join(work, "sample.js"), readFileSync(path.join(work, "sample.external.js"), "utf8").replace('"starlogo-collision"', '"/module.js"'));
+	writeFileSync(path.join(work, "archive"), archive);
+	copyFileSync(minified, path.join(work, "module.js"));
+	server = await serve(PAGE, { "/assets": path.join(root, "assets"), "": work }, { headers: { "content-security-policy": POLICY } });
 });
-
-function contentOf(pathname) {
-	if (pathname === "/page.html") return PAGES[pathname];
-	if (pathname === "/archive") return archive;
-	if (pathname.startsWith("/assets/")) return readFileSync(path.join(root, pathname));
-	if (pathname === "/sample.js") return readFileSync(path.join(work, "sample.external.js"), "utf8").replace('"starlogo-collision"', '"/module.js"');
-	return readFileSync(path.resolve(work, PAGES[pathname] ?? pathname.slice(1)));
-}
 
 after(() => server.close());
 
@@ -207,12 +189,12 @@ test("its source map names the readable build", () => {
 
 test("it runs in Node", async () => {
 	const sampleModule = await import(pathToFileURL(bundle("sample.node.js", { external: ["starlogo-collision"] })));
-	check(await use(sampleModule, `${base}/assets`, bear, new Uint8Array(archive)));
+	check(await use(sampleModule, `${server.url}assets`, bear, new Uint8Array(archive)));
 	assert.ok(sampleModule.log.includes("500 of 500"), sampleModule.log.join("; "));
 });
 
 test("bundled by esbuild it runs in Node, and what is not used is left out", async () => {
-	check(await use(await import(pathToFileURL(path.join(work, "sample.bundle.js"))), `${base}/assets`, bear, new Uint8Array(archive)));
+	check(await use(await import(pathToFileURL(path.join(work, "sample.bundle.js"))), `${server.url}assets`, bear, new Uint8Array(archive)));
 	writeFileSync(path.join(work, "unused.ts"), 'import { GreatLand } from "starlogo-collision";\nexport const one = 1;\n');
 	esbuild.buildSync({ entryPoints: [path.join(work, "unused.ts")], bundle: true, format: "esm", outfile: path.join(work, "unused.js") });
 	assert.ok(readFileSync(path.join(work, "unused.js")).length < 200);
@@ -225,8 +207,8 @@ test("it runs in Chromium and in a Worker there, bundled or not, under a strict 
 		const complaints = [];
 		page.on("pageerror", (error) => complaints.push(String(error)));
 		page.on("console", (message) => message.type() === "error" && !/404/.test(message.text()) && complaints.push(message.text()));
-		await page.goto(`${base}/page.html`);
-		for (const name of ["/sample.js", "/bundle.js"]) {
+		await page.goto(server.url);
+		for (const name of ["/sample.js", "/sample.bundle.js"]) {
 			const { here, inWorker } = await page.evaluate((each) => window.run(each), name);
 			check(here);
 			check(inWorker);

@@ -3,7 +3,7 @@ import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { serveFolder } from '../../playground/serve.mjs';
+import { serve } from '../headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = path.join(root, 'bin/playground');
@@ -22,11 +22,11 @@ export async function begin() {
 	if (!existsSync(path.join(folder, 'index.html'))) {
 		throw new Error(`${folder} is not built: ./antw test builds it`);
 	}
-	const server = await serveFolder(folder, { below: '/any/where/' });
+	const server = await serve(null, { '/any/where': folder });
 	const browser = await chromium.launch({ executablePath: process.env.CHROME || '/usr/bin/chromium', args: ARGUMENTS });
 	return {
 		browser,
-		url: server.url,
+		url: `${server.url}any/where/`,
 		async close() {
 			await browser.close();
 			server.close();

@@ -26,6 +26,12 @@ package starlogo.agents
          */
         public static const LARGEST_COORDINATE:Number = 1e120;
 
+        /** The largest size. */
+        public static const LARGEST_SIZE:Number = 1e120;
+
+        /** The smallest size. */
+        public static const SMALLEST_SIZE:Number = 1e-120;
+
         /** For <code>collideAs</code>: the tightest of all. */
         public static const TIGHTEST:String = "tightest";
 
@@ -40,12 +46,6 @@ package starlogo.agents
 
         // by the numbers of the kinds in BoundingStructure
         private static const NAMES_OF_KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
-
-        /** The largest size. */
-        public static const LARGEST_SIZE:Number = 1e120;
-
-        /** The smallest size. */
-        public static const SMALLEST_SIZE:Number = 1e-120;
 
         /**
          * Whether any agent has ever swept: while none has, colliders need not look for those that do.

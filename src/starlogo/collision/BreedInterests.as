@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.agents.AgentRecord;
+    import starlogo.broadphase.AgentProxy;
     import starlogo.engine;
 
     use namespace engine;
@@ -116,6 +117,33 @@ package starlogo.collision
         {
             record.breedIndex = indexOf(record.agent.breed);
             record.breedToken = token;
+        }
+
+        /**
+         * Of those that a proxy may meet, moves the ones of breeds that count to the beginning.
+         *
+         * @param proxy whose breed was looked up, as theirs were
+         * @param others so many at the beginning are those that it may meet
+         * @param count how many
+         * @return how many count
+         *
+         * @private
+         */
+        engine function keepThoseThatCount(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):int
+        {
+            var counting:Vector.<Boolean> = pairs;
+            var row:int = proxy.breedIndex * breedCount;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:AgentProxy = others[i];
+                if (counting[int(row + other.breedIndex)])
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         private function enter(breed:String):void

@@ -151,7 +151,7 @@ package starlogo.collision
                 var added:CollisionHandler = _handlers[i];
                 if (added.breed == breed && added.otherBreed == otherBreed && added.handler == handler)
                 {
-                    added.remove();
+                    added.isRemoved = true;
                     _handlers.splice(i, 1);
                     _tableIsStale = true;
                     return true;

@@ -30,9 +30,6 @@ package starlogo.collision
         /** Whether it was taken away, while others ran perhaps: then it is not called any more. */
         public var isRemoved:Boolean = false;
 
-        /** Whether it is neither of both: one question for the loop over all calls. */
-        public var isPlain:Boolean;
-
         /** A handler of a pair of breeds. */
         public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function)
         {
@@ -41,14 +38,6 @@ package starlogo.collision
             this.otherBreed = otherBreed;
             this.handler = handler;
             takesContact = handler.length == 3;
-            isPlain = !takesContact;
-        }
-
-        /** Has it called no more. */
-        public function remove():void
-        {
-            isRemoved = true;
-            isPlain = false;
         }
     }
 }

@@ -25,9 +25,8 @@ package starlogo.collision
         private var _shapes:ShapeCache;
         private var _listed:ListedShapes;
 
-        // The search under way. The pairs of breeds that count are in a square of this width; it is null where all do.
-        private var _interests:Vector.<Boolean> = null;
-        private var _breedCount:int = 0;
+        // The search under way. The pairs of breeds that count; null where all do.
+        private var _interests:BreedInterests = null;
         private var _boxFacesOnly:Boolean = false;
         private var _found:Vector.<Agent> = null;
         private var _foundRecords:Vector.<AgentRecord> = null;
@@ -131,7 +130,9 @@ package starlogo.collision
         {
             if (_interests != null)
             {
-                count = keepInteresting(proxy, others, count);
+                var kept:int = _interests.keepThoseThatCount(proxy, others, count);
+                _skippedPairs += count - kept;
+                count = kept;
             }
             // untyped, the cheapest of casts
             var untyped:* = proxy;
@@ -231,25 +232,6 @@ package starlogo.collision
             }
         }
 
-        // Of those that a proxy may meet, the ones of breeds that count; they move to the beginning.
-        private function keepInteresting(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):int
-        {
-            var interests:Vector.<Boolean> = _interests;
-            var row:int = proxy.breedIndex * _breedCount;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:AgentProxy = others[i];
-                if (interests[int(row + other.breedIndex)])
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            _skippedPairs += count - kept;
-            return kept;
-        }
-
         // One of the two is null.
         private function search(agents:Vector.<Agent>, interests:BreedInterests, found:Vector.<Agent>,
                 foundRecords:Vector.<AgentRecord>):void
@@ -290,8 +272,7 @@ package starlogo.collision
             }
             _listed.fillBins();
             _strategy.resetCounts();
-            _interests = interests == null || interests.areAll ? null : interests.pairs;
-            _breedCount = interests == null ? 0 : interests.breedCount;
+            _interests = interests == null || interests.areAll ? null : interests;
             _boxFacesOnly = _strategy.boxFacesOnly;
             _found = found;
             _foundRecords = foundRecords;

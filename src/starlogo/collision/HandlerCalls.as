@@ -274,20 +274,17 @@ package starlogo.collision
                     made++;
                     count = made;
                     var toCall:Function = handler.handler;
-                    if (handler.isPlain)
+                    if (handler.takesContact)
                     {
-                        if (call > forwardCount)
-                        {
-                            toCall(second, first);
-                        }
-                        else
-                        {
-                            toCall(first, second);
-                        }
+                        callWithContact(toCall, record, other, call > forwardCount);
+                    }
+                    else if (call > forwardCount)
+                    {
+                        toCall(second, first);
                     }
                     else
                     {
-                        callWithContact(toCall, record, other, call > forwardCount);
+                        toCall(first, second);
                     }
                 }
                 if (isFirst && (call > forwardCount || call == callCount))

@@ -77,9 +77,7 @@ package starlogo.collision
             {
                 return structureOverlaps(a, b);
             }
-            var depthA:int = a.depth == 0 ? maxDepth : a.depth;
-            var depthB:int = b.depth == 0 ? maxDepth : b.depth;
-            return _traversal.hierarchiesOverlap(a.hierarchy, a.placement, depthA, b.hierarchy, b.placement, depthB, exact);
+            return _traversal.hierarchiesOverlap(a.hierarchy, a.placement, depthOf(a), b.hierarchy, b.placement, depthOf(b), exact);
         }
 
         /** @inheritDoc */
@@ -162,8 +160,7 @@ package starlogo.collision
 
         private function structureOverlaps(hierarchical:WorldShape, other:WorldShape):Boolean
         {
-            var depth:int = hierarchical.depth == 0 ? maxDepth : hierarchical.depth;
-            return _traversal.structureOverlaps(hierarchical.hierarchy, hierarchical.placement, depth, other.structure,
+            return _traversal.structureOverlaps(hierarchical.hierarchy, hierarchical.placement, depthOf(hierarchical), other.structure,
                     other.placement);
         }
     }

@@ -31,8 +31,7 @@ package starlogo.collision
         public var memberCount:int = 0;
 
         private var _strategy:ShapeStrategy;
-        private var _interests:Vector.<Boolean>;
-        private var _breedCount:int;
+        private var _interests:BreedInterests;
 
         // Numbers the searches; one that sweeps nobody, however often, counts as one.
         private var _search:int = 0;
@@ -95,8 +94,7 @@ package starlogo.collision
          */
         public function find(listed:Vector.<WorldShape>, interests:BreedInterests):void
         {
-            _interests = interests == null || interests.areAll ? null : interests.pairs;
-            _breedCount = interests == null ? 0 : interests.breedCount;
+            _interests = interests == null || interests.areAll ? null : interests;
             _length = _skippedPairs = _spherePairs = _sweptPairs = 0;
             var stayed:int = 0;
             var members:int = 0;
@@ -112,6 +110,7 @@ package starlogo.collision
                 motion.takeWay(_search);
                 if (interests == null || shape.breedIndex >= 0)
                 {
+                    motion.breedIndex = shape.breedIndex;
                     bins.fit(motion);
                     bins.add(motion);
                     members++;
@@ -177,21 +176,18 @@ package starlogo.collision
         {
             var motion:MovingProxy = proxy as MovingProxy;
             var shape:WorldShape = motion.shape;
-            var row:int = shape.breedIndex * _breedCount;
+            if (_interests != null)
+            {
+                var kept:int = _interests.keepThoseThatCount(motion, others, count);
+                _skippedPairs += count - kept;
+                count = kept;
+            }
             for (var i:int = 0; i < count; i++)
             {
                 // untyped, the cheapest of casts
                 var untyped:* = others[i];
                 var otherMotion:MovingProxy = untyped;
                 var other:WorldShape = otherMotion.shape;
-                if (_interests != null)
-                {
-                    if (!_interests[int(row + other.breedIndex)])
-                    {
-                        _skippedPairs++;
-                        continue;
-                    }
-                }
                 var time:Number = firstOverlap(shape, other);
                 if (time == Way.NEVER)
                 {

@@ -91,14 +91,8 @@ package starlogo.collision
         /** @inheritDoc */
         override public function overlaps(a:WorldShape, b:WorldShape):Boolean
         {
-            if (a.placedRevision != a.revision)
-            {
-                a.placeStructure();
-            }
-            if (b.placedRevision != b.revision)
-            {
-                b.placeStructure();
-            }
+            place(a);
+            place(b);
             if (a.outer != null)
             {
                 if (b.outer != null && !passPreliminaryTests(a, b))

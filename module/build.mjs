@@ -44,6 +44,7 @@ writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 writeFileSync(join(out, "LICENSES.md"), licences());
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
+copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
@@ -66,7 +67,8 @@ function manifest() {
 			".": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
 		},
-		files: ["*.js", "*.map", "*.d.ts", "*.md"],
+		bin: { "starlogo-bake": "./bake.mjs" },
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md"],
 	};
 }
 

@@ -78,6 +78,12 @@ package starlogo.libraries
             return _structures == null ? null : _structures.structures;
         }
 
+        /** Whether the structures were known, when no step is left. */
+        public function get areStructuresTaken():Boolean
+        {
+            return _structures != null && _structures.wasTaken;
+        }
+
         /** What has the hierarchy, or makes it of what is known when it is needed, when no step is left; null if none was wanted. */
         public function get hierarchy():HierarchyBuilder
         {

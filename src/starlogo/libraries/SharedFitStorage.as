@@ -23,47 +23,63 @@ package starlogo.libraries
         /** @inheritDoc */
         public function read(name:String):ByteArray
         {
-            try
-            {
-                var kept:ByteArray = SharedObject.getLocal(PREFIX + name, "/").data.bytes as ByteArray;
-                return kept == null ? null : copyOf(kept);
-            }
-            catch (error:Error)
-            {
-            }
-            return null;
+            var shared:SharedObject = sharedOf(name);
+            var kept:ByteArray = shared == null ? null : shared.data.bytes as ByteArray;
+            return kept == null ? null : copyOf(kept);
         }
 
         /** @inheritDoc */
         public function write(name:String, bytes:ByteArray):Boolean
         {
-            var isKept:Boolean = false;
-            try
+            var shared:SharedObject = sharedOf(name);
+            if (shared == null)
             {
-                var shared:SharedObject = SharedObject.getLocal(PREFIX + name, "/");
-                shared.data.bytes = copyOf(bytes);
-                isKept = shared.flush() == SharedObjectFlushStatus.FLUSHED;
+                return false;
             }
-            catch (error:Error)
+            shared.data.bytes = copyOf(bytes);
+            if (isFlushed(shared))
             {
+                return true;
             }
-            if (!isKept)
-            {
-                remove(name);
-            }
-            return isKept;
+            shared.clear();
+            return false;
         }
 
         /** @inheritDoc */
         public function remove(name:String):void
         {
+            var shared:SharedObject = sharedOf(name);
+            if (shared != null)
+            {
+                shared.clear();
+            }
+        }
+
+        // null where they are switched off
+        private static function sharedOf(name:String):SharedObject
+        {
             try
             {
-                SharedObject.getLocal(PREFIX + name, "/").clear();
+                return SharedObject.getLocal(PREFIX + name, "/");
             }
             catch (error:Error)
             {
+                return null;
             }
+            return null;
+        }
+
+        private static function isFlushed(shared:SharedObject):Boolean
+        {
+            try
+            {
+                return shared.flush() == SharedObjectFlushStatus.FLUSHED;
+            }
+            catch (error:Error)
+            {
+                return false;
+            }
+            return false;
         }
 
         private static function copyOf(bytes:ByteArray):ByteArray

@@ -11,14 +11,7 @@ package starlogo.hierarchy
     /**
      * Builds a hierarchy from the root down (thesis §4.4).
      *
-     * <p>What is divided are items: triangles, or vertices where there are none. An item goes to the side of the split
-     * that the centre of its extents is on. The thesis's splitting point, halfway along the longest axis of the box or at
-     * the mean, may leave all triangles on one side; then it is halfway along the axis on which their centres spread
-     * most. A node whose items all have the same centre is a leaf.</p>
-     *
-     * <p>On minVerticesToSplit the thesis says two things: in §4.4 it is the number of vertices up to which a node is not split
-     * any further, in §4.8 the smallest number that is split. They differ for a node of just as many; here it is a leaf, as in
-     * §4.4, which describes the algorithm, while §4.8 lists its parameters.</p>
+     * <p>What is divided are items: triangles, or vertices where there are none. See NodeDivider for how.</p>
      *
      * <p>The work is done in steps, a millisecond or two each for thousands of items. For the engine; a client has the
      * HierarchiesLibrary.</p>
@@ -55,6 +48,7 @@ package starlogo.hierarchy
         private var _tree:ByteArray = null;
         private var _reader:TreeReader;
         private var _maker:NodeMaker;
+        private var _divider:NodeDivider;
         private var _nodes:Vector.<HierarchyNode>;
         private var _structures:NodeStructures;
         private var _solid:SolidBuilder;
@@ -210,6 +204,7 @@ package starlogo.hierarchy
         {
             var extents:Vector.<Number> = _items.extentsOfAll();
             _maker = new NodeMaker(_hierarchy, extents);
+            _divider = new NodeDivider(_hierarchy, _items, _maker, _minVerticesToSplit, _splitByMean);
             var root:HierarchyNode = _maker.make(1, 0, _items.count, extents);
             if (root.radius - root.radius != 0)
             {
@@ -227,9 +222,9 @@ package starlogo.hierarchy
             while (_next < _nodes.length)
             {
                 var node:HierarchyNode = _nodes[_next++];
-                if (node.level < _maxDepth && hasEnough(node))
+                if (node.level < _maxDepth && _divider.divide(node))
                 {
-                    divide(node);
+                    _nodes.push(node.left, node.right);
                 }
                 items += node.end - node.first + ITEMS_A_NODE;
                 if (items >= ITEMS_A_STEP)
@@ -294,71 +289,6 @@ package starlogo.hierarchy
                 _solid = _hierarchy.beginSolid();
                 _phase = PREPARING;
             }
-        }
-
-        private function hasEnough(node:HierarchyNode):Boolean
-        {
-            var count:int = node.end - node.first;
-            if (!_hierarchy.hasTriangles || count == 1)
-            {
-                return !_hierarchy.hasTriangles && count > _minVerticesToSplit;
-            }
-            // so many different triangles have more vertices in any case
-            var few:int = _minVerticesToSplit;
-            return count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few;
-        }
-
-        private function divide(node:HierarchyNode):void
-        {
-            var axis:int = node.longestAxis();
-            var split:Number;
-            if (_splitByMean)
-            {
-                split = _items.meanOf(node.first, node.end, axis);
-            }
-            else
-            {
-                split = 2 * (axis == 0 ? node.x : (axis == 1 ? node.y : node.z));
-            }
-            if (!divideAt(node, axis, split))
-            {
-                divideWhereCentresSpread(node);
-            }
-        }
-
-        private function divideWhereCentresSpread(node:HierarchyNode):void
-        {
-            var widest:int = 0;
-            var width:Number = 0;
-            var split:Number = 0;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var ends:Vector.<Number> = _items.centresOf(node.first, node.end, axis);
-                if (ends[1] - ends[0] > width)
-                {
-                    widest = axis;
-                    width = ends[1] - ends[0];
-                    split = ends[0] + 0.5 * width;
-                }
-            }
-            if (width > 0)
-            {
-                divideAt(node, widest, split);
-            }
-        }
-
-        // Whether there are items on either side; if not, the node has no children.
-        private function divideAt(node:HierarchyNode, axis:int, split:Number):Boolean
-        {
-            var middle:int = _items.divide(node.first, node.end, axis, split);
-            if (middle == node.first || middle == node.end)
-            {
-                return false;
-            }
-            _maker.divide(node, axis, _maker.make(node.level + 1, node.first, middle, _items.leftExtents),
-                    _maker.make(node.level + 1, middle, node.end, _items.rightExtents));
-            _nodes.push(node.left, node.right);
-            return true;
         }
     }
 }

@@ -36,9 +36,7 @@ package starlogo.hierarchy
 
         private var _root:HierarchyNode;
         private var _parts:PartFinder;
-
-        // By piece: where the points of its part are.
-        private var _pointsAt:Vector.<int> = new Vector.<int>();
+        private var _extremes:PartExtremes;
 
         /**
          * @param root the node around all triangles
@@ -251,10 +249,7 @@ package starlogo.hierarchy
             {
                 turnRound();
             }
-            for (var i:int = 0; i < _surface.pieceCount; i++)
-            {
-                _pointsAt.push(-1);
-            }
+            _extremes = new PartExtremes(_solid, _surface.pieceCount);
             _parts = new PartFinder(_root, _solid, _surface, _order);
         }
 
@@ -280,80 +275,13 @@ package starlogo.hierarchy
             var end:int = Math.min(_next + TRIANGLES_A_STEP, _order.length);
             for (var i:int = _next; i < end; i++)
             {
-                var part:int = _parts.partOf(i);
-                if (_pointsAt[part] < 0)
-                {
-                    beginPart(part, 9 * i);
-                }
-                if (reachesOut(_pointsAt[part], 6 * i))
-                {
-                    for (var corner:int = 9 * i; corner < 9 * i + 9; corner += 3)
-                    {
-                        extendPart(_pointsAt[part], corner);
-                    }
-                }
+                _extremes.add(_parts.partOf(i), i);
             }
             _next = end;
             if (end == _order.length)
             {
-                measureExtents();
+                _extremes.finish();
                 _phase = DONE;
-            }
-        }
-
-        private function beginPart(part:int, corner:int):void
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            _pointsAt[part] = points.length;
-            for (var i:int = 0; i < Solid.POINTS_A_PART; i++)
-            {
-                points.push(_solid.corners[corner], _solid.corners[corner + 1], _solid.corners[corner + 2]);
-            }
-        }
-
-        // Whether a triangle is farther out than all of its part so far.
-        private function reachesOut(at:int, from:int):Boolean
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            var extents:Vector.<Number> = _solid.extents;
-            return extents[from] < points[at] || extents[int(from + 3)] > points[int(at + 3)]
-                || extents[int(from + 1)] < points[int(at + 7)] || extents[int(from + 4)] > points[int(at + 10)]
-                || extents[int(from + 2)] < points[int(at + 14)] || extents[int(from + 5)] > points[int(at + 17)];
-        }
-
-        private function extendPart(at:int, corner:int):void
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            var corners:Vector.<Number> = _solid.corners;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var low:int = at + 6 * axis;
-                var coordinate:Number = corners[corner + axis];
-                var to:int = -1;
-                if (coordinate < points[low + axis])
-                {
-                    to = low;
-                }
-                else if (coordinate > points[low + 3 + axis])
-                {
-                    to = low + 3;
-                }
-                if (to >= 0)
-                {
-                    points[to] = corners[corner];
-                    points[to + 1] = corners[corner + 1];
-                    points[to + 2] = corners[corner + 2];
-                }
-            }
-        }
-
-        private function measureExtents():void
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            for (var at:int = 0; at < points.length; at += 3 * Solid.POINTS_A_PART)
-            {
-                var extent:Number = Math.max(points[at + 3] - points[at], points[at + 10] - points[at + 7], points[at + 17] - points[at + 14]);
-                _solid.leastPartExtent = Math.min(_solid.leastPartExtent, extent);
             }
         }
     }

@@ -14,7 +14,7 @@ package docs
      */
     public class Page
     {
-        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/dragon.dae"];
+        public static const FIXTURES:Array = [];
 
         protected var greatLand:GreatLand = new GreatLand();
         protected var bear:Agent = new Agent("sphere", "bears");

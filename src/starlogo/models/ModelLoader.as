@@ -49,7 +49,7 @@ package starlogo.models
      * var loader:ModelLoader = new ModelLoader(greatLand);
      * loader.addEventListener(Event.COMPLETE, startGame);
      * loader.addEventListener(ErrorEvent.ERROR, showError);
-     * loader.load("bear", "assets/bear.dae");
+     * loader.load("bear", "assets/bear.obj");
      * </listing>
      */
     public class ModelLoader extends EventDispatcher

@@ -48,7 +48,7 @@ export function listingsIn(source) {
 		language: 'actionscript',
 		line: source.slice(0, match.index).split('\n').length + 1,
 		text: match[1].split('\n').map((line) => line.replace(/^ *\* ?/, '')).join('\n').trimEnd()
-			.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&'),
+			.replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&'),
 	}));
 }
 
@@ -71,7 +71,7 @@ const slugOf = (file) => file.replace(/^docs\/(?!README)|\.md$/g, '').replace('/
 const classOf = (slug) => slug.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
 
 /** Where a page's prelude is, if it has one: its name and an ending. */
-function preludeOf(name, ending) {
+export function preludeOf(name, ending) {
 	const file = `test/docs/${name}${ending}`;
 	return existsSync(path.join(root, file)) ? file : null;
 }
@@ -166,7 +166,7 @@ export function moduleOf({ file, slug, fences }) {
 	}
 	const prelude = preludeOf(slug, '.mjs');
 	if (prelude) {
-		imported.set(pathToFileURL(path.join(root, prelude)).href, namesIn(read(prelude), 'export const'));
+		imported.set(pathToFileURL(path.join(root, prelude)).href, namesIn(read(prelude), 'export const').filter((name) => text.includes(name)));
 	}
 	const imports = [...imported].map(([from, names]) => `import { ${[...new Set(names)].join(', ')} } from "${from}";`);
 	return `${imports.join('\n')}\n\n${text.replace(IMPORT, '')}\n\nexport { ${namesIn(text, '(?:const|let|function|class)').join(', ')} };\n`;

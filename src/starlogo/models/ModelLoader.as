@@ -66,6 +66,8 @@ package starlogo.models
         private var _longestStep:int = 0;
 
         /**
+         * A loader that has nothing to do yet.
+         *
          * @param receiver takes the models in
          * @param budget milliseconds of work a frame
          * @throws ArgumentError if the receiver is null

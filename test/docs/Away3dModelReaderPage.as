@@ -13,7 +13,12 @@ package docs
         public static const FIXTURES:Array = [];
 
         protected var mesh:Mesh = new Mesh(new CubeGeometry(2, 2, 2));
-        protected var loader:ModelLoader = new ModelLoader(greatLand);
+        protected var loader:ModelLoader;
+
+        public function Away3dModelReaderPage()
+        {
+            loader = new ModelLoader(greatLand);
+        }
 
         /** @inheritDoc */
         override protected function check(shown:Object):void

@@ -1,6 +1,6 @@
 package docs
 {
-    import away3d.containers.ObjectContainer3D;
+    import away3d.containers.Scene3D;
     import org.flexunit.asserts.assertEquals;
     import starlogo.away3d.Away3dWireframe;
 
@@ -9,7 +9,7 @@ package docs
     {
         public static const FIXTURES:Array = [];
 
-        protected var scene:ObjectContainer3D = new ObjectContainer3D();
+        protected var scene:Scene3D = new Scene3D();
 
         /** @inheritDoc */
         override protected function check(shown:Object):void

@@ -10,8 +10,8 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { codeOf, definitionIn, read, root, sourcesBelow } from '../structure/sources.mjs';
 
-/** What a fence may be: a sample, or no program (a command, a tree, a table of fields). */
-const LANGUAGES = ['actionscript', 'js', ''];
+/** What a sample's fence must not be called: it would not be run. Others (a command, a tree, a table of fields) are no programs. */
+const OTHER_NAMES = /^(?:as3?|javascript|mjs|ts|typescript)$/i;
 
 /** Where a sample takes names from that it does not import itself: as an editor would, from the engine and from these. */
 const FLASH = ['flash.display.Sprite', 'flash.display.Stage', 'flash.events.ErrorEvent', 'flash.events.Event', 'flash.geom.Matrix3D', 'flash.geom.Vector3D'];
@@ -59,12 +59,12 @@ export function pages() {
 	const sources = sourcesBelow('src').map((file) => ({ file, slug: path.basename(file, '.as'), fences: listingsIn(read(file)) }));
 	for (const { file, fences } of written) {
 		for (const { language, line } of fences) {
-			if (!LANGUAGES.includes(language)) {
-				throw new Error(`${file}:${line}: a fence is ${LANGUAGES.join(', ')}(nothing), not ${language}`);
+			if (OTHER_NAMES.test(language)) {
+				throw new Error(`${file}:${line}: the fence of a sample is called actionscript or js, not ${language}`);
 			}
 		}
 	}
-	return [...written, ...sources].filter(({ fences }) => fences.some(({ language }) => language !== ''));
+	return [...written, ...sources].filter(({ fences }) => fences.some(({ language }) => ['actionscript', 'js'].includes(language)));
 }
 
 const slugOf = (file) => file.replace(/^docs\/(?!README)|\.md$/g, '').replace('/', '-').toLowerCase();

@@ -9,7 +9,9 @@ import { root } from '../structure/sources.mjs';
 import { fencesIn, listingsIn, moduleOf, pages, preludeOf, testClasses } from './samples.mjs';
 
 const folder = path.join(root, 'bin/generated/docs-js');
-const page = (...samples) => ({ file: 'a.md', slug: 'a', fences: samples.map((text, i) => ({ language: text.includes('var ') || text.includes('package') ? 'actionscript' : 'js', line: 10 * i + 1, text })) });
+const page = (...samples) => ({
+	file: 'a.md', slug: 'a', fences: samples.map((text, i) => ({ language: /^(?:var|package) /.test(text) ? 'actionscript' : 'js', line: 10 * i + 1, text })),
+});
 
 /** Runs the samples of a page in Node, and then its check. */
 function run(each) {

@@ -40,7 +40,8 @@ package docs
 
             var ring:Ring = new Ring(new Vector3D(), Vector3D.Z_AXIS, 2, 0.5);
             assertTrue(ring.contains(new Vector3D(0, 2.5, 0)) && !ring.contains(new Vector3D(0, 1.4, 0)));
-            for each (var other:Object in [ring, new Sphere(new Vector3D(), 1), new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1)])
+            var box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 1, 1);
+            for each (var other:Object in [ring, new Sphere(new Vector3D(), 1), box])
             {
                 assertThrows(ArgumentError, /no intersection test/, intersects, ring, other);
                 assertThrows(ArgumentError, /no intersection test/, intersects, other, ring);

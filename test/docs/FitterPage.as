@@ -14,7 +14,8 @@ package docs
         {
             greatLand.boundingStructures.fitters = new <Fitter>[new OriginSphereFitter()];
             greatLand.addModel(BuiltInModel.cube());
-            assertEquals("out to a corner at the top", (Math.PI * Math.sqrt(6)).toFixed(9), greatLand.boundingStructures.tightestFit("cube").volume.toFixed(9));
+            var volume:Number = greatLand.boundingStructures.tightestFit("cube").volume;
+            assertEquals("out to a corner at the top", (Math.PI * Math.sqrt(6)).toFixed(9), volume.toFixed(9));
         }
     }
 }

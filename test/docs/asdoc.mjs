@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 /**
- * Looks at what asdoc has written, after putting right two links that it gets wrong: to classes of a package below which there are others, and to
- * an index of symbols where there are none. Exit status: 1 where a link leads nowhere, or a public name or a package is not described.
+ * Looks at what asdoc has written. Two links that it gets wrong are put right: to classes of a package below which there are others, and
+ * to an index of symbols where there are none. The date goes, so that the same sources give the same pages. Exit status: 1 where a link
+ * leads nowhere, or a public name or a package is not described.
  *
  *   node test/docs/asdoc.mjs bin/asdoc
  */
@@ -9,9 +10,10 @@ import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-/** A page with its links right. */
+/** A page with its links right, and without a date. */
 export function repaired(html) {
-	return html.replaceAll('starlogo:', 'starlogo/').replace(/<a href="all-index-Symbols\.html"[^>]*>(.*?)<\/a>/g, '$1');
+	return html.replaceAll('starlogo:', 'starlogo/').replace(/<a href="all-index-Symbols\.html"[^>]*>(.*?)<\/a>/g, '$1')
+		.replace(/<br\/>\w+ \w+ \d+ \d{4}, [\d:]+ [AP]M \w+/g, '');
 }
 
 const textOf = (html) => html.replace(/<[^>]*>|&nbsp;/g, ' ').replace(/\s+/g, ' ').trim();

@@ -17,6 +17,10 @@ test('links that lead nowhere are found, and two of asdoc put right', () => {
 	assert.deepEqual(brokenIn(repaired(html), (to) => ['c.html', '../starlogo/GreatLand.html'].includes(to)), []);
 });
 
+test('no page says when it was written', () => {
+	assert.equal(repaired('<center><br/>Fri Nov 20 2026, 03:05 PM Z  </center><!--<br/>Fri Nov 20 2026, 03:05 PM Z  -->'), '<center>  </center><!--  -->');
+});
+
 test('no ASDoc multiplies with an asterisk: asdoc takes it for the margin and drops it', () => {
 	const comments = (file) => [...read(file).matchAll(/\/\*\*[^]*?\*\//g)].map(([comment]) => comment.slice(3, -2).replace(/^ *\*/gm, ''));
 	const files = sourcesBelow('src/starlogo');

@@ -1,9 +1,9 @@
 /**
- * The samples of the documentation: the fences of README.md, module/README.md and docs/, and the listings of the ASDoc. The build makes test
- * classes of those in ActionScript, and samples.test.mjs runs those in JavaScript, so that what a page shows is what is tested.
+ * The samples of the documentation: the fences of README.md, module/README.md and docs/, and the listings of the ASDoc. The build makes
+ * test classes of those in ActionScript, and samples.test.mjs runs those in JavaScript, so that what a page shows is what is tested.
  *
- * The samples of a page follow one another in one function. One that is a whole class is a file of its own. What a page says is there, but does
- * not show, is in its prelude: docs/away3d.md has Away3dPage.as or away3d.mjs beside this file.
+ * The samples of a page follow one another in one function. One that is a whole class is a file of its own. What a page names and does
+ * not show is in its prelude: docs/away3d.md has Away3dPage.as, module/README.md has module-readme.mjs, beside this file.
  */
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -14,7 +14,8 @@ import { codeOf, definitionIn, read, root, sourcesBelow } from '../structure/sou
 const OTHER_NAMES = /^(?:as3?|javascript|mjs|ts|typescript)$/i;
 
 /** Where a sample takes names from that it does not import itself: as an editor would, from the engine and from these. */
-const FLASH = ['flash.display.Sprite', 'flash.display.Stage', 'flash.events.ErrorEvent', 'flash.events.Event', 'flash.geom.Matrix3D', 'flash.geom.Vector3D'];
+const FLASH = ['flash.display.Sprite', 'flash.display.Stage', 'flash.events.ErrorEvent', 'flash.events.Event', 'flash.geom.Matrix3D',
+	'flash.geom.Vector3D'];
 
 /**
  * The fences of a page.
@@ -94,15 +95,18 @@ export function testClasses(pages) {
 		.filter(({ fences }) => fences.length > 0);
 	const whole = samples.flatMap(({ file, fences }) => fences.filter(({ text }) => isWhole(text)).map((fence) => ({ file, ...fence })));
 	const classes = whole.map(({ text }) => definedIn(text));
-	for (const { file, line, text } of whole) {
-		const at = `${definedIn(text).replaceAll('.', '/')}.as`;
+	const add = (name, from, text) => {
+		const at = `${name.replaceAll('.', '/')}.as`;
 		if (files.has(at)) {
-			throw new Error(`${file}:${line}: another sample defines ${definedIn(text)} too`);
+			throw new Error(`${from}: another sample defines ${name} too`);
 		}
-		files.set(at, `// ${file}:${line}\n${/^package\b/m.test(text) ? text : packaged(text)}\n`);
+		files.set(at, text);
+	};
+	for (const { file, line, text } of whole) {
+		add(definedIn(text), `${file}:${line}`, `// ${file}:${line}\n${/^package\b/m.test(text) ? text : packaged(text)}\n`);
 	}
 	for (const page of samples) {
-		files.set(`docs/${classOf(page.slug)}SamplesTest.as`, testClass(page, classes));
+		add(`docs.${classOf(page.slug)}SamplesTest`, page.file, testClass(page, classes));
 	}
 	return files;
 }

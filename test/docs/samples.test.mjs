@@ -52,12 +52,14 @@ test('listings are found, with their lines', () => {
 });
 
 test('samples of a page follow one another in one test, and a class is a file', () => {
-	const files = testClasses([page('var a:Agent = new Agent("b");\n', 'package game\n{\n    public class Mine\n    {\n        var x:int;\n    }\n}', 'var mine:Mine = new Mine();\n')]);
+	const mine = 'package game\n{\n    public class Mine\n    {\n        var x:int;\n    }\n}';
+	const files = testClasses([page('var a:Agent = new Agent("b");\n', mine, 'var mine:Mine = new Mine();\n')]);
 	assert.deepEqual([...files.keys()].sort(), ['docs/ASamplesTest.as', 'game/Mine.as']);
 	const generated = files.get('docs/ASamplesTest.as');
 	assert.match(generated, /import game\.Mine;\n {4}import starlogo\.agents\.Agent;/);
 	assert.match(generated, /a\.md:1\nvar a:Agent[^]*a\.md:21\nvar mine:Mine[^]*check\(\{ a: a, mine: mine \}\)/);
-	assert.throws(() => testClasses([page('package game\n{\n    public class Mine\n', 'package game\n{\n    public class Mine\n')]), /another sample defines game\.Mine/);
+	assert.throws(() => testClasses([page(mine, mine)]), /another sample defines game\.Mine/);
+	assert.throws(() => testClasses([page('var a:int;\n'), page('var b:int;\n')]), /another sample defines docs\.ASamplesTest/);
 });
 
 test('every page with ActionScript has a test', () => {

@@ -15,7 +15,7 @@ package starlogo.libraries
     /**
      * Writes fits in the form that .fits files have (docs/stored-fits.md). All numbers have their lowest byte first.
      *
-     * <listing>
+     * <pre>
      * at 0   "FITS"
      *    4   the version of the form
      *    8   the length of the whole in bytes, a multiple of 8
@@ -24,7 +24,7 @@ package starlogo.libraries
      *   24   three sections, structures, hierarchy and surface: the fingerprint of the settings each, its length, 0
      *   72   the sections, filled up to a multiple of 8 with zeros
      *   end  the fingerprint of all before
-     * </listing>
+     * </pre>
      */
     internal final class FitsWriter
     {

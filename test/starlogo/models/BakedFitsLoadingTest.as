@@ -3,6 +3,7 @@ package starlogo.models
     import flash.events.ErrorEvent;
     import flash.events.Event;
     import flash.events.IOErrorEvent;
+    import flash.events.ProgressEvent;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import org.flexunit.asserts.assertEquals;
@@ -13,10 +14,14 @@ package starlogo.models
     import support.CountingFitter;
     import support.LibraryContents;
     import support.SlowReceiver;
+    import support.SteppedModels;
 
     /** A ModelLoader and the .fits files beside models. */
     public class BakedFitsLoadingTest
     {
+        public static const FIXTURES:Array = SteppedModels.FIXTURES;
+
+        private static const BUDGET:int = 8;
         private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.2 0.3 1\nf 1 2 3\nf 1 2 4\n";
 
         private var _greatLand:GreatLand;
@@ -87,6 +92,41 @@ package starlogo.models
                     assertEquals("nothing is fitted", 0, _fitter.count);
                     assertEquals(LibraryContents.of(other, "bear"), LibraryContents.of(_greatLand, "bear"));
                 });
+        }
+
+        [Test(async, timeout="60000")]
+        public function aGamesModelsKeepToTheBudget():void
+        {
+            var files:Object = {};
+            for each (var model:Model in SteppedModels.twelve())
+            {
+                for each (var file:String in SteppedModels.FIXTURES)
+                {
+                    if (SteppedModels.nameOf(file) == model.name)
+                    {
+                        files[file + ".fits"] = _greatLand.bake(model);
+                    }
+                }
+            }
+            _fitter.count = 0;
+            var loader:ModelLoader = new OfferingLoader(_greatLand, BUDGET, files);
+            for each (file in SteppedModels.FIXTURES)
+            {
+                loader.load(SteppedModels.nameOf(file), file);
+            }
+            var frames:int = 0;
+            loader.addEventListener(ProgressEvent.PROGRESS, function(event:ProgressEvent):void
+                {
+                    frames++;
+                });
+            Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    trace("  nine models with .fits files in " + frames + " frames: the longest " + loader.longestFrame + " ms of " + BUDGET
+                            + ", the longest step " + loader.longestStep + " ms");
+                    assertEquals("nothing is fitted", 0, _fitter.count);
+                    assertTrue(_greatLand.hasModel("dragon") && _greatLand.hasModel("kelp"));
+                    assertTrue("it stops when the budget is spent", loader.longestFrame <= BUDGET + loader.longestStep);
+                }, 60000);
         }
 
         [Test(async, timeout="10000")]

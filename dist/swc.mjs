@@ -1,0 +1,40 @@
+import { createHash } from 'node:crypto';
+import { strFromU8, strToU8, unzipSync, zlibSync } from 'fflate';
+import { readSwf, writeSwf } from '../test/headless/swf.mjs';
+import { zip } from './zip.mjs';
+
+const PRODUCT_INFO = 41;
+const PRODUCT_INFO_TIME = 18;
+
+/**
+ * The same SWC with the time of the release in place of when it was compiled, and of when its sources were written; packed as everywhere.
+ *
+ * @param {Uint8Array} file the SWC
+ * @param {number} seconds the time of the release, of the Unix epoch
+ * @returns {Buffer}
+ */
+export function normaliseSwc(file, seconds) {
+	const entries = new Map(Object.entries(unzipSync(file)).filter(([name]) => !name.endsWith('/')));
+	const library = normaliseSwf(Buffer.from(entries.get('library.swf')), seconds);
+	const digest = createHash('sha256').update(library).digest('hex');
+	const catalog = strFromU8(entries.get('catalog.xml'))
+		.replaceAll(/ mod="\d+"/g, ` mod="${seconds * 1000}"`)
+		.replace(/(<digest type="SHA-256" signed="false" value=")\w+"/, `$1${digest}"`);
+	entries.set('library.swf', library);
+	entries.set('catalog.xml', strToU8(catalog));
+	return zip(entries, seconds);
+}
+
+function normaliseSwf(file, seconds) {
+	const swf = readSwf(file);
+	const { content } = swf.tags.find(({ code }) => code === PRODUCT_INFO);
+	content.writeBigUInt64LE(BigInt(seconds) * 1000n, PRODUCT_INFO_TIME);
+	return compressed(writeSwf(swf));
+}
+
+/** zlib's own bytes are not the same on all processors. */
+function compressed(swf) {
+	const head = Buffer.from(swf.subarray(0, 8));
+	head.write('CWS', 'latin1');
+	return Buffer.concat([head, zlibSync(swf.subarray(8), { level: 9 })]);
+}

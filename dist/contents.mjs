@@ -2,7 +2,7 @@
 import { readFileSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { partsInside } from './parts.mjs';
-import { inRoot } from './project.mjs';
+import { NAME, VERSION, inRoot } from './project.mjs';
 import { normaliseSwc } from './swc.mjs';
 
 const ASDOC_DATE = /<br\/>\w{3} \w{3} \d+ \d{4}, \d\d:\d\d [AP]M \w+ */g;
@@ -46,7 +46,7 @@ function filesIn(folder) {
 
 function normalised(name, content, seconds) {
 	if (name.endsWith('.swc')) {
-		return normaliseSwc(content, seconds);
+		return normaliseSwc(content, seconds, { LICENSE: readFileSync(inRoot('LICENSE')), VERSION: Buffer.from(`${NAME} ${VERSION}\n`) });
 	}
 	if (name.startsWith('docs/asdoc/') && name.endsWith('.html')) {
 		return Buffer.from(content.toString('utf8').replaceAll(ASDOC_DATE, ''));

@@ -11,10 +11,11 @@ const PRODUCT_INFO_TIME = 18;
  *
  * @param {Uint8Array} file the SWC
  * @param {number} seconds the time of the release, of the Unix epoch
+ * @param {Record<string, Uint8Array>} notices files for people, which compilers pass over
  * @returns {Buffer}
  */
-export function normaliseSwc(file, seconds) {
-	const entries = new Map(Object.entries(unzipSync(file)).filter(([name]) => !name.endsWith('/')));
+export function normaliseSwc(file, seconds, notices = {}) {
+	const entries = new Map(Object.entries({ ...unzipSync(file), ...notices }).filter(([name]) => !name.endsWith('/')));
 	const library = normaliseSwf(Buffer.from(entries.get('library.swf')), seconds);
 	const digest = createHash('sha256').update(library).digest('hex');
 	const catalog = strFromU8(entries.get('catalog.xml'))

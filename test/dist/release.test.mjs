@@ -70,6 +70,14 @@ test('it says nowhere where it was built', () => {
 	}
 });
 
+test('SWCs say which version they are, and under which licence', () => {
+	for (const name of [...files.keys()].filter((each) => each.endsWith('.swc'))) {
+		const entries = unzipSync(files.get(name));
+		assert.equal(strFromU8(entries.VERSION), `${NAME} ${VERSION}\n`);
+		assert.equal(strFromU8(entries.LICENSE), text('LICENSE'));
+	}
+});
+
 test('nothing of others is in the SWCs', () => {
 	for (const name of [...files.keys()].filter((each) => each.endsWith('.swc'))) {
 		const catalog = strFromU8(unzipSync(files.get(name))['catalog.xml']);

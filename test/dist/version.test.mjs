@@ -29,8 +29,8 @@ test('the newest in CHANGELOG.md is it', () => {
 
 test('what is built has it', () => {
 	assert.equal(readJson('bin/module/package.json').version, VERSION);
-	assert.match(readFileSync(inRoot('bin/module/starlogo-collision.min.js'), 'utf8'), new RegExp(`^/\\*! starlogo-collision ${VERSION},`));
-	assert.match(readFileSync(inRoot('bin/dist/asdoc/package-list.html'), 'utf8'), new RegExp(`collision engine ${VERSION}\\b`));
+	assert.match(readFileSync(inRoot('bin/module/starlogo-collision.js'), 'utf8').slice(0, 200), new RegExp(`^/\\*! starlogo-collision ${VERSION},`));
+	assert.match(readFileSync(inRoot('bin/dist/asdoc/index.html'), 'utf8').slice(0, 1000), new RegExp(`collision engine ${VERSION}\\b`));
 });
 
 test('the release is as old as the commit, or as old as it is told', () => {

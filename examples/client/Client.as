@@ -95,7 +95,7 @@ package
         private function populate():void
         {
             var fort:Agent = add("fortress", "forts", 0, 0, 24, 0, 0xb9a78c);
-            fort.hierarchical = true;       // its parts collide; everybody else is the tightest structure around them
+            fort.hierarchical = true; // its parts collide; everybody else is the tightest structure around them
             for each (var place:Array in [[-40, 27], [-22, -28], [8, 29], [38, 24], [41, -25], [-43, -6]])
             {
                 add("tree", "trees", place[0], place[1], 9, 0, 0x5f8f4e);
@@ -108,7 +108,7 @@ package
             {
                 _people.push(add("person", "people", -30 + 20 * i, i % 2 == 0 ? 30 : -31, 7, 90 * i, PAINTS[i]));
                 _balls.push(add("sphere", "paint", 0, 0, 1.4, 0, PAINTS[i]));
-                _balls[i].sweeps = true;    // it is fast: it meets whatever is on its way
+                _balls[i].sweeps = true; // it is fast: it meets whatever is on its way
                 takeBack(_balls[i]);
             }
         }
@@ -153,7 +153,7 @@ package
             agent.moveTo(agent.x + distance * Math.cos(angle), agent.y + distance * Math.sin(angle), agent.z);
             if (Math.abs(agent.x) > HALF_WIDTH - 4 || Math.abs(agent.y) > HALF_HEIGHT - 4)
             {
-                agent.heading = Math.atan2(-agent.y, -agent.x) * 180 / Math.PI;     // back to the middle
+                agent.heading = Math.atan2(-agent.y, -agent.x) * 180 / Math.PI; // back to the middle
             }
         }
 

@@ -47,7 +47,7 @@ package
             var picture:Shape = _pictures[agent];
             picture.visible = agent.z >= 0;
             picture.x = _pixelsAPatch * agent.x;
-            picture.y = -_pixelsAPatch * agent.y;           // up on the stage is down in the world
+            picture.y = -_pixelsAPatch * agent.y; // up on the stage is down in the world
             picture.rotation = -agent.heading;
             picture.scaleX = picture.scaleY = _pixelsAPatch * agent.size / Face.PIXELS;
             var color:uint = uint(agent.color);
@@ -115,9 +115,9 @@ internal class Face
     // how far its normal points up: 1 for what is level, less than 0 for what faces down
     private function upOf(z:Vector.<Number>):Number
     {
-        var x:Number = (_y[1] - _y[0]) * (z[2] - z[0]) - (z[1] - z[0]) * (_y[2] - _y[0]);
-        var y:Number = (z[1] - z[0]) * (_x[2] - _x[0]) - (_x[1] - _x[0]) * (z[2] - z[0]);
-        var up:Number = (_x[1] - _x[0]) * (_y[2] - _y[0]) - (_y[1] - _y[0]) * (_x[2] - _x[0]);
-        return up / (Math.sqrt(x * x + y * y + up * up) || 1);
+        var normalX:Number = (_y[1] - _y[0]) * (z[2] - z[0]) - (z[1] - z[0]) * (_y[2] - _y[0]);
+        var normalY:Number = (z[1] - z[0]) * (_x[2] - _x[0]) - (_x[1] - _x[0]) * (z[2] - z[0]);
+        var normalZ:Number = (_x[1] - _x[0]) * (_y[2] - _y[0]) - (_y[1] - _y[0]) * (_x[2] - _x[0]);
+        return normalZ / (Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ) || 1);
     }
 }

@@ -1,6 +1,6 @@
 /** What the release says of itself. */
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -24,10 +24,9 @@ export function releaseTime() {
 		}
 		return Number(stated);
 	}
-	try {
-		return Number(execFileSync('git', ['log', '-1', '--format=%ct'], { cwd: ROOT, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
-	} catch {
-		const [, day] = /^## \d\S* - (\d{4}-\d\d-\d\d)$/m.exec(readFileSync(inRoot('CHANGELOG.md'), 'utf8'));
-		return Date.parse(`${day}T00:00:00Z`) / 1000;
+	if (existsSync(inRoot('.git'))) {
+		return Number(execFileSync('git', ['log', '-1', '--format=%ct'], { cwd: ROOT, encoding: 'utf8' }));
 	}
+	const [, day] = /^## \d\S* - (\d{4}-\d\d-\d\d)$/m.exec(readFileSync(inRoot('CHANGELOG.md'), 'utf8'));
+	return Date.parse(`${day}T00:00:00Z`) / 1000;
 }

@@ -9,7 +9,7 @@ import { NAME, VERSION, inRoot, releaseTime } from '../../dist/project.mjs';
 
 const release = `${NAME}-${VERSION}`;
 const copy = inRoot('bin/dist again/elsewhere');
-const FETCHED = ['node_modules', 'module/node_modules', 'playground/node_modules', 'lib/flexunit', 'lib/royale', 'lib/royale-js', 'lib/.resolved', 'lib/away3d.swc'];
+const FETCHED = ['node_modules', 'module/node_modules', 'playground/node_modules', 'lib/flexunit', 'lib/royale', 'lib/royale-js', 'lib/.resolved'];
 const STAMPS = ['node_modules/.package-lock.json', 'module/node_modules/.package-lock.json', 'playground/node_modules/.package-lock.json', 'lib/.resolved',
 	'lib/royale-js/.resolved'];
 /** A time zone on the other side of the day, and a language whose capital i has a dot. */

@@ -4,7 +4,7 @@ import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { before, test } from 'node:test';
-import { strFromU8, unzipSync } from 'fflate';
+import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
 import { inRoot } from '../../dist/project.mjs';
 import { normaliseSwc } from '../../dist/swc.mjs';
 import { compc, mxmlc } from './flex.mjs';
@@ -31,6 +31,14 @@ test('two builds differ, and are the same normalised', () => {
 	assert.notDeepEqual(one, other);
 	assert.deepEqual(normaliseSwc(one, TIME), normaliseSwc(other, TIME));
 	assert.notDeepEqual(normaliseSwc(one, TIME), normaliseSwc(one, TIME + 2));
+});
+
+test('the order of dependencies in its catalogue does not count', () => {
+	const entries = unzipSync(builds[0]);
+	const catalog = strFromU8(entries['catalog.xml']);
+	const turned = catalog.replace(/(<dep [^>]*>)(\s*)(<dep [^>]*>)/, '$3$2$1');
+	assert.notEqual(turned, catalog);
+	assert.deepEqual(normaliseSwc(zipSync({ ...entries, 'catalog.xml': strToU8(turned) }), TIME), normaliseSwc(builds[0], TIME));
 });
 
 test('normalised twice is normalised', () => {

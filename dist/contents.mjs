@@ -24,7 +24,7 @@ export function contents(bin, baked, seconds) {
 			add(`${name}/${file}`, path.join(folder, file));
 		}
 	};
-	for (const name of ['README.md', 'CHANGELOG.md', 'LICENSE', 'lib/README.md']) {
+	for (const name of ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'LICENSE', 'lib/README.md']) {
 		add(name, inRoot(name));
 	}
 	addFolder('docs', inRoot('docs'));

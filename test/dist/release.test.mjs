@@ -51,7 +51,7 @@ test('what its pages link to is in it', () => {
 	for (const name of [...files.keys()].filter((each) => each.endsWith('.md'))) {
 		for (const [, target] of text(name).matchAll(/\]\((?!\w+:|#)([^)#]+)[^)]*\)/g)) {
 			links++;
-			const linked = path.posix.join(path.posix.dirname(name), target);
+			const linked = path.posix.join(path.posix.dirname(name), target).replace(/\/$/, '');
 			assert.ok([...files.keys()].some((each) => each === linked || each.startsWith(`${linked}/`)), `${name} links to ${target}`);
 		}
 	}

@@ -77,8 +77,9 @@ function licences() {
 	const parts = THIRD_PARTY.map((name) => {
 		const folder = join(ROOT, "module/node_modules", name);
 		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-		const file = ["LICENSE", "LICENSE.md", "license"].map((each) => join(folder, each)).find(existsSync);
-		return `## ${name} ${version} (${license})\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
+		// saxes' package brings none
+		const file = [join(folder, "LICENSE"), join(ROOT, "module/licences", `${name}.txt`)].find(existsSync);
+		return `## ${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});
 	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
 }

@@ -45,6 +45,8 @@ package starlogo.libraries
         engine var wantsSurface:Boolean = false;
 
         /**
+         * The settings of libraries as they are now.
+         *
          * @param structures finds structures; null if none are wanted
          * @param hierarchies builds hierarchies; null if none are wanted
          */

@@ -34,6 +34,8 @@ package starlogo.libraries
         private var _isOff:Boolean = false;
 
         /**
+         * A store of a certain size.
+         *
          * @param capacity how many bytes to keep at most
          * @param storage where; null for the player's shared objects, or the page's local storage
          * @throws RangeError if the capacity is negative or not a number

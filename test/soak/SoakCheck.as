@@ -69,14 +69,17 @@ package soak
                 {
                     return greatLand.hasModel(agent.shape);
                 });
-            _doubles = new Vector.<Agent>();
-            _ways = new Vector.<Agent>();
-            for each (var agent:Agent in _agents)
-            {
-                var last:Agent = _last[agent.id];
-                _doubles.push(doubleOf(agent));
-                _ways.push(last != null && last.shape == agent.shape ? last : null);
-            }
+            // in the order of their ids: trees of capsules decide a close pair by who came first
+            _agents.sort(compareIds);
+            _doubles = _agents.map(function(agent:Agent, index:int, all:Vector.<Agent>):Agent
+                {
+                    return doubleOf(agent);
+                });
+            _ways = _agents.map(function(agent:Agent, index:int, all:Vector.<Agent>):Agent
+                {
+                    var last:Agent = _last[agent.id];
+                    return last != null && last.shape == agent.shape ? last : null;
+                });
         }
 
         /** Notes a call in that frame. */
@@ -246,6 +249,11 @@ package soak
             var agent:Agent = _agents[i];
             return agent + " at (" + agent.x + ", " + agent.y + ", " + agent.z + ") of size " + agent.size +
                 (isSweeping(i) ? ", sweeping" : "");
+        }
+
+        private static function compareIds(a:Agent, b:Agent):int
+        {
+            return a.id - b.id;
         }
 
         private static function doubleOf(agent:Agent):Agent

@@ -73,7 +73,7 @@ package soak
             }
             catch (error:Error)
             {
-                _problem = error.message + "\n" + error.getStackTrace();
+                _problem = error.message;
             }
             if (_problem != "" || _frame == _frames)
             {

@@ -78,17 +78,12 @@ export function extendByteArray(ByteArray) {
 	};
 }
 
-/** In bytes; what is in use indeed, where node was told to --expose-gc. */
-function heapUsed() {
-	globalThis.gc?.();
-	return process.memoryUsage().heapUsed;
-}
-
 export const ExternalInterface = {
 	available: true,
 	call(name) {
 		if (name === "headless.now") return performance.now();
-		if (name === "headless.memory") return heapUsed();
+		if (name === "headless.memory") return process.memoryUsage().heapUsed;
+		if (name === "headless.collect") return globalThis.gc?.();
 		if (name === "headless.player") return `Node ${process.versions.node}, as an ES module`;
 		throw new Error(`${name} is nothing that a test may ask for`);
 	},

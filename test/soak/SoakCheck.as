@@ -1,8 +1,10 @@
 package soak
 {
+    import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
 
     /**
      * Compares the calls of one frame with brute force: every pair of agents, as it stands, or where one of them sweeps, at moments of its
@@ -13,6 +15,9 @@ package soak
         private static const MOMENTS:int = 32;
         private static const SHORTLY:Number = 1e-7;
 
+        // in patches; the player's matrices have single precision
+        private static const CLOSER:Number = 1e-5;
+
         private var _models:SoakModels;
         private var _systems:SoakSystems;
         private var _counts:SoakCounts;
@@ -20,8 +25,9 @@ package soak
         // where an agent was in the frame before, by its id: the Agent's shape and place then
         private var _last:Object = {};
 
-        // the times at which pairs touch, by the two ids, and how often each handler was called for them
+        // when pairs touch, and the normal from the second to the first, by the two ids; and which handlers were called for them
         private var _times:Object = {};
+        private var _normals:Object = {};
         private var _calls:Object = {};
 
         private var _agents:Vector.<Agent>;
@@ -64,6 +70,7 @@ package soak
         {
             var greatLand:GreatLand = _models.greatLand;
             _times = {};
+            _normals = {};
             _calls = {};
             _agents = agents.filter(function(agent:Agent, index:int, all:Vector.<Agent>):Boolean
                 {
@@ -86,9 +93,14 @@ package soak
         internal function note(handler:SoakHandler, collider:Agent, collidee:Agent, system:Collider):void
         {
             var key:String = collider.id + " " + collidee.id;
+            var back:String = collidee.id + " " + collider.id;
             _calls[key] ||= [];
             _calls[key].push(handler);
-            _times[key] = _times[collidee.id + " " + collider.id] = system.contactOf(collider, collidee).time;
+            var contact:Contact = system.contactOf(collider, collidee);
+            var normal:Vector3D = contact.normal.clone();
+            _times[key] = _times[back] = contact.time;
+            _normals[key] = normal;
+            _normals[back] = new Vector3D(-normal.x, -normal.y, -normal.z);
         }
 
         /**
@@ -161,7 +173,7 @@ package soak
                     break;
                 }
             }
-            if (isFound && !collideAt(i, j, time) && !collideAt(i, j, Math.min(1, time + SHORTLY)))
+            if (isFound && !collideAt(i, j, time) && !collideCloser(i, j))
             {
                 return "do not touch at " + time;
             }
@@ -234,6 +246,15 @@ package soak
             place(i, time);
             place(j, time);
             return _systems.areColliding(_doubles[i], _doubles[j]);
+        }
+
+        // As they stand, but moved together a bit: those that graze each other do so for no time at all.
+        private function collideCloser(i:int, j:int):Boolean
+        {
+            var normal:Vector3D = _normals[_agents[i].id + " " + _agents[j].id];
+            var twin:Agent = _doubles[i];
+            twin.moveTo(twin.x - CLOSER * normal.x, twin.y - CLOSER * normal.y, twin.z - CLOSER * normal.z);
+            return _systems.areColliding(twin, _doubles[j]);
         }
 
         private function place(i:int, time:Number):void

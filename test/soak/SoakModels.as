@@ -36,7 +36,7 @@ package soak
         {
             _random = random;
             _counts = counts;
-            var points:Model = new Model("points", BuiltInModel.cube().vertices);
+            var points:Model = new Model("points", cloud());
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), points,
                         SolidModels.hollow(), SolidModels.apart()])
             {
@@ -188,6 +188,17 @@ package soak
                 most = Math.max(most, x * x + y * y + z * z);
             }
             _reaches[model.name] = 3 * Math.sqrt(most);
+        }
+
+        // At random, so that no two boxes around some of them are flat and pass each other in a moment.
+        private function cloud():Vector.<Number>
+        {
+            var points:Vector.<Number> = new Vector.<Number>();
+            while (points.length < 120)
+            {
+                points.push(_random.between(0, 1));
+            }
+            return points;
         }
 
         private static function bytesOf(text:String):ByteArray

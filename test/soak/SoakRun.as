@@ -19,8 +19,8 @@ package soak
         // below this the memory is still that of a program that begins
         private static const FEWEST_FRAMES_FOR_MEMORY:int = 5000;
 
-        // what the memory may grow by after the warm-up: that of what is measured in pages, and of a collector that comes when it likes
-        private static const MOST_GROWTH:Number = 0.05;
+        // what the memory may grow by after the warm-up, in bytes: less than one agent in ten that are removed takes
+        private static const MOST_GROWTH:Number = 2097152;
 
         private var _frames:int;
         private var _game:SoakGame;
@@ -87,6 +87,7 @@ package soak
             _frame++;
             if (_frame % Math.ceil(_frames / SAMPLES) == 0)
             {
+                Host.collect();
                 _memory.add(Host.memory);
             }
             if (_frame % Math.ceil(_frames / REPORTS) == 0)
@@ -103,7 +104,7 @@ package soak
             {
                 _problem = "never happened: " + _game.counts.missing.join(", ");
             }
-            if (_problem == "" && _frames >= FEWEST_FRAMES_FOR_MEMORY && _memory.growth > MOST_GROWTH * _memory.at(false))
+            if (_problem == "" && _frames >= FEWEST_FRAMES_FOR_MEMORY && _memory.growth > MOST_GROWTH)
             {
                 _problem = "the memory grows";
             }

@@ -40,7 +40,9 @@ package soak
         {
             var turn:int = _turn++ % NAMES.length;
             name = NAMES[turn];
-            if (_made[turn] == null || _random.chance(0.3))
+            // seldom a new one: Adobe's collector takes what looks like an address for one, and from one agent of a collider that is
+            // gone there is a way to all that have come since
+            if (_made[turn] == null || _random.chance(0.02))
             {
                 _made[turn] = make();
             }

@@ -268,8 +268,14 @@ package soak
         private function describe(i:int):String
         {
             var agent:Agent = _agents[i];
-            return agent + " at (" + agent.x + ", " + agent.y + ", " + agent.z + ") of size " + agent.size +
-                (isSweeping(i) ? ", sweeping" : "");
+            return agent + " at " + placeOf(agent) + " from " + (_ways[i] == null ? "nowhere" : placeOf(_ways[i])) + " of size " +
+                agent.size + ", turned by " + [agent.heading, agent.pitch, agent.roll] + ", as " + agent.collideAs +
+                (agent.hierarchical ? ", hierarchical" : "") + ", of depth " + agent.traversalDepth + (isSweeping(i) ? ", sweeping" : "");
+        }
+
+        private static function placeOf(agent:Agent):String
+        {
+            return "(" + agent.x + ", " + agent.y + ", " + agent.z + ")";
         }
 
         private static function compareIds(a:Agent, b:Agent):int

@@ -68,10 +68,13 @@ package starlogo.models
         /** The document that the manifest names, or else the first one. */
         private function documentPath():String
         {
-            var words:Array = _manifest == null ? [] : ModelFile.text(_name, _manifest.content).split(/<[^>]*>/);
-            for each (var word:String in words)
+            var text:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
+            // no regular expressions: they may take the square of the time
+            for each (var piece:String in text.split("<"))
             {
-                var path:String = unescape(word.replace(/^\s*(\.\/)?|\s*(#.*)?$/g, ""));
+                // what comes after a tag, without its fragment
+                var word:String = TextTokens.trimmed(piece.substr(piece.indexOf(">") + 1).split("#")[0]);
+                var path:String = unescape(word.indexOf("./") == 0 ? word.substr(2) : word);
                 if (_archive.has(path))
                 {
                     return path;

@@ -8,15 +8,19 @@ package starlogo.models
      */
     internal final class ColladaScene implements Steps
     {
-        private static const NODES_PER_STEP:int = 20;
+        private static const PARTS_PER_STEP:int = 60;
         private static const MAX_DEPTH:int = 256;
 
         /** How many nodes a scene may have: with nodes that place others twice, a small file may have any number. */
         internal static const MAX_NODES:int = 50000;
 
+        /** How many elements its nodes may have in them: each transform, instance and controller counts as often as it is placed. */
+        internal static const MAX_PARTS:int = 250000;
+
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
         private var _visited:int = 0;
+        private var _parts:int = 0;
         private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
         /**
@@ -46,10 +50,15 @@ package starlogo.models
         /** @inheritDoc */
         public function step():Boolean
         {
-            for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
+            var end:int = _parts + PARTS_PER_STEP;
+            do
             {
-                visit(_pending.pop());
+                if (_pending.length > 0)
+                {
+                    visit(_pending.pop());
+                }
             }
+            while (_pending.length > 0 && _parts < end);
             return _pending.length > 0;
         }
 
@@ -67,6 +76,7 @@ package starlogo.models
         private function visit(node:ColladaNode):void
         {
             checkSize(node);
+            countParts(node.element, 1 + node.element.children.length);
             var nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
             for each (var element:ColladaElement in node.element.children)
             {
@@ -109,6 +119,16 @@ package starlogo.models
             }
         }
 
+        private function countParts(element:ColladaElement, count:int):void
+        {
+            _parts += count;
+            if (_parts > MAX_PARTS)
+            {
+                throw _document.error(element, "the scene has more than " + MAX_PARTS + " nodes, transforms and instances, each counted " +
+                        "as often as it is placed");
+            }
+        }
+
         private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
         {
             var target:ColladaElement = _document.target(element, "url", ["node"]);
@@ -132,6 +152,7 @@ package starlogo.models
             var target:ColladaElement = _document.target(element, "url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
+                countParts(element, 1);
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || _document.requiredChild(target, "morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");

@@ -7,6 +7,7 @@ package starlogo.models
     {
         private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
+        private static const CORNERS_PER_STEP:int = 1500;
 
         private var _name:String;
         private var _upAxis:String;
@@ -79,7 +80,11 @@ package starlogo.models
         {
             if (_tokens.isPieceRead)
             {
-                _tokens.takePiece();
+                if (!_tokens.takePiece())
+                {
+                    throw error("a line, with those that it is continued in, has more than " + ObjTokens.MAX_PIECE + " characters",
+                        _tokens.line + 1);
+                }
                 return true;
             }
             readWords();
@@ -236,10 +241,17 @@ package starlogo.models
         /** A step through the polygons; whether there are more. */
         private function cutPolygons():Boolean
         {
+            if (_triangulator.isCutting)
+            {
+                _triangulator.cutSome();
+                return _triangulator.isCutting || _polygon < _polygons.length;
+            }
             var end:int = Math.min(_polygon + POLYGONS_PER_STEP, _polygons.length);
-            while (_polygon < end)
+            var corners:int = 0;
+            while (_polygon < end && corners < CORNERS_PER_STEP && !_triangulator.isCutting)
             {
                 var polygon:Vector.<uint> = _polygons[_polygon++];
+                corners += polygon.length;
                 if (polygon.length == 4)
                 {
                     _triangulator.addQuad(polygon[0], polygon[1], polygon[2], polygon[3]);
@@ -249,7 +261,7 @@ package starlogo.models
                     _triangulator.addPolygon(new <Vector.<uint>>[polygon]);
                 }
             }
-            return _polygon < _polygons.length;
+            return _triangulator.isCutting || _polygon < _polygons.length;
         }
 
         private function conclude():void

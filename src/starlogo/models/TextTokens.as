@@ -19,6 +19,22 @@ package starlogo.models
             return end > start ? text.substring(start, end).split(" ") : [];
         }
 
+        /** The text without the white space at its ends. */
+        internal static function trimmed(text:String):String
+        {
+            var start:int = 0;
+            var end:int = text.length;
+            while (start < end && text.charCodeAt(start) <= 0x20)
+            {
+                start++;
+            }
+            while (end > start && text.charCodeAt(end - 1) <= 0x20)
+            {
+                end--;
+            }
+            return text.substring(start, end);
+        }
+
         /** The text with one space wherever there are more in a row. */
         internal static function singleSpaced(text:String):String
         {

@@ -147,12 +147,22 @@ package starlogo.models
                     vertices[j] *= scale;
                 }
                 var triangles:Vector.<uint> = new Vector.<uint>();
-                new Triangulator(vertices, triangles).addPolygon(loops);
+                cut(vertices, triangles, loops);
                 assertEquals(0, triangles.length % 3);
                 assertTrue("outline " + i, triangles.length / 3 <= vertices.length / 3 + 2 * loops.length);
                 empty += triangles.length == 0 ? 1 : 0;
             }
             assertTrue("some have no area: " + empty, empty > 50 && empty < 750);
+        }
+
+        private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
+        {
+            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            triangulator.addPolygon(loops);
+            while (triangulator.isCutting)
+            {
+                triangulator.cutSome();
+            }
         }
 
         /** Corners on few places: they meet, lie in line, and go back the way they came. */
@@ -209,7 +219,7 @@ package starlogo.models
             }
             var vertices:Vector.<Number> = placement.place(flat);
             var triangles:Vector.<uint> = new Vector.<uint>();
-            new Triangulator(vertices, triangles).addPolygon(indices);
+            cut(vertices, triangles, indices);
             assertEquals(0, triangles.length % 3);
             var side:Number = area(loops[0]) < 0 ? -1 : 1;
             for (var i:int = 0; i < triangles.length; i += 3)

@@ -40,7 +40,7 @@ package soak
 
         private static function collada(rings:int):String
         {
-            return Collada.document(Collada.geometry("a", points(rings, " "), '<triangles count="' + 4 * rings * (rings - 1) + '">' +
+            return Collada.document(Collada.geometry("a", points(rings, " "), '<triangles count="' + 4 * rings * rings + '">' +
                     Collada.INPUT + "<p>" + corners(rings, 0, " ") + "</p></triangles>"), "", Collada.Z_UP);
         }
 

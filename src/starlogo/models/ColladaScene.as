@@ -8,8 +8,9 @@ package starlogo.models
      */
     internal final class ColladaScene implements Steps
     {
-        private static const PARTS_PER_STEP:int = 60;
+        private static const PARTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
+        private static const MAX_CONTROLLERS:int = 16;
 
         /** How many nodes a scene may have: with nodes that place others twice, a small file may have any number. */
         internal static const MAX_NODES:int = 50000;
@@ -19,6 +20,11 @@ package starlogo.models
 
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+
+        // the one that is walked through, the next element in it, and the nodes in it so far
+        private var _node:ColladaNode = null;
+        private var _child:int = 0;
+        private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
         private var _visited:int = 0;
         private var _parts:int = 0;
         private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
@@ -50,16 +56,22 @@ package starlogo.models
         /** @inheritDoc */
         public function step():Boolean
         {
-            var end:int = _parts + PARTS_PER_STEP;
-            do
+            for (var i:int = 0; i < PARTS_PER_STEP && (_node != null || _pending.length > 0); i++)
             {
-                if (_pending.length > 0)
+                if (_node == null)
                 {
-                    visit(_pending.pop());
+                    enter(_pending.pop());
+                }
+                else if (_child < _node.element.children.length)
+                {
+                    visit(_node.element.children[_child++]);
+                }
+                else
+                {
+                    leave();
                 }
             }
-            while (_pending.length > 0 && _parts < end);
-            return _pending.length > 0;
+            return _node != null || _pending.length > 0;
         }
 
         private function addLibrary():void
@@ -73,37 +85,44 @@ package starlogo.models
             }
         }
 
-        private function visit(node:ColladaNode):void
+        private function enter(node:ColladaNode):void
         {
             checkSize(node);
             countParts(node.element, 1 + node.element.children.length);
-            var nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
-            for each (var element:ColladaElement in node.element.children)
+            _node = node;
+            _child = 0;
+        }
+
+        private function visit(element:ColladaElement):void
+        {
+            switch (element.name)
             {
-                switch (element.name)
-                {
-                    case "instance_geometry":
-                        addGeometry(element, node.transform);
-                        break;
-                    case "instance_controller":
-                        addController(element, node.transform);
-                        break;
-                    case "instance_node":
-                        nodes.push(new ColladaNode(instanced(element, node), node));
-                        break;
-                    case "node":
-                        nodes.push(new ColladaNode(element, node));
-                        break;
-                    default:
-                        var local:ColladaTransform = ColladaTransform.of(_document, element);
-                        node.transform = local == null ? node.transform : node.transform.after(local);
-                        break;
-                }
+                case "instance_geometry":
+                    addGeometry(element, _node.transform);
+                    break;
+                case "instance_controller":
+                    addController(element, _node.transform);
+                    break;
+                case "instance_node":
+                    _nodes.push(new ColladaNode(instanced(element, _node), _node));
+                    break;
+                case "node":
+                    _nodes.push(new ColladaNode(element, _node));
+                    break;
+                default:
+                    var local:ColladaTransform = ColladaTransform.of(_document, element);
+                    _node.transform = local == null ? _node.transform : _node.transform.after(local);
+                    break;
             }
-            while (nodes.length > 0)
+        }
+
+        private function leave():void
+        {
+            while (_nodes.length > 0)
             {
-                _pending.push(nodes.pop());
+                _pending.push(_nodes.pop());
             }
+            _node = null;
         }
 
         private function checkSize(node:ColladaNode):void
@@ -158,9 +177,9 @@ package starlogo.models
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
                 transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
-                if (i > MAX_DEPTH)
+                if (i > MAX_CONTROLLERS)
                 {
-                    throw _document.error(element, "its controllers deform each other in a circle");
+                    throw _document.error(element, "more than " + MAX_CONTROLLERS + " controllers deform each other, or they do in a circle");
                 }
             }
             _instances.push(new ColladaInstance(target, transform, element));

@@ -77,6 +77,22 @@ package starlogo.models
         }
 
         [Test]
+        public function limitsTheLengthOfLines():void
+        {
+            const CORNERS:String = new Array(150001).join("1 2 3 ");
+            const VERTICES:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+            assertEquals(9, new ObjModel("a", VERTICES + "f " + CORNERS + "1\n").vertices.length);
+            for each (var more:String in [new Array(100001).join(" "), new Array(50001).join("\\\n")])
+            {
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", VERTICES + "f " + CORNERS + more + "1\n");
+                    });
+                assertTrue(error.message, error.message.indexOf("more than 1000000 characters") >= 0);
+            }
+        }
+
+        [Test]
         public function cutsPolygons():void
         {
             assertArea("quad", 1, SQUARE + "f 1 2 3 4");

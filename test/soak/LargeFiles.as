@@ -8,7 +8,7 @@ package soak
     public final class LargeFiles
     {
         /** The names of those that are measured: the format and the triangles. */
-        public static const names:Array = ["OBJ 20000", "OBJ 200000", "COLLADA 200000", "ZIP 200000", "OBJ 500000"];
+        public static const names:Array = ["OBJ 20000", "OBJ 200000", "COLLADA 200000", "ZIP 200000", "OBJ 500000", "OBJ 1000000"];
 
         /**
          * Makes one.

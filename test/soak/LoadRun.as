@@ -15,6 +15,12 @@ package soak
      */
     public final class LoadRun extends EventDispatcher
     {
+        /** How many models came. */
+        public var models:int = 0;
+
+        /** What went wrong with the others. */
+        public var errors:Array = [];
+
         private var _names:Array;
         private var _make:Function;
         private var _prepareExact:Boolean;
@@ -88,12 +94,14 @@ package soak
 
         private function onLoaded(event:ModelEvent):void
         {
+            models++;
             report(event.model.vertices.length / 3 + " vertices, " +
                     (event.model.triangles == null ? 0 : event.model.triangles.length / 3) + " triangles");
         }
 
         private function onError(event:ErrorEvent):void
         {
+            errors.push(event.text);
             report(event.text.substr(0, 160));
         }
 

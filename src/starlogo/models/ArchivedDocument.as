@@ -8,6 +8,7 @@ package starlogo.models
     internal final class ArchivedDocument implements Steps
     {
         private static const MANIFEST:String = "manifest.xml";
+        private static const MAX_MANIFEST:int = 100000;
 
         private var _name:String;
         private var _bytes:ByteArray;
@@ -68,6 +69,10 @@ package starlogo.models
         /** The document that the manifest names, or else the first one. */
         private function documentPath():String
         {
+            if (_manifest != null && _manifest.content.length > MAX_MANIFEST)
+            {
+                throw ZipArchive.error(_name, MANIFEST + " has more than " + MAX_MANIFEST + " bytes");
+            }
             var text:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
             // no regular expressions: they may take the square of the time
             for each (var piece:String in text.split("<"))

@@ -6,12 +6,6 @@ package starlogo.models
     /** Reads a COLLADA document; ColladaModel says what of it. */
     internal final class ColladaReader implements ModelReader
     {
-        /** How many vertices, and triangles, a scene may have: instances may make any number of a small file's. */
-        internal static const MAX_VERTICES:int = 1000000;
-
-        /** @copy #MAX_VERTICES */
-        internal static const MAX_TRIANGLES:int = 2000000;
-
         private var _name:String;
         private var _source:String;
         private var _document:ColladaDocument = null;
@@ -118,10 +112,9 @@ package starlogo.models
             var first:int = points.length / 3;
             var vertexCount:int = first + mesh.vertices.length / 3;
             var triangleCount:int = (_triangles.length + mesh.triangles.length) / 3;
-            if (vertexCount > MAX_VERTICES || triangleCount > MAX_TRIANGLES)
+            if (ModelLimits.areExceeded(vertexCount, triangleCount))
             {
-                throw _document.error(instance.element, "the scene has more than " + MAX_VERTICES + " vertices or " +
-                        MAX_TRIANGLES + " triangles");
+                throw _document.error(instance.element, ModelLimits.PROBLEM);
             }
             if (!instance.transform.addPoints(mesh.vertices, points))
             {

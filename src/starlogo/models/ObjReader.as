@@ -21,6 +21,7 @@ package starlogo.models
         private var _triangles:Vector.<uint> = new Vector.<uint>();
         // faces with more than three corners wait here until all vertices are known
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+        private var _polygonTriangles:int = 0;
         private var _triangulator:Triangulator;
         private var _highestIndex:int = -1;
         private var _highestLine:int;
@@ -88,6 +89,10 @@ package starlogo.models
                 return true;
             }
             readWords();
+            if (ModelLimits.areExceeded(_vertexCount, _triangles.length / 3 + _polygonTriangles))
+            {
+                throw error(ModelLimits.PROBLEM, _tokens.line);
+            }
             if (_tokens.isPieceRead && _tokens.isLastPiece)
             {
                 checkIndices();
@@ -198,6 +203,7 @@ package starlogo.models
             else if (count > 3)
             {
                 _polygons.push(_corners.slice(0, count));
+                _polygonTriangles += count - 2;
             }
         }
 

@@ -76,6 +76,22 @@ package starlogo.models
             assertEquals(60000, new ObjModel("a", many + "v 0 0 0 \\").vertices.length);
         }
 
+        [Test(timeout="30000")]
+        public function limitsVerticesAndTriangles():void
+        {
+            const VERTICES:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+            const STRIP:String = "f " + new Array(30001).join("1 2 3 ") + "\n";
+            for each (var text:String in [new Array(1000002).join("v 0 0 0\n"), VERTICES + new Array(24).join(STRIP)])
+            {
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", text);
+                    });
+                assertTrue(error.message, error.message.indexOf("more than 1000000 vertices or 2000000 triangles") >= 0);
+            }
+            assertEquals(9, new ObjModel("a", VERTICES + new Array(2).join(STRIP)).vertices.length);
+        }
+
         [Test]
         public function limitsTheLengthOfLines():void
         {

@@ -1,0 +1,33 @@
+package soak
+{
+    import flash.events.Event;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+
+    /** Every hostile file, a small one, ends: as a model, or with an error that says why. */
+    public class HostileFilesTest
+    {
+        private static const SIZE:int = 20000;
+
+        [Test(async, timeout="60000")]
+        public function allEnd():void
+        {
+            var names:Array = HostileFiles.names;
+            var run:LoadRun = new LoadRun(names, function(name:String):Object
+                {
+                    return HostileFiles.make(name, SIZE);
+                });
+            Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals(names.length, run.models + run.errors.length);
+                    assertTrue(run.models > 10 && run.errors.length > 10);
+                    for each (var error:String in run.errors)
+                    {
+                        assertTrue(error, error.indexOf("model \"model\"") == 0 && error.indexOf("it can't be taken in") < 0);
+                    }
+                }, 55000);
+            run.start();
+        }
+    }
+}

@@ -76,14 +76,14 @@ package soak
                     return holes(size);
                 case "COLLADA: many lists of corners":
                     return Collada.document(Collada.geometry("a", POINTS, "<triangles>" + Collada.INPUT + times("<p>0 1 2</p>", size / 12) +
-                            "</triangles>"));
+                                "</triangles>"));
                 case "COLLADA: many primitives":
                     return Collada.document(Collada.geometry("a", POINTS, times(TRIANGLE, size / TRIANGLE.length)));
                 case "COLLADA: many meshes of one source":
                     return meshesOfOneSource(size);
                 case "COLLADA: an error among siblings":
                     return Collada.document(Collada.geometry("a", POINTS, times('<triangles count="0"/>', size / 22) +
-                            '<triangles count="1">' + Collada.INPUT + "<p>0 1 9</p></triangles>"));
+                                '<triangles count="1">' + Collada.INPUT + "<p>0 1 9</p></triangles>"));
                 case "COLLADA: transforms placed again":
                     return placedAgain("", times("<translate>0 0 0</translate>", size / 28));
                 case "COLLADA: instances placed again":
@@ -96,7 +96,7 @@ package soak
                     return Collada.document(Collada.geometry("a", times("0 0 1" + times("0", 10000) + " ", size / 10006), TRIANGLE));
                 case "COLLADA: counts":
                     return Collada.document(Collada.geometry("a", times(POINTS + " ", size / 18),
-                            '<triangles count="2000000000"><input semantic="VERTEX" source="#v" offset="255"/><p>0 1 2</p></triangles>'));
+                                '<triangles count="2000000000"><input semantic="VERTEX" source="#v" offset="255"/><p>0 1 2</p></triangles>'));
                 case "ZIP: manifest of spaces":
                     return Zip.of(["manifest.xml", times(" ", size) + "x" + times(" ", 10) + "y", "a.dae", ""], false);
                 case "ZIP: manifest of tags":
@@ -178,7 +178,7 @@ package soak
                 holes.push("<h>" + (3 * i + 4) + " " + (3 * i + 5) + " " + (3 * i + 6) + "</h>");
             }
             return Collada.document(Collada.geometry("a", points.join(" "), '<polygons count="1">' + Collada.INPUT + "<ph><p>0 1 2 3</p>" +
-                    holes.join("") + "</ph></polygons>"));
+                        holes.join("") + "</ph></polygons>"));
         }
 
         private static function meshesOfOneSource(size:int):String
@@ -203,7 +203,7 @@ package soak
                 nodes += ('<node id="n' + i + '">' + times('<instance_node url="#n' + (i - 1) + '"/>', 2) + "</node>");
             }
             return Collada.scene('<library_geometries><geometry id="a"/></library_geometries><library_nodes>' + nodes + "</library_nodes>",
-                '<node><instance_node url="#n15"/></node>');
+                    '<node><instance_node url="#n15"/></node>');
         }
 
         private static function controllers(size:int):String
@@ -215,7 +215,7 @@ package soak
                 chain.push('<controller id="c' + i + '"><skin source="#' + (i == 0 ? "a" : "c" + (i - 1)) + '">' + shape + "</skin></controller>");
             }
             return Collada.scene(Collada.geometry("a", POINTS, TRIANGLE) + "<library_controllers>" + chain.join("") + "</library_controllers>",
-                "<node>" + times('<instance_controller url="#c249"/>', size / 34) + "</node>");
+                    "<node>" + times('<instance_controller url="#c249"/>', size / 34) + "</node>");
         }
 
         private static function laughs(size:int):String

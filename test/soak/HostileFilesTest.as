@@ -8,7 +8,7 @@ package soak
     /** Every hostile file, a small one, ends: as a model, or with an error that says why. */
     public class HostileFilesTest
     {
-        private static const SIZE:int = 20000;
+        private static const SIZE:int = 3000;
 
         [Test(async, timeout="60000")]
         public function allEnd():void

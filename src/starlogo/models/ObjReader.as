@@ -84,7 +84,7 @@ package starlogo.models
                 if (!_tokens.takePiece())
                 {
                     throw error("a line, with those that it is continued in, has more than " + ObjTokens.MAX_PIECE + " characters",
-                        _tokens.line + 1);
+                            _tokens.line + 1);
                 }
                 return true;
             }

@@ -5,10 +5,22 @@ package soak
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
 
-    /** Every hostile file, a small one, ends: as a model, or with an error that says why. */
+    /** Large files are models in every format; every hostile file, a small one, ends: as a model, or with an error that says why. */
     public class HostileFilesTest
     {
         private static const SIZE:int = 3000;
+
+        [Test(async, timeout="20000")]
+        public function largeFilesAreModels():void
+        {
+            var run:LoadRun = new LoadRun(["OBJ 2000", "COLLADA 2000", "ZIP 2000"], LargeFiles.make);
+            Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals("", run.errors.join());
+                    assertEquals(3, run.models);
+                }, 15000);
+            run.start();
+        }
 
         [Test(async, timeout="60000")]
         public function allEnd():void

@@ -73,9 +73,9 @@ package starlogo.models
             {
                 throw ZipArchive.error(_name, MANIFEST + " has more than " + MAX_MANIFEST + " bytes");
             }
-            var text:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
+            var manifest:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
             // no regular expressions: they may take the square of the time
-            for each (var piece:String in text.split("<"))
+            for each (var piece:String in manifest.split("<"))
             {
                 // what comes after a tag, without its fragment
                 var word:String = TextTokens.trimmed(piece.substr(piece.indexOf(">") + 1).split("#")[0]);

@@ -139,7 +139,7 @@ package starlogo.models
             text = TextTokens.replaceAll(text, "\t", " ");
             text = TextTokens.replaceAll(text, "\\\n", " " + CONTINUED + " ");
             text = TextTokens.replaceAll(before + text + after, "\n", " " + END + " ");
-            return TextTokens.singleSpaced(" " + text + " ").split(" ");
+            return TextTokens.split(TextTokens.singleSpaced(" " + text + " "));
         }
     }
 }

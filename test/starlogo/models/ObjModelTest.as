@@ -92,6 +92,20 @@ package starlogo.models
             assertEquals(9, new ObjModel("a", VERTICES + new Array(2).join(STRIP)).vertices.length);
         }
 
+        [Test(timeout="20000")]
+        public function refusesNumbersOfTooManyDigits():void
+        {
+            for each (var digits:int in [10001, 900000])
+            {
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", "v 0 0 0\n# " + new Array(digits).join("7") + "\nv 0." + new Array(digits).join("7") + " 0 0\n");
+                    });
+                assertEquals("line 3", error.place);
+            }
+            assertEquals(0, new ObjModel("a", "v " + new Array(9990).join("0") + "1 0 0\n").vertices[0]);
+        }
+
         [Test]
         public function limitsTheLengthOfLines():void
         {

@@ -10,6 +10,8 @@ package soak
     /**
      * The game of a soak. Whatever a game may do happens all the time, in the game's own turn and in handlers, while models, agents, handlers and
      * collision systems come and go. An error that was not meant ends it.
+     *
+     * <p>This file is long because each thing that may happen in a game is a short function of it.</p>
      */
     public final class SoakGame
     {

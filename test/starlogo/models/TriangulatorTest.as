@@ -124,6 +124,29 @@ package starlogo.models
         }
 
         [Test]
+        public function cutsLargePolygonsInPieces():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 600; i++)
+            {
+                var radius:Number = 1 + 0.5 * (i & 1);
+                vertices.push(radius * Math.cos(2 * Math.PI * i / 600), radius * Math.sin(2 * Math.PI * i / 600), 0);
+                corners.push(i);
+            }
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            triangulator.addPolygon(new <Vector.<uint>>[corners]);
+            var pieces:int = 1;
+            for (; triangulator.isCutting; pieces++)
+            {
+                triangulator.cutSome();
+            }
+            assertTrue("pieces: " + pieces, pieces > 5);
+            assertEquals(3 * 598, triangles.length);
+        }
+
+        [Test]
         public function endsOnAnyOutline():void
         {
             const SCALES:Array = [1, 1, 1, 1e-320, 1e-300, 1e150, 1e307];

@@ -88,6 +88,8 @@ machine.describe = function(value:*):XML
 
 machine.readFile = function(url:String):ByteArray
 {
+    // the SWF is at the root, as in the player
+    url = url.charAt(0) == "/" ? url : "/" + url;
     for each (var mount:Array in mounts)
     {
         var path:String = mount[1] + unescape(url.split("?")[0]).substr(mount[0].length);

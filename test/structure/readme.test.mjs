@@ -1,6 +1,11 @@
 import assert from 'node:assert/strict';
+import { existsSync, readdirSync } from 'node:fs';
+import path from 'node:path';
 import { test } from 'node:test';
-import { foldersIn, layout, read, sourcesBelow } from './sources.mjs';
+import { definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
+
+const GUIDE = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
+const PAGES = ['README.md', 'CONTRIBUTING.md', 'module/README.md', 'lib/README.md', ...GUIDE];
 
 const lists = layout();
 const isFolder = (name) => !name.includes('.');
@@ -19,11 +24,63 @@ test('the README lists the folders of src', () => {
 test('examples of -Dtest name tests that there are', () => {
 	const tests = sourcesBelow('test').filter((file) => file.endsWith('Test.as'))
 		.map((file) => [file.split('/').pop().slice(0, -3), read(file)]);
-	const examples = ['README.md', 'CONTRIBUTING.md', 'build.xml', 'antw']
+	const examples = [...PAGES, 'build.xml', 'antw']
 		.flatMap((file) => [...read(file).matchAll(/-Dtest=([A-Za-z]\w*)(?:[.#](\w+))?/g)]);
 	assert.ok(examples.length >= 3, 'there are some');
 	for (const [example, classPart, testPart = ''] of examples) {
 		const method = new RegExp(`\\[Test[^\\]]*\\]\\s+public function \\w*${testPart}\\w*\\(`);
 		assert.ok(tests.some(([name, text]) => name.includes(classPart) && method.test(text)), `${example} matches no test`);
 	}
+});
+
+test('links and pictures lead somewhere', () => {
+	const links = PAGES.flatMap((page) => [...read(page).matchAll(/\]\(([^)#:]+)\)/g)].map(([, to]) => [page, to]));
+	assert.ok(links.length > 40, 'there are some');
+	assert.deepEqual(links.filter(([page, to]) => !existsSync(path.join(root, path.dirname(page), to))), []);
+});
+
+test('paths that the pages name are there', () => {
+	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`((?:src|test|module|playground|assets|standins|lib|docs)\/[\w./-]*)`/g)].map(([, to]) => [page, to]));
+	assert.ok(named.length > 20, 'there are some');
+	// what a build or the user puts there
+	const isMade = (to) => to === 'lib/away3d.swc' || to.includes('node_modules');
+	assert.deepEqual(named.filter(([, to]) => !isMade(to) && !existsSync(path.join(root, to))), []);
+});
+
+test('every page of the guide is in its index, and has a table or a picture', () => {
+	const index = read('docs/README.md');
+	for (const page of GUIDE.filter((file) => file !== 'docs/README.md')) {
+		assert.ok(index.includes(`](${path.basename(page)})`), `${page} is not in the index`);
+		assert.match(read(page), /^\|---|^!\[/m, page);
+	}
+});
+
+/** What the sources define: each class or function by its simple name, with its text and that of what it extends. */
+const definitions = new Map(['src', 'test'].flatMap(sourcesBelow).map((file) => [definitionIn(file).split('.').pop(), read(file)]));
+
+function isDefined(name, member) {
+	const text = definitions.get(name);
+	if (text === undefined || member === undefined) {
+		return text !== undefined;
+	}
+	const base = new RegExp(`class ${name} (?:extends (\\w+))?`).exec(text)?.[1];
+	return new RegExp(`(?:var|const|function(?: get| set)?) ${member}\\b`).test(text) || (base !== undefined && isDefined(base, member));
+}
+
+for (const page of ['docs/terms.md', 'docs/departures.md']) {
+	test(`the classes and members in ${page} are there`, () => {
+		const cells = read(page).split('\n').filter((line) => /^\| \d/.test(line)).map((line) => line.split('|').at(-2));
+		const names = cells.flatMap((cell) => [...cell.matchAll(/`(\w+)(?:\.(\w+))?`/g)]);
+		assert.ok(names.length > 20, 'there are some');
+		assert.deepEqual(names.filter(([, name, member]) => !isDefined(name, member)).map(([all]) => all), []);
+	});
+}
+
+test('docs/flags.md has every flag', () => {
+	const settable = (file) => [...read(file).matchAll(/^ {8}public (?:var|function set) (\w+)/gm)].map(([, name]) => name);
+	const flags = ['GreatLand', 'libraries/BoundingStructuresLibrary', 'libraries/HierarchiesLibrary', 'collision/PreciseCollider', 'collision/StructureTests', 'models/ModelLoader']
+		.flatMap((name) => settable(`src/starlogo/${name}.as`));
+	assert.ok(flags.length > 15, 'there are some');
+	const page = read('docs/flags.md');
+	assert.deepEqual(flags.filter((flag) => !new RegExp(`\\b${flag}\``).test(page)), []);
 });

@@ -6,6 +6,8 @@ package starlogo.blocks
         private var _block:String;
 
         /**
+         * An error about the use of a block.
+         *
          * @param block the words on the block
          * @param problem what follows them in a sentence
          */

@@ -39,6 +39,8 @@ package starlogo.bounding
         public var halfZ:Number;
 
         /**
+         * A box by its middle, its axes and its half-extents.
+         *
          * @param center copied
          * @param axisX copied, and so are the others; they may be as imprecise as those of a single-precision matrix
          *     (Tolerances.ORTHONORMALITY), and their copies are then unit vectors at right angles in double precision

@@ -25,6 +25,8 @@ package starlogo.bounding
         public var radius:Number;
 
         /**
+         * A capsule around the segment between two points.
+         *
          * @param start copied
          * @param end copied; may equal start
          * @param radius in patches; 0 is allowed

@@ -24,6 +24,8 @@ package starlogo.bounding
         public var radius:Number;
 
         /**
+         * A cylinder around the segment between two points.
+         *
          * @param start copied
          * @param end copied; may equal start
          * @param radius in patches; 0 is allowed

@@ -21,6 +21,8 @@ package starlogo.bounding
         public var radius:Number;
 
         /**
+         * A ball around a point.
+         *
          * @param center copied
          * @param radius in patches; 0 is allowed
          * @throws ArgumentError when the centre is null

@@ -40,7 +40,7 @@ package starlogo.broadphase
         /** The first entry of each list, or null. */
         internal var heads:Vector.<BinEntry> = new Vector.<BinEntry>();
 
-        /** The bin at a column and row has its list at <code>(row * stride + column) & mask</code>. */
+        /** The bin at a column and row has its list at row times stride plus column, of which these bits count. */
         public var mask:int;
 
         /** @copy #mask */

@@ -15,7 +15,7 @@ package starlogo.collision
         public static const ANY_BREED:String = "*";
 
         /**
-         * Whether somebody cares about a pair of breeds, at <code>index * breedCount + otherIndex</code>.
+         * Whether somebody cares about a pair of breeds, at <code>index</code> times <code>breedCount</code> plus <code>otherIndex</code>.
          *
          * @private
          */

@@ -18,6 +18,8 @@ package starlogo.fitting
         private var _boxFitter:Fitter;
 
         /**
+         * A fitter of capsules along the boxes of another fitter.
+         *
          * @param boxFitter finds the box, or the fit fails with an ArgumentError; a library whose list has the same object
          *        computes the box once
          * @throws ArgumentError if it is null

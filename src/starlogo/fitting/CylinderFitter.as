@@ -12,6 +12,8 @@ package starlogo.fitting
         private var _boxFitter:Fitter;
 
         /**
+         * A fitter of cylinders along the boxes of another fitter.
+         *
          * @param boxFitter finds the box, or the fit fails with an ArgumentError
          * @throws ArgumentError if it is null
          */

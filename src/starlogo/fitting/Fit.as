@@ -15,6 +15,8 @@ package starlogo.fitting
         private var _structure:BoundingStructure = null;
 
         /**
+         * A fit that was not begun.
+         *
          * @param session the vertices, and their hull
          * @param find finds the structure: <code>function(session:FitSession):BoundingStructure</code>; called in the last step.
          *        What takes more than a few milliseconds for thousands of vertices had better be done before

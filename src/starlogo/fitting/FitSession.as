@@ -22,6 +22,8 @@ package starlogo.fitting
         private var _works:Vector.<Steps> = new Vector.<Steps>();
 
         /**
+         * A session without fits.
+         *
          * @param vertices x, y, z of each vertex; kept, not copied, and never changed
          * @param atOnce false leaves all, the check of the vertices too, to <code>step()</code>
          * @throws ArgumentError if they are null or empty, their number of coordinates is no multiple of 3, or one is not

@@ -29,12 +29,12 @@ package starlogo.fitting
      *     private function find(session:FitSession):BoundingStructure
      *     {
      *         var v:Vector.&lt;Number&gt; = session.vertices;
-     *         var square:Number = 0;
+     *         var radius:Number = 0;
      *         for (var i:int = 0; i &lt; v.length; i += 3)
      *         {
-     *             square = Math.max(square, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2]);
+     *             radius = Math.max(radius, new Vector3D(v[i], v[i + 1], v[i + 2]).length);
      *         }
-     *         return new Sphere(new Vector3D(), Math.sqrt(square));
+     *         return new Sphere(new Vector3D(), radius);
      *     }
      * }
      * </listing>

@@ -1,7 +1,7 @@
 package starlogo.fitting
 {
     /**
-     * The smallest box among those turned about x, y and z by 0, 1, 2, ... increments below 90 degrees each
+     * The smallest box among those turned about x, y and z by multiples of an increment, each below 90 degrees
      * (thesis §3.4.2): 729 rotations at the default.
      *
      * <p>Never larger than the axis-aligned box, nor the z-aligned box of the same increment. Above the smallest box of all by a
@@ -16,6 +16,8 @@ package starlogo.fitting
         private var _degIncrement:Number;
 
         /**
+         * A fitter that tries rotations of this step.
+         *
          * @param degIncrement the step in degrees, above 0; halving it takes eight times as long
          * @throws ArgumentError if it is not a positive, finite number
          */

@@ -21,6 +21,8 @@ package starlogo.fitting
         private var _start:String;
 
         /**
+         * A fitter of Ritter's spheres.
+         *
          * @param start WIDEST_DIMENSION or FARTHEST_FROM_FIRST: how to pick the first two vertices
          * @throws ArgumentError if it is neither
          */

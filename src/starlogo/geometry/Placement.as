@@ -5,18 +5,18 @@ package starlogo.geometry
      * model's origin (thesis §3.5).
      *
      * <p>The numbers are doubles on every player, which a Matrix3D's are not: Flash Player keeps those in single
-     * precision. A point p of the model is at <code>size * R * p + (x, y, z)</code>, R's rows being
+     * precision. A point p of the model is at <code>size R p + (x, y, z)</code>, R's rows being
      * (r00 r01 r02), (r10 r11 r12), (r20 r21 r22).</p>
      */
     public final class Placement
     {
-        /** World coordinates of the model's origin, in patches. */
+        /** The x coordinate of the model's origin in the world, in patches. */
         public var x:Number = 0;
 
-        /** @copy #x */
+        /** Its y coordinate. */
         public var y:Number = 0;
 
-        /** @copy #x */
+        /** Its z coordinate. */
         public var z:Number = 0;
 
         /** The uniform scale, positive. */
@@ -28,31 +28,31 @@ package starlogo.geometry
         /** Whether the rotation is the identity. */
         public var isIdentity:Boolean = true;
 
-        /** An entry of the rotation: row 0, column 0; the others alike. */
+        /** The rotation: row 0, column 0. */
         public var r00:Number = 1;
 
-        /** @copy #r00 */
+        /** The rotation: row 0, column 1. */
         public var r01:Number = 0;
 
-        /** @copy #r00 */
+        /** The rotation: row 0, column 2. */
         public var r02:Number = 0;
 
-        /** @copy #r00 */
+        /** The rotation: row 1, column 0. */
         public var r10:Number = 0;
 
-        /** @copy #r00 */
+        /** The rotation: row 1, column 1. */
         public var r11:Number = 1;
 
-        /** @copy #r00 */
+        /** The rotation: row 1, column 2. */
         public var r12:Number = 0;
 
-        /** @copy #r00 */
+        /** The rotation: row 2, column 0. */
         public var r20:Number = 0;
 
-        /** @copy #r00 */
+        /** The rotation: row 2, column 1. */
         public var r21:Number = 0;
 
-        /** @copy #r00 */
+        /** The rotation: row 2, column 2. */
         public var r22:Number = 1;
 
         /** A model that stands at the world's origin, unscaled and not rotated. */

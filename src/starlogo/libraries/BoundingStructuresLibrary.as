@@ -52,6 +52,8 @@ package starlogo.libraries
         private var _shapes:Object = {};
 
         /**
+         * A library without models, with the three fitters of the thesis.
+         *
          * @param orientedBoxDegIncrement degrees between the rotations that the default fitters try
          * @throws ArgumentError if that is not a positive, finite number
          */

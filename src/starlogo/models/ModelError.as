@@ -9,6 +9,8 @@ package starlogo.models
         private var _place:String;
 
         /**
+         * An error that says which model, where and what.
+         *
          * @param modelName the model's name, or what was given for one
          * @param place where in the file: "line 12", or an element's path; "" where it has no place
          * @param problem what is wrong, and what was expected

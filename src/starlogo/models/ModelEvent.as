@@ -11,6 +11,8 @@ package starlogo.models
         private var _model:Model;
 
         /**
+         * An event of a model.
+         *
          * @param type the type of the event
          * @param model the model
          */
@@ -26,7 +28,7 @@ package starlogo.models
             return _model;
         }
 
-        /** @inheritDoc */
+        /** The same event, to be sent again. */
         override public function clone():Event
         {
             return new ModelEvent(type, _model);

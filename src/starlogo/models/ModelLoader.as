@@ -49,7 +49,7 @@ package starlogo.models
      * var loader:ModelLoader = new ModelLoader(greatLand);
      * loader.addEventListener(Event.COMPLETE, startGame);
      * loader.addEventListener(ErrorEvent.ERROR, showError);
-     * loader.load("bear", "assets/bear.dae");
+     * loader.load("bear", "assets/bear.obj");
      * </listing>
      */
     public class ModelLoader extends EventDispatcher
@@ -66,6 +66,8 @@ package starlogo.models
         private var _longestStep:int = 0;
 
         /**
+         * A loader that has nothing to do yet.
+         *
          * @param receiver takes the models in
          * @param budget milliseconds of work a frame
          * @throws ArgumentError if the receiver is null

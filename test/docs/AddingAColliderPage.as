@@ -1,0 +1,44 @@
+package docs
+{
+    import game.DiscCollider;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.agents.Agent;
+
+    /** For docs/adding-a-collider.md: the collider finds what all pairs, tried one by one, have. */
+    public class AddingAColliderPage extends Page
+    {
+        public static const FIXTURES:Array = [];
+
+        /** @inheritDoc */
+        override protected function check(shown:Object):void
+        {
+            assertEquals(1, collision.statistics.collisions);
+            var crowd:Vector.<Agent> = new Vector.<Agent>();
+            for (var n:int = 0; n < 200; n++)
+            {
+                var agent:Agent = new Agent("sphere");
+                agent.size = 1 + n % 5;
+                agent.moveTo(n * 37 % 101, n * 53 % 97, 0);
+                crowd.push(agent);
+            }
+            var collider:DiscCollider = new DiscCollider();
+            var found:Vector.<Agent> = collider.findCollisions(crowd);
+            var expected:int = 0;
+            for (var i:int = 0; i < crowd.length; i++)
+            {
+                for (var j:int = i + 1; j < crowd.length; j++)
+                {
+                    expected += collider.areColliding(crowd[i], crowd[j]) ? 1 : 0;
+                }
+            }
+            assertEquals(expected, found.length / 2);
+            assertTrue(expected + " collisions", expected > 50 && expected < 2000);
+            assertTrue("fewer tests than pairs", collider.statistics.candidatePairs < 19900 / 4);
+            for (var at:int = 0; at < found.length; at += 2)
+            {
+                assertTrue(crowd.indexOf(found[at]) < crowd.indexOf(found[at + 1]));
+            }
+        }
+    }
+}

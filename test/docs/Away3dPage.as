@@ -1,0 +1,27 @@
+package docs
+{
+    import away3d.entities.Mesh;
+    import away3d.primitives.CubeGeometry;
+    import org.flexunit.asserts.assertEquals;
+    import starlogo.agents.Agent;
+
+    /** For docs/away3d.md: a bear that is a cube. */
+    public class Away3dPage extends Page
+    {
+        public static const FIXTURES:Array = [];
+
+        protected var bearMesh:Mesh = new Mesh(new CubeGeometry(2, 2, 2));
+
+        public function Away3dPage()
+        {
+            bear = new Agent("bear", "bears");
+            bear.moveTo(3, 4, 5);
+        }
+
+        /** @inheritDoc */
+        override protected function check(shown:Object):void
+        {
+            assertEquals("x, and y for z", "3,4", [bearMesh.x, bearMesh.z].join());
+        }
+    }
+}

@@ -1,0 +1,29 @@
+/** What is looked for in the pages that asdoc writes, and that the ASDoc is as asdoc needs it. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { read, sourcesBelow } from '../structure/sources.mjs';
+import { brokenIn, repaired, undescribedIn } from './asdoc.mjs';
+
+const member = (name, description) => `<a href="#${name}()" class="signatureLink">${name}</a>()</div><div class="summaryTableDescription">${description}</div>`;
+const listed = (name, description) => `<td class="summaryTableSecondCol"><a href="${name}.html" onclick="x">${name}</a></td><td class="summaryTableLastCol">${description}&nbsp;</td>`;
+
+test('names without a description are found', () => {
+	assert.deepEqual(undescribedIn(member('fit', ' Fits. ') + member('begin', '') + member('clone', '[override] ') + listed('Box', ' A box.') + listed('Ring', '')), ['begin', 'clone', 'Ring']);
+});
+
+test('links that lead nowhere are found, and two of asdoc put right', () => {
+	const html = '<a href="../starlogo:GreatLand.html">a</a><a href="all-index-Symbols.html" onclick="x">b</a><a href="c.html#d">e</a><a href="https://f">g</a>';
+	assert.deepEqual(brokenIn(html, (to) => to === 'c.html'), ['../starlogo:GreatLand.html', 'all-index-Symbols.html']);
+	assert.deepEqual(brokenIn(repaired(html), (to) => ['c.html', '../starlogo/GreatLand.html'].includes(to)), []);
+});
+
+test('no page says when it was written', () => {
+	assert.equal(repaired('<center><br/>Fri Nov 20 2026, 03:05 PM Z  </center><!--<br/>Fri Nov 20 2026, 03:05 PM Z  -->'), '<center>  </center><!--  -->');
+});
+
+test('no ASDoc multiplies with an asterisk: asdoc takes it for the margin and drops it', () => {
+	const comments = (file) => [...read(file).matchAll(/\/\*\*[^]*?\*\//g)].map(([comment]) => comment.slice(3, -2).replace(/^ *\*/gm, ''));
+	const files = sourcesBelow('src/starlogo');
+	assert.ok(files.flatMap(comments).length > 1000, 'there are some');
+	assert.deepEqual(files.filter((file) => comments(file).some((comment) => comment.includes(' * '))), []);
+});

@@ -1,0 +1,31 @@
+/** For module/README.md: what it names and does not show. */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { serve } from '../headless/server.mjs';
+
+const assets = new URL('../../assets/', import.meta.url);
+const read = (name) => readFileSync(new URL(name, assets));
+
+export const bearText = read('bear.obj').toString();
+export const file = new Blob([read('dragon.dae')]);
+
+let finish;
+const isComplete = new Promise((resolve) => {
+	finish = resolve;
+});
+export const startGame = () => finish();
+
+/** Its addresses are relative, as in a page; in Node a server of the assets makes them absolute. */
+const server = await serve(null, { '/assets': assets.pathname });
+const { fetch } = globalThis;
+globalThis.fetch = (address, ...rest) => fetch(new URL(address, server.url), ...rest);
+
+/** Whether the samples have done what the page says. */
+export async function check({ bear, ball, collision, greatLand }) {
+	assert.equal(collision.statistics.handlerCalls, 1);
+	assert.equal(bear.color, ball.color);
+	await isComplete;
+	globalThis.fetch = fetch;
+	server.close();
+	assert.ok(greatLand.hasModel('bear') && greatLand.hasModel('dragon'));
+}

@@ -1,0 +1,177 @@
+/**
+ * The samples of the documentation: the fences of README.md, module/README.md and docs/, and the listings of the ASDoc. The build makes
+ * test classes of those in ActionScript, and samples.test.mjs runs those in JavaScript, so that what a page shows is what is tested.
+ *
+ * The samples of a page follow one another in one function. One that is a whole class is a file of its own. What a page names and does
+ * not show is in its prelude: docs/away3d.md has Away3dPage.as, module/README.md has module-readme.mjs, beside this file.
+ */
+import { existsSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { codeOf, definitionIn, read, root, sourcesBelow } from '../structure/sources.mjs';
+
+/** What a sample's fence must not be called: it would not be run. Others (a command, a tree, a table of fields) are no programs. */
+const OTHER_NAMES = /^(?:as3?|javascript|mjs|ts|typescript)$/i;
+
+/** Where a sample takes names from that it does not import itself: as an editor would, from the engine and from these. */
+const FLASH = ['flash.display.Sprite', 'flash.display.Stage', 'flash.events.ErrorEvent', 'flash.events.Event', 'flash.geom.Matrix3D',
+	'flash.geom.Vector3D'];
+
+/**
+ * The fences of a page.
+ *
+ * @param {string} markdown the page
+ * @returns {{language: string, line: number, text: string}[]} line is the first of the text, from 1
+ */
+export function fencesIn(markdown) {
+	const fences = [];
+	let open = null;
+	markdown.split('\n').forEach((line, index) => {
+		const [, indent, language] = /^( *)```(.*)$/.exec(line) ?? [];
+		if (language === undefined) {
+			open?.lines.push(line.slice(open.indent));
+		} else if (open) {
+			fences.push({ language: open.language, line: open.line, text: open.lines.join('\n') });
+			open = null;
+		} else {
+			open = { language: language.trim(), indent: indent.length, line: index + 2, lines: [] };
+		}
+	});
+	if (open) {
+		throw new Error(`a fence is not closed: line ${open.line - 1}`);
+	}
+	return fences;
+}
+
+/** The listings in the ASDoc of a source, as fences. */
+export function listingsIn(source) {
+	return [...source.matchAll(/<listing[^>]*>\n([^]*?)<\/listing>/g)].map((match) => ({
+		language: 'actionscript',
+		line: source.slice(0, match.index).split('\n').length + 1,
+		text: match[1].split('\n').map((line) => line.replace(/^ *\* ?/, '')).join('\n').trimEnd()
+			.replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&'),
+	}));
+}
+
+/** Every page with samples: its path, its name (docs/es-module.md is es-module), and its fences. */
+export function pages() {
+	const guide = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
+	const written = ['README.md', 'module/README.md', ...guide].map((file) => ({ file, slug: slugOf(file), fences: fencesIn(read(file)) }));
+	const sources = sourcesBelow('src').map((file) => ({ file, slug: path.basename(file, '.as'), fences: listingsIn(read(file)) }));
+	for (const { file, fences } of written) {
+		for (const { language, line } of fences) {
+			if (OTHER_NAMES.test(language)) {
+				throw new Error(`${file}:${line}: the fence of a sample is called actionscript or js, not ${language}`);
+			}
+		}
+	}
+	return [...written, ...sources].filter(({ fences }) => fences.some(({ language }) => ['actionscript', 'js'].includes(language)));
+}
+
+const slugOf = (file) => file.replace(/^docs\/(?!README)|\.md$/g, '').replace('/', '-').toLowerCase();
+const classOf = (slug) => slug.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
+
+/** Where a page's prelude is, if it has one: its name and an ending. */
+export function preludeOf(name, ending) {
+	const file = `test/docs/${name}${ending}`;
+	return existsSync(path.join(root, file)) ? file : null;
+}
+
+/** The names that a program declares at its outermost level. */
+const namesIn = (text, keyword) => [...text.matchAll(new RegExp(`^${keyword} (\\w+)`, 'gm'))].map(([, name]) => name);
+
+const IMPORT = /^import \{(.*)\} from "(.*)";\n?/gm;
+const isWhole = (text) => /^(?:import .*\n|\s)*(?:package|public (?:final )?class)\b/.test(text);
+
+/**
+ * What the samples in ActionScript become: files to be compiled with the engine and FlexUnit.
+ *
+ * @param {{file: string, slug: string, fences: object[]}[]} pages as pages() gives them
+ * @returns {Map<string, string>} text by path
+ */
+export function testClasses(pages) {
+	const files = new Map();
+	const samples = pages.map((page) => ({ ...page, fences: page.fences.filter(({ language }) => language === 'actionscript') }))
+		.filter(({ fences }) => fences.length > 0);
+	const whole = samples.flatMap(({ file, fences }) => fences.filter(({ text }) => isWhole(text)).map((fence) => ({ file, ...fence })));
+	const classes = whole.map(({ text }) => definedIn(text));
+	const add = (name, from, text) => {
+		const at = `${name.replaceAll('.', '/')}.as`;
+		if (files.has(at)) {
+			throw new Error(`${from}: another sample defines ${name} too`);
+		}
+		files.set(at, text);
+	};
+	for (const { file, line, text } of whole) {
+		add(definedIn(text), `${file}:${line}`, `// ${file}:${line}\n${/^package\b/m.test(text) ? text : packaged(text)}\n`);
+	}
+	for (const page of samples) {
+		add(`docs.${classOf(page.slug)}SamplesTest`, page.file, testClass(page, classes));
+	}
+	return files;
+}
+
+/** The qualified name of the class that a text is. */
+function definedIn(text) {
+	const [, name] = /\bclass (\w+)/.exec(text);
+	const inPackage = /^package ([\w.]*)/m.exec(text)?.[1];
+	return inPackage === undefined ? `docs.${name}` : inPackage === '' ? name : `${inPackage}.${name}`;
+}
+
+function packaged(text) {
+	return `package docs\n{\n${importLines(text, [])}\n${text}\n}`;
+}
+
+/** Imports of what a text names: its own, then the engine's classes and the other samples'. */
+function importLines(text, classes) {
+	const own = [...text.matchAll(/^import ([\w.]+);$/gm)].map(([, name]) => name);
+	const words = new Set(codeOf(text).match(/\b[A-Za-z]\w*/g));
+	const known = [...sourcesBelow('src/starlogo').map(definitionIn), ...FLASH, ...classes].filter((name) => words.has(name.split('.').pop()));
+	return [...new Set([...own, ...known])].filter((name) => name.includes('.')).sort().map((name) => `    import ${name};`).join('\n');
+}
+
+function testClass({ file, slug, fences }, classes) {
+	const name = classOf(slug);
+	const statements = fences.filter(({ text }) => !isWhole(text))
+		.map(({ line, text }) => `            // ${file}:${line}\n${text.replace(/^import .*\n/gm, '')}`).join('\n\n');
+	const shown = namesIn(statements, 'var').map((each) => `${each}: ${each}`).join(', ');
+	const prelude = preludeOf(name, 'Page.as') ? `${name}Page` : 'Page';
+	return `package docs
+{
+${importLines(fences.map(({ text }) => text).join('\n'), classes)}
+
+    /** What ${file} shows, as it stands there; generated by the build. */
+    public class ${name}SamplesTest extends ${prelude}
+    {
+        public static const FIXTURES:Array = ${prelude}.FIXTURES;
+
+        [Test(async)]
+        public function samples():void
+        {
+${statements}
+            check({ ${shown} });
+        }
+    }
+}
+`;
+}
+
+/**
+ * What the samples in JavaScript of a page become: a module that exports what they declare.
+ *
+ * @param {{file: string, slug: string, fences: object[]}} page one of pages()
+ * @returns {string}
+ */
+export function moduleOf({ file, slug, fences }) {
+	const text = fences.filter(({ language }) => language === 'js').map((fence) => `// ${file}:${fence.line}\n${fence.text}`).join('\n\n');
+	const imported = new Map();
+	for (const [, names, from] of text.matchAll(IMPORT)) {
+		imported.set(from, [...imported.get(from) ?? [], ...names.split(',').map((name) => name.trim())]);
+	}
+	const prelude = preludeOf(slug, '.mjs');
+	if (prelude) {
+		imported.set(pathToFileURL(path.join(root, prelude)).href, namesIn(read(prelude), 'export const').filter((name) => text.includes(name)));
+	}
+	const imports = [...imported].map(([from, names]) => `import { ${[...new Set(names)].join(', ')} } from "${from}";`);
+	return `${imports.join('\n')}\n\n${text.replace(IMPORT, '')}\n\nexport { ${namesIn(text, '(?:const|let|function|class)').join(', ')} };\n`;
+}

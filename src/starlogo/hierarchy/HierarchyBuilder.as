@@ -145,6 +145,12 @@ package starlogo.hierarchy
             return _hierarchy;
         }
 
+        /** Whether no step is left. */
+        public function get isDone():Boolean
+        {
+            return _phase == DONE;
+        }
+
         /** The hierarchy; what is left to do of it is done now. */
         public function get finished():Hierarchy
         {

@@ -139,7 +139,7 @@ package starlogo.libraries
         }
 
         /**
-         * Stores what a builder makes; null for nothing. What it has not done yet it does when the hierarchy is first asked for.
+         * Stores what a builder makes; null for nothing. One that has not begun is not asked before somebody asks for the hierarchy.
          *
          * @private
          */
@@ -148,7 +148,7 @@ package starlogo.libraries
             remove(name);
             if (builder != null)
             {
-                _hierarchies[PREFIX + name] = builder;
+                _hierarchies[PREFIX + name] = builder.isDone ? builder.hierarchy : builder;
             }
         }
 
@@ -182,7 +182,12 @@ package starlogo.libraries
                 throw new ArgumentError("there is no hierarchy for shape \"" + name
                         + "\": add its model first, with loadHierarchies set");
             }
-            return HierarchyBuilder(_hierarchies[PREFIX + name]).finished;
+            var builder:HierarchyBuilder = _hierarchies[PREFIX + name] as HierarchyBuilder;
+            if (builder != null)
+            {
+                _hierarchies[PREFIX + name] = builder.finished;
+            }
+            return _hierarchies[PREFIX + name];
         }
 
         private function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):HierarchyBuilder

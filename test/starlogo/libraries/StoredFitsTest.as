@@ -236,6 +236,23 @@ package starlogo.libraries
         }
 
         [Test]
+        public function structuresOfOtherKindsAreLookedAtWhenAskedFor():void
+        {
+            var model:Model = bear();
+            _greatLand.addModel(model);
+            var fits:ModelFits = fitsOf(model);
+            var sphere:Sphere = Sphere(fits.structures[BoundingStructure.SPHERE].clone());
+            var radius:Number = sphere.radius;
+            sphere.radius *= 0.99;
+            fits.structures[BoundingStructure.SPHERE] = sphere;
+            var land:GreatLand = new GreatLand();
+            // too large to be the tightest, so nobody needs it at first
+            finish(land.receiveWithFits(model, bytesOf(fits, model)));
+            assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
+            assertEquals(radius, Sphere(land.structureOfKind("bear", BoundingStructure.SPHERE)).radius);
+        }
+
+        [Test]
         public function impossibleStructuresAreNotTaken():void
         {
             var model:Model = bear();

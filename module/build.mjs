@@ -44,6 +44,7 @@ writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 writeFileSync(join(out, "LICENSES.md"), licences());
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
+copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
@@ -66,7 +67,8 @@ function manifest() {
 			".": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
 		},
-		files: ["*.js", "*.map", "*.d.ts", "*.md"],
+		bin: { "starlogo-bake": "./bake.mjs" },
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md"],
 	};
 }
 
@@ -75,8 +77,9 @@ function licences() {
 	const parts = THIRD_PARTY.map((name) => {
 		const folder = join(ROOT, "module/node_modules", name);
 		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-		const file = ["LICENSE", "LICENSE.md", "license"].map((each) => join(folder, each)).find(existsSync);
-		return `## ${name} ${version} (${license})\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
+		// saxes' package brings none
+		const file = [join(folder, "LICENSE"), join(ROOT, "module/licences", `${name}.txt`)].find(existsSync);
+		return `## ${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});
 	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
 }

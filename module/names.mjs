@@ -14,6 +14,9 @@ export const EXTERNALS = {
 	ArgumentError: ["language.mjs", "ArgumentError"],
 	"flash.errors.EOFError": ["ByteArray.mjs", "EOFError"],
 	"flash.utils.ByteArray": ["ByteArray.mjs", "ByteArray"],
+	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
+	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],
+	"standin.LocalStore.write": ["machine.mjs", "writeLocal"],
 	"standin.Network.fetch": ["machine.mjs", "fetchBytes"],
 	"standin.Xml.parse": ["xml.mjs", "parseXml"],
 };

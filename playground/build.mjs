@@ -4,7 +4,7 @@
  *
  *   node playground/build.mjs MODULE OUT      MODULE is the npm package of the engine (bin/module)
  */
-import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -78,13 +78,16 @@ function kilobytes(files, size) {
 	return Math.round(files.reduce((sum, file) => sum + size(readFileSync(file)), 0) / 1024);
 }
 
-/** The licences of what is bundled in. */
+/** The licences of what is bundled in: of the packages that the bundle has files of, beside the engine. */
 function licences() {
-	const parts = ["three", "blockly"].map((name) => {
+	const files = Object.keys(result.metafile.inputs);
+	const names = new Set(files.flatMap((file) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1] ?? []));
+	const parts = [...names].sort().map((name) => {
 		const folder = path.join(npm, name);
 		const { version, license } = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-		const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each) && statSync(path.join(folder, each)).isFile());
-		return `${name} ${version} (${license})\n\n${file ? readFileSync(path.join(folder, file), "utf8").trim() : ""}\n`;
+		// Blockly's package brings none
+		const file = [path.join(folder, "LICENSE"), path.join(here, "licences", `${name}.txt`)].find(existsSync);
+		return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});
 	return [readFileSync(path.join(here, "../LICENSE"), "utf8"), readFileSync(path.join(engine, "LICENSES.md"), "utf8"), ...parts].join("\n----\n\n");
 }

@@ -66,6 +66,13 @@ machine.memory = function():Number
     return System.totalMemory;
 };
 
+machine.collect = function():void
+{
+    // the first ends what the collector is at, which keeps what has become garbage meanwhile
+    System.forceFullCollection();
+    System.forceFullCollection();
+};
+
 machine.className = getQualifiedClassName;
 machine.superclassName = getQualifiedSuperclassName;
 

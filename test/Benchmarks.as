@@ -8,6 +8,7 @@ package
     import benchmark.IntersectionBenchmark;
     import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
+    import benchmark.StoredFitsBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
     import headless.Host;
@@ -20,7 +21,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, MotionBenchmark, PausesBenchmark];
+                HierarchicalCrowdBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

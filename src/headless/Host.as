@@ -41,6 +41,15 @@ package headless
             return bytes == null ? -1 : bytes;
         }
 
+        /**
+         * Has garbage collected, so that <code>memory</code> tells what is in use. Players do that by themselves between frames;
+         * in Adobe's shell, where frames follow one another at once, the collector may fall behind.
+         */
+        public static function collect():void
+        {
+            tell("headless.collect");
+        }
+
         /** Milliseconds from some moment on, with fractions: getTimer counts whole ones. That where the runner is not there. */
         public static function get now():Number
         {

@@ -1,14 +1,15 @@
 package starlogo
 {
+    import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyBuilder;
+    import starlogo.libraries.FitStore;
+    import starlogo.libraries.ModelBuild;
     import starlogo.libraries.ShapeStructures;
-    import starlogo.libraries.StructuresBuild;
     import starlogo.models.Model;
-    import starlogo.models.ModelReceiver;
+    import starlogo.models.FitsReceiver;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -26,7 +27,7 @@ package starlogo
      * collides with nothing until then. If two models of a name are added, the one that is there last replaces the other:
      * one that <code>addModel()</code> adds while another is loading serves until then.</p>
      */
-    public class GreatLand implements ModelReceiver
+    public class GreatLand implements FitsReceiver
     {
         // in front of every key: a model may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
@@ -39,6 +40,12 @@ package starlogo
          * agents that are hierarchical (§4.8).
          */
         public var loadHierarchies:Boolean = true;
+
+        /**
+         * Keeps what was computed for models from one game to the next, so that it need not be computed again (thesis §7.9); null, the
+         * default, for nothing of the kind.
+         */
+        public var fitStore:FitStore = null;
 
         private var _revision:int = 0;
         private var _models:Object = {};
@@ -164,25 +171,41 @@ package starlogo
          */
         public function receive(model:Model):Steps
         {
-            if (model == null)
-            {
-                throw new ArgumentError("model must not be null");
-            }
-            var hierarchy:HierarchyBuilder = loadHierarchies ? _hierarchies.begin(model.name, model.vertices, model.triangles) : null;
-            var structures:StructuresBuild = loadTightestFit ? _boundingStructures.begin(model.name, model.vertices) : null;
-            var intake:StepSequence = new StepSequence();
-            if (hierarchy != null)
-            {
-                intake.add(hierarchy);
-            }
-            if (structures != null)
-            {
-                intake.add(structures);
-            }
-            return intake.call(function():void
+            return receiveWithFits(model, null);
+        }
+
+        /**
+         * Does what <code>receive()</code> does, but takes what a baked file has in place of computing it: what is damaged, of another
+         * model or of other settings is computed. The answers are the same in any case.
+         *
+         * @param model has the name that agents have as their shape; not to be changed meanwhile
+         * @param baked what <code>bake()</code> made, or anything else; null for nothing
+         * @throws ArgumentError as receive does
+         * @throws RangeError as receive does
+         */
+        public function receiveWithFits(model:Model, baked:ByteArray):Steps
+        {
+            var build:ModelBuild = beginBuild(model, baked, fitStore);
+            return new StepSequence().add(build).call(function():void
                 {
-                    store(model, hierarchy == null ? null : hierarchy.hierarchy, structures == null ? null : structures.structures);
+                    store(model, build.hierarchy, build.structures);
                 });
+        }
+
+        /**
+         * Computes what the flags ask for of a model, and what exact colliders need besides, and writes it down: the bytes of a .fits file.
+         * The model is not added. <code>./antw bake</code> does this for every file in assets/ when the game is built, so
+         * that no player's machine ever has to (thesis §7.9).
+         *
+         * @param model the model, as it will be read from its file
+         * @throws ArgumentError as addModel does
+         * @throws RangeError as addModel does
+         */
+        public function bake(model:Model):ByteArray
+        {
+            var build:ModelBuild = beginBuild(model, null, null);
+            finish(build);
+            return build.toFits();
         }
 
         /** @inheritDoc */
@@ -252,7 +275,16 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, Model(_models[PREFIX + name]).vertices);
         }
 
-        private function store(model:Model, hierarchy:Hierarchy, structures:ShapeStructures):void
+        private function beginBuild(model:Model, baked:ByteArray, fitStore:FitStore):ModelBuild
+        {
+            if (model == null)
+            {
+                throw new ArgumentError("model must not be null");
+            }
+            return new ModelBuild(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, baked, fitStore);
+        }
+
+        private function store(model:Model, hierarchy:HierarchyBuilder, structures:ShapeStructures):void
         {
             // null where there is none: what the name had before is another model's
             _hierarchies.store(model.name, hierarchy);

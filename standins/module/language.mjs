@@ -7,9 +7,7 @@ const closures = new WeakMap();
 
 /** `new Vector.<T>(length)`: zero is what T begins with. */
 export function $vector(length, zero) {
-	const made = [];
-	for (let i = 0; i < length; i++) made.push(zero);
-	return made;
+	return new Array(length).fill(zero);
 }
 
 /** `vector.length = length`, which is the new length as an expression. */

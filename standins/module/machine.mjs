@@ -92,3 +92,38 @@ async function read(url, signal, onProgress) {
 	}
 	return bytes;
 }
+
+/** Bytes in the page's local storage; null where there are none, or no storage. */
+export function readLocal(name) {
+	try {
+		const text = localStorageOfPage()?.getItem(name) ?? null;
+		return text === null ? null : new ByteArray(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)));
+	} catch {
+		return null;
+	}
+}
+
+/** Puts bytes into the page's local storage; returns whether they are there now. */
+export function writeLocal(name, bytes) {
+	try {
+		const storage = localStorageOfPage();
+		storage?.setItem(name, btoa(Array.from(bytes.toUint8Array(), (byte) => String.fromCharCode(byte)).join("")));
+		return storage !== null;
+	} catch {
+		return false;
+	}
+}
+
+/** Takes something out of the page's local storage. */
+export function removeLocal(name) {
+	try {
+		localStorageOfPage()?.removeItem(name);
+	} catch {
+		// it is switched off: nothing is there
+	}
+}
+
+/** Node's own is for all programs of a machine, and not asked for here. */
+function localStorageOfPage() {
+	return typeof document === "object" ? globalThis.localStorage : null;
+}

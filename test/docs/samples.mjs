@@ -15,7 +15,7 @@ const OTHER_NAMES = /^(?:as3?|javascript|mjs|ts|typescript)$/i;
 
 /** Where a sample takes names from that it does not import itself: as an editor would, from the engine and from these. */
 const FLASH = ['flash.display.Sprite', 'flash.display.Stage', 'flash.events.ErrorEvent', 'flash.events.Event', 'flash.geom.Matrix3D',
-	'flash.geom.Vector3D'];
+	'flash.geom.Vector3D', 'flash.utils.ByteArray'];
 
 /**
  * The fences of a page.

@@ -100,6 +100,7 @@ async function start({ url, parameters, name }) {
 		writeFile: (file, text) => { window.headlessWriteFile(file, text); },
 		now: () => performance.now(),
 		memory: () => window.playerMemory?.buffer.byteLength ?? -1,
+		collect: () => {},
 		player: () => name,
 		exit: (status) => { window.headlessExit(status); },
 	};

@@ -83,6 +83,7 @@ export const ExternalInterface = {
 	call(name) {
 		if (name === "headless.now") return performance.now();
 		if (name === "headless.memory") return process.memoryUsage().heapUsed;
+		if (name === "headless.collect") return globalThis.gc?.();
 		if (name === "headless.player") return `Node ${process.versions.node}, as an ES module`;
 		throw new Error(`${name} is nothing that a test may ask for`);
 	},

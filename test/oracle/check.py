@@ -20,6 +20,7 @@ from scipy.spatial.transform import Rotation
 
 from fits import by_formula, read_points
 from geometry import SHAPES, exact_signed_distance
+from manifest import read_manifest
 from minima import distance_to_segment
 from models import PREPARED, Model
 from motion import exact_at, read_pairs
@@ -43,8 +44,7 @@ def sphere_distance(sphere, other):
 
 
 def check_pairs(folder, sample):
-    with open(os.path.join(folder, "manifest.json")) as source:
-        manifest = json.load(source)
+    manifest = read_manifest(folder)
     for entry in manifest["files"]:
         with open(os.path.join(folder, entry["file"]), "rb") as source:
             payload = source.read()
@@ -83,10 +83,8 @@ def check_pairs(folder, sample):
 
 
 def check_motion(folder, pairs, sample):
-    with open(os.path.join(folder, "manifest.json")) as source:
-        manifest = json.load(source)
-    with open(os.path.join(pairs, "manifest.json")) as source:
-        entries = json.load(source)["files"]
+    manifest = read_manifest(folder)
+    entries = read_manifest(pairs)["files"]
     for entry, of in zip(manifest["files"], entries):
         with open(os.path.join(folder, entry["file"]), "rb") as source:
             records = list(struct.iter_unpack("<6f2d3f", source.read()))
@@ -114,8 +112,7 @@ def check_motion(folder, pairs, sample):
 
 
 def check_placements(folder, prepared, sample):
-    with open(os.path.join(folder, "manifest.json")) as source:
-        manifest = json.load(source)
+    manifest = read_manifest(folder)
     with open(os.path.join(folder, manifest["file"]), "rb") as source:
         payload = source.read()
     assert len(payload) == manifest["recordBytes"] * manifest["count"]

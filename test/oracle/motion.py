@@ -12,7 +12,6 @@ without a touch is proved by a plane with its whole on one side, and the second 
 """
 import argparse
 import collections
-import json
 import math
 import os
 import struct
@@ -22,6 +21,7 @@ import mpmath
 import numpy as np
 
 from geometry import SHAPES, _dot, _exact_core, exact_signed_distance, signed_distance, unit
+from manifest import read_manifest, write_manifest
 from pairs import across, direction, log_uniform, sign
 
 SEED = 20261120
@@ -299,9 +299,7 @@ def main():
     os.makedirs(arguments.out, exist_ok=True)
     manifest = dict(LAYOUT, seed=SEED, families=[name for name, _ in FAMILIES], files=[])
     print("| pair | records | drawn again | " + " | ".join(name for name, _ in FAMILIES) + " |")
-    with open(os.path.join(arguments.pairs, "manifest.json")) as pairs:
-        entries = json.load(pairs)["files"]
-    for k, entry in enumerate(entries):
+    for k, entry in enumerate(read_manifest(arguments.pairs)["files"]):
         payload, counts = bytearray(), collections.Counter()
         for i, (a, b) in enumerate(read_pairs(arguments.pairs, entry)):
             if i % arguments.every:
@@ -332,9 +330,7 @@ def main():
             with open(os.path.join(arguments.out, entry["file"]), "wb") as out:
                 out.write(payload)
     if arguments.every == 1:
-        with open(os.path.join(arguments.out, "manifest.json"), "w") as out:
-            json.dump(manifest, out, indent=1)
-            out.write("\n")
+        write_manifest(arguments.out, manifest)
     print("%.0f s" % (time.time() - started))
 
 

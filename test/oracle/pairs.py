@@ -11,7 +11,6 @@ double-precision method with its certificate, coal and FCL. Nothing depends on t
 """
 import argparse
 import collections
-import json
 import math
 import multiprocessing
 import os
@@ -24,6 +23,7 @@ import fcl
 import numpy as np
 
 from geometry import Box, Capsule, Sphere, exact_signed_distance, quaternion_product, signed_distance, unit
+from manifest import write_manifest
 
 SEED = 20150522
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -641,9 +641,7 @@ def main():
         with open(os.path.join(arguments.out, entry["file"]), "wb") as out:
             out.write(payload)
     print_row("**all**", totals["records"], totals)
-    with open(os.path.join(arguments.out, "manifest.json"), "w") as out:
-        json.dump(manifest, out, indent=1)
-        out.write("\n")
+    write_manifest(arguments.out, manifest)
     print("%.0f s" % (time.time() - started))
 
 

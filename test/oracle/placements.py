@@ -12,7 +12,6 @@ than MARGIN apart. So the answers stand for any engine that places vertices to b
 """
 import argparse
 import collections
-import json
 import math
 import multiprocessing
 import os
@@ -27,6 +26,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull
 import trimesh
 
+from manifest import write_manifest
 from models import PREPARED, load
 
 SEED = 20150605
@@ -247,9 +247,7 @@ def main():
     os.makedirs(arguments.out, exist_ok=True)
     with open(os.path.join(arguments.out, "placements.bin"), "wb") as out:
         out.write(payload)
-    with open(os.path.join(arguments.out, "manifest.json"), "w") as out:
-        json.dump(manifest, out, indent=1)
-        out.write("\n")
+    write_manifest(arguments.out, manifest)
     print("%.0f s" % (time.time() - started))
 
 

@@ -27,6 +27,7 @@ package starlogo.collision
 
         private var _greatLand:GreatLand;
         private var _finder:TouchFinder = new TouchFinder();
+        private var _back:Way = new Way();
 
         // How often each test was made in this search, by the kinds of the structures.
         private var _tests:Vector.<int> = new Vector.<int>(16, true);
@@ -142,11 +143,16 @@ package starlogo.collision
             {
                 return boxBoxTouch(Box(structureA), Box(structureB), way, true);
             }
+            var hasOuter:Boolean = a.outer != null && b.outer != null;
             var time:Number = firstTouch(structureA, structureB, way);
+            if (time != Way.NEVER && hasOuter)
+            {
+                time = firstTouchOfAll(a, b, way, time);
+            }
             if (time == Way.NEVER)
             {
                 // no rounding hides what stands there
-                return intersects(structureA, structureB) ? 1 : Way.NEVER;
+                return intersects(structureA, structureB) && (!hasOuter || passPreliminaryTests(a, b)) ? 1 : Way.NEVER;
             }
             return time;
         }
@@ -166,6 +172,31 @@ package starlogo.collision
             {
                 shape.placeStructure();
             }
+        }
+
+        // When the structures that passPreliminaryTests looks at touch as well. Each two of them do so in one piece of the way.
+        private function firstTouchOfAll(a:WorldShape, b:WorldShape, way:Way, time:Number):Number
+        {
+            var end:Number = lastTouch(a.worldStructure, b.worldStructure, way);
+            if (tests.spheresFirst)
+            {
+                _tests[BoundingStructure.SPHERE << 2 | BoundingStructure.SPHERE]++;
+                time = Math.max(time, firstTouch(a.outer.worldSphere, b.outer.worldSphere, way));
+                end = Math.min(end, lastTouch(a.outer.worldSphere, b.outer.worldSphere, way));
+            }
+            if (tests.capsulesFirst && (a.structure.kind == BoundingStructure.BOX || b.structure.kind == BoundingStructure.BOX))
+            {
+                _tests[BoundingStructure.CAPSULE << 2 | BoundingStructure.CAPSULE]++;
+                time = Math.max(time, firstTouch(a.outer.worldCapsule, b.outer.worldCapsule, way));
+                end = Math.min(end, lastTouch(a.outer.worldCapsule, b.outer.worldCapsule, way));
+            }
+            return time <= end ? time : Way.NEVER;
+        }
+
+        private function lastTouch(a:BoundingStructure, b:BoundingStructure, way:Way):Number
+        {
+            _back.takePart(way, 1, 0);
+            return 1 - firstTouch(a, b, _back);
         }
 
         private function passPreliminaryTests(a:WorldShape, b:WorldShape):Boolean

@@ -11,6 +11,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "axis-aligned box";
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             return new Fit(session, find);

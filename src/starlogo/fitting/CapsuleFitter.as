@@ -40,6 +40,13 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            var ofBox:String = _boxFitter.signature;
+            return ofBox == null ? null : "capsule of " + ofBox;
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             return new Fit(session, find, _boxFitter.beginOnce(session));

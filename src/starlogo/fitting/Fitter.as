@@ -47,6 +47,16 @@ package starlogo.fitting
         }
 
         /**
+         * The algorithm and its settings in a few words: of two fitters with the same signature each finds what the other
+         * finds. What a fitter without one finds, which is null, is not kept in a FitStore or a baked file; a fitter of one's own
+         * may have one, to be changed whenever it finds something else.
+         */
+        public function get signature():String
+        {
+            return null;
+        }
+
+        /**
          * Begins to find a structure around the vertices of a session: what a subclass implements. Settings of the fitter
          * count as they are now.
          *

@@ -35,6 +35,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "minimal box";
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             return new Fit(session, find);

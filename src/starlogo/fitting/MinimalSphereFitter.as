@@ -14,6 +14,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "minimal sphere";
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             return new Fit(session, find);

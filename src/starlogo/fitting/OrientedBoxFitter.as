@@ -38,6 +38,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "oriented box " + _degIncrement;
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             var search:RotationSearch = new RotationSearch(session, _degIncrement, _degIncrement, _degIncrement);

@@ -42,6 +42,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "Ritter sphere " + _start;
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             return new Fit(session, find);

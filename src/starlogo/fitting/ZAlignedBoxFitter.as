@@ -34,6 +34,12 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
+        override public function get signature():String
+        {
+            return "z-aligned box " + _degIncrement;
+        }
+
+        /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
             var search:RotationSearch = new RotationSearch(session, 90, 90, _degIncrement);

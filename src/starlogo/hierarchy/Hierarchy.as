@@ -40,6 +40,13 @@ package starlogo.hierarchy
          */
         engine var order:Vector.<int>;
 
+        /**
+         * What is known of the surface; null for nothing.
+         *
+         * @private
+         */
+        engine var notes:SurfaceNotes = null;
+
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _solid:Solid = null;
@@ -88,11 +95,24 @@ package starlogo.hierarchy
         {
             if (_solid == null)
             {
-                var builder:SolidBuilder = beginSolid();
-                finish(builder);
-                _solid = builder.solid;
+                prepare();
             }
             return _solid;
+        }
+
+        /**
+         * Sees to it that what exact tests need of the triangles is there.
+         *
+         * @private
+         */
+        engine function prepare():void
+        {
+            if (hasTriangles && _solid == null)
+            {
+                var builder:SolidBuilder = beginSolid();
+                finish(builder);
+                takeSolid(builder);
+            }
         }
 
         /**
@@ -105,15 +125,17 @@ package starlogo.hierarchy
             return _solid != null;
         }
 
-        internal function set solid(value:Solid):void
+        /** Takes what was prepared. */
+        internal function takeSolid(builder:SolidBuilder):void
         {
-            _solid = value;
+            _solid = builder.solid;
+            notes = builder.notes;
         }
 
         /** Begins to prepare the solid. */
         internal function beginSolid():SolidBuilder
         {
-            return new SolidBuilder(root, _vertices, _triangles, order);
+            return new SolidBuilder(root, _vertices, _triangles, order, notes);
         }
     }
 }

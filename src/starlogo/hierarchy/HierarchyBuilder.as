@@ -1,23 +1,17 @@
 package starlogo.hierarchy
 {
+    import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.steps.Steps;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
     /**
      * Builds a hierarchy from the root down (thesis §4.4).
      *
-     * <p>What is divided are items: triangles, or vertices where there are none. An item goes to the side of the split
-     * that the centre of its extents is on. The thesis's splitting point, halfway along the longest axis of the box or at
-     * the mean, may leave all triangles on one side; then it is halfway along the axis on which their centres spread
-     * most. A node whose items all have the same centre is a leaf.</p>
-     *
-     * <p>On minVerticesToSplit the thesis says two things: in §4.4 it is the number of vertices up to which a node is not split
-     * any further, in §4.8 the smallest number that is split. They differ for a node of just as many; here it is a leaf, as in
-     * §4.4, which describes the algorithm, while §4.8 lists its parameters.</p>
+     * <p>What is divided are items: triangles, or vertices where there are none. See NodeDivider for how.</p>
      *
      * <p>The work is done in steps, a millisecond or two each for thousands of items. For the engine; a client has the
      * HierarchiesLibrary.</p>
@@ -30,16 +24,15 @@ package starlogo.hierarchy
         private static const ITEMS_A_STEP:int = 1000;
         private static const ITEMS_A_NODE:int = 10;
 
-        // The boxes of levels below this one are not made wider for those of the next.
-        private static const NESTED_LEVELS:int = 64;
-
-        private static const MEASURING:int = 0;
-        private static const ROOTING:int = 1;
-        private static const DIVIDING:int = 2;
-        private static const ENCLOSING:int = 3;
-        private static const COVERING:int = 4;
-        private static const PREPARING:int = 5;
-        private static const DONE:int = 6;
+        private static const BEGINNING:int = 0;
+        private static const READING:int = 1;
+        private static const MEASURING:int = 2;
+        private static const ROOTING:int = 3;
+        private static const DIVIDING:int = 4;
+        private static const ENCLOSING:int = 5;
+        private static const COVERING:int = 6;
+        private static const PREPARING:int = 7;
+        private static const DONE:int = 8;
 
         private var _minVerticesToSplit:int;
         private var _maxDepth:int;
@@ -49,11 +42,16 @@ package starlogo.hierarchy
 
         // The build under way.
         private var _hierarchy:Hierarchy;
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
         private var _items:Items;
+        private var _tree:ByteArray = null;
+        private var _reader:TreeReader;
+        private var _maker:NodeMaker;
+        private var _divider:NodeDivider;
         private var _nodes:Vector.<HierarchyNode>;
         private var _structures:NodeStructures;
         private var _solid:SolidBuilder;
-        private var _radius:Number;
         private var _phase:int;
         private var _next:int;
 
@@ -77,12 +75,24 @@ package starlogo.hierarchy
         /** Begins a hierarchy of triangles, or of vertices where triangles is null. It keeps both lists. */
         public function begin(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
-            _items = new Items(vertices, triangles);
             _hierarchy = new Hierarchy(vertices, triangles);
-            _hierarchy.order = _items.order;
             _hierarchy.boundsKind = _boundsKind;
-            _phase = MEASURING;
-            _next = 0;
+            _vertices = vertices;
+            _triangles = triangles;
+            _phase = BEGINNING;
+        }
+
+        /**
+         * Spares most of the work, if what is given is true; what turns out not to be is done anyhow. To be called between
+         * <code>begin()</code> and the first step.
+         *
+         * @param tree what a TreeWriter wrote, at its position
+         * @param notes what was noted of the surface; null for nothing
+         */
+        public function take(tree:ByteArray, notes:SurfaceNotes):void
+        {
+            _tree = tree;
+            _hierarchy.notes = notes;
         }
 
         /**
@@ -94,6 +104,15 @@ package starlogo.hierarchy
         {
             switch (_phase)
             {
+                case BEGINNING:
+                    beginItems();
+                    break;
+                case READING:
+                    if (!_reader.step())
+                    {
+                        takeNodes();
+                    }
+                    break;
                 case MEASURING:
                     measureSome();
                     break;
@@ -112,7 +131,7 @@ package starlogo.hierarchy
                 case PREPARING:
                     if (!_solid.step())
                     {
-                        _hierarchy.solid = _solid.solid;
+                        _hierarchy.takeSolid(_solid);
                         _phase = DONE;
                     }
                     break;
@@ -124,6 +143,55 @@ package starlogo.hierarchy
         public function get hierarchy():Hierarchy
         {
             return _hierarchy;
+        }
+
+        /** Whether no step is left. */
+        public function get isDone():Boolean
+        {
+            return _phase == DONE;
+        }
+
+        /** The hierarchy; what is left to do of it is done now. */
+        public function get finished():Hierarchy
+        {
+            if (_phase != DONE)
+            {
+                finish(this);
+            }
+            return _hierarchy;
+        }
+
+        /** Whether it makes what is known again, rather than divide the items: until that turns out not to be true. */
+        public function get isTaken():Boolean
+        {
+            return _tree != null;
+        }
+
+        private function beginItems():void
+        {
+            _items = new Items(_vertices, _triangles);
+            _hierarchy.order = _items.order;
+            _phase = MEASURING;
+            _next = 0;
+            if (_tree != null)
+            {
+                _reader = new TreeReader(_hierarchy, _vertices, _triangles, _tree, _maxDepth);
+                _phase = READING;
+            }
+        }
+
+        private function takeNodes():void
+        {
+            _nodes = _reader.nodes;
+            _maker = _reader.maker;
+            _reader = null;
+            if (_nodes == null)
+            {
+                _tree = null;
+                _phase = MEASURING;
+                return;
+            }
+            encloseNodes();
         }
 
         private function measureSome():void
@@ -141,14 +209,9 @@ package starlogo.hierarchy
         private function makeRoot():void
         {
             var extents:Vector.<Number> = _items.extentsOfAll();
-            // how far the model reaches, wherever its origin is: rounding goes with that
-            _radius = 0;
-            for each (var extent:Number in extents)
-            {
-                _radius = Math.max(_radius, Math.abs(extent));
-            }
-            _radius *= Math.sqrt(3);
-            var root:HierarchyNode = makeNode(1, 0, _items.count, extents);
+            _maker = new NodeMaker(_hierarchy, extents);
+            _divider = new NodeDivider(_hierarchy, _items, _maker, _minVerticesToSplit, _splitByMean);
+            var root:HierarchyNode = _maker.make(1, 0, _items.count, extents);
             if (root.radius - root.radius != 0)
             {
                 throw new ArgumentError("the coordinates are too large: the model's extent is not a finite number");
@@ -165,9 +228,9 @@ package starlogo.hierarchy
             while (_next < _nodes.length)
             {
                 var node:HierarchyNode = _nodes[_next++];
-                if (node.level < _maxDepth && hasEnough(node))
+                if (node.level < _maxDepth && _divider.divide(node))
                 {
-                    divide(node);
+                    _nodes.push(node.left, node.right);
                 }
                 items += node.end - node.first + ITEMS_A_NODE;
                 if (items >= ITEMS_A_STEP)
@@ -175,12 +238,17 @@ package starlogo.hierarchy
                     return;
                 }
             }
+            encloseNodes();
+        }
+
+        private function encloseNodes():void
+        {
             if (_boundsKind == BoundingStructure.BOX)
             {
                 finishNodes();
                 return;
             }
-            _structures = new NodeStructures(_boundsKind, _items, 2 * marginOf(1));
+            _structures = new NodeStructures(_boundsKind, _items, 2 * _maker.marginOf(1));
             _phase = ENCLOSING;
             _next = 0;
         }
@@ -227,106 +295,6 @@ package starlogo.hierarchy
                 _solid = _hierarchy.beginSolid();
                 _phase = PREPARING;
             }
-        }
-
-        // What touches the surface touches the boxes, and boxes are inside of their parents' in spite of rounding.
-        private function marginOf(level:int):Number
-        {
-            return _radius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, NESTED_LEVELS - level));
-        }
-
-        private function makeNode(level:int, first:int, end:int, extents:Vector.<Number>):HierarchyNode
-        {
-            var node:HierarchyNode = new HierarchyNode();
-            node.hierarchy = _hierarchy;
-            node.level = level;
-            node.first = first;
-            node.end = end;
-            var margin:Number = marginOf(level);
-            var halfX:Number = 0.5 * (extents[3] - extents[0]);
-            var halfY:Number = 0.5 * (extents[4] - extents[1]);
-            var halfZ:Number = 0.5 * (extents[5] - extents[2]);
-            node.x = extents[0] + halfX;
-            node.y = extents[1] + halfY;
-            node.z = extents[2] + halfZ;
-            node.halfX = halfX += margin;
-            node.halfY = halfY += margin;
-            node.halfZ = halfZ += margin;
-            node.radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
-            node.innerRadius = halfX < halfY ? halfX : halfY;
-            if (halfZ < node.innerRadius)
-            {
-                node.innerRadius = halfZ;
-            }
-            return node;
-        }
-
-        private function hasEnough(node:HierarchyNode):Boolean
-        {
-            var count:int = node.end - node.first;
-            if (!_hierarchy.hasTriangles || count == 1)
-            {
-                return !_hierarchy.hasTriangles && count > _minVerticesToSplit;
-            }
-            // so many different triangles have more vertices in any case
-            var few:int = _minVerticesToSplit;
-            return count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few;
-        }
-
-        private function divide(node:HierarchyNode):void
-        {
-            var axis:int = node.longestAxis();
-            var split:Number;
-            if (_splitByMean)
-            {
-                split = _items.meanOf(node.first, node.end, axis);
-            }
-            else
-            {
-                split = 2 * (axis == 0 ? node.x : (axis == 1 ? node.y : node.z));
-            }
-            if (!divideAt(node, axis, split))
-            {
-                divideWhereCentresSpread(node);
-            }
-        }
-
-        private function divideWhereCentresSpread(node:HierarchyNode):void
-        {
-            var widest:int = 0;
-            var width:Number = 0;
-            var split:Number = 0;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var ends:Vector.<Number> = _items.centresOf(node.first, node.end, axis);
-                if (ends[1] - ends[0] > width)
-                {
-                    widest = axis;
-                    width = ends[1] - ends[0];
-                    split = ends[0] + 0.5 * width;
-                }
-            }
-            if (width > 0)
-            {
-                divideAt(node, widest, split);
-            }
-        }
-
-        // Whether there are items on either side; if not, the node has no children.
-        private function divideAt(node:HierarchyNode, axis:int, split:Number):Boolean
-        {
-            var middle:int = _items.divide(node.first, node.end, axis, split);
-            if (middle == node.first || middle == node.end)
-            {
-                return false;
-            }
-            node.isLeaf = false;
-            node.cutoffLevel = node.level;
-            node.splitAxis = axis;
-            node.left = makeNode(node.level + 1, node.first, middle, _items.leftExtents);
-            node.right = makeNode(node.level + 1, middle, node.end, _items.rightExtents);
-            _nodes.push(node.left, node.right);
-            return true;
         }
     }
 }

@@ -22,7 +22,7 @@ package starlogo.hierarchy
         private var _triangles:Vector.<uint>;
 
         // An item's least coordinates are at item * _stride, the largest _high further on.
-        private var _extents:Vector.<Number>;
+        private var _extents:Vector.<Number> = null;
         private var _stride:int;
         private var _high:int;
 
@@ -38,12 +38,15 @@ package starlogo.hierarchy
             order = new Vector.<int>(count, true);
             _stride = triangles == null ? 3 : 6;
             _high = triangles == null ? 0 : 3;
-            _extents = triangles == null ? vertices : new Vector.<Number>(6 * count, true);
         }
 
         /** Measures some items and puts them into the order; to be done for all before anything else. */
         public function measure(first:int, end:int):void
         {
+            if (_extents == null)
+            {
+                _extents = _triangles == null ? _vertices : new Vector.<Number>(6 * count, true);
+            }
             for (var i:int = first; i < end; i++)
             {
                 order[i] = i;

@@ -30,10 +30,11 @@ package starlogo.hierarchy
         // Union-find over pieces, how many parts are left, and pairs of nodes whose pieces have not been compared.
         private var _parents:Vector.<int> = new Vector.<int>();
         private var _partCount:int;
+        private var _joins:Vector.<int> = new Vector.<int>();
         private var _stack:Vector.<HierarchyNode>;
 
         // For each triangle in order, the next one of another piece.
-        private var _runEnds:Vector.<int>;
+        private var _runEnds:Vector.<int> = null;
 
         /**
          * @param root the node around all triangles
@@ -53,7 +54,6 @@ package starlogo.hierarchy
             {
                 _parents.push(i);
             }
-            findRuns();
         }
 
         /**
@@ -72,9 +72,38 @@ package starlogo.hierarchy
             return piece;
         }
 
+        /** Two triangles that touch, by their indices in the hierarchy's order, for each time that two parts turned out to be one. */
+        public function get joins():Vector.<int>
+        {
+            return _joins;
+        }
+
+        /**
+         * Joins the parts of triangles that are known to touch, in place of any steps.
+         *
+         * @param known as <code>joins</code> has them
+         * @return whether they do touch, and no two are of one part already; if not, steps are left
+         */
+        public function joinKnown(known:Vector.<int>):Boolean
+        {
+            for (var i:int = 0; i < known.length; i += 2)
+            {
+                if (partOf(known[i]) == partOf(known[i + 1]) || !doTouch(known[i], known[i + 1]))
+                {
+                    return false;
+                }
+                joinParts(known[i], known[i + 1]);
+            }
+            return true;
+        }
+
         /** @inheritDoc */
         public function step():Boolean
         {
+            if (_runEnds == null)
+            {
+                findRuns();
+            }
             var end:int = Math.min(_pairs + PAIRS_A_STEP, MOST_PAIRS);
             while (_pairs < end && _stack.length > 0 && _partCount > 1)
             {
@@ -149,11 +178,17 @@ package starlogo.hierarchy
                     var other:int = partOf(k);
                     if (part != other && doTouch(i, k))
                     {
-                        _parents[other] = part;
-                        _partCount--;
+                        joinParts(i, k);
                     }
                 }
             }
+        }
+
+        private function joinParts(i:int, k:int):void
+        {
+            _parents[partOf(k)] = partOf(i);
+            _partCount--;
+            _joins.push(i, k);
         }
 
         private function doTouch(i:int, k:int):Boolean

@@ -3,6 +3,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Surface;
     import starlogo.geometry.SurfaceBuilder;
+    import starlogo.geometry.SurfaceCheck;
     import starlogo.steps.Steps;
 
     use namespace engine;
@@ -16,15 +17,18 @@ package starlogo.hierarchy
         private static const TRIANGLES_A_STEP:int = 400;
 
         private static const PLACING:int = 0;
-        private static const EXAMINING:int = 1;
-        private static const JOINING:int = 2;
-        private static const MEASURING:int = 3;
-        private static const DONE:int = 4;
+        private static const CHECKING:int = 1;
+        private static const EXAMINING:int = 2;
+        private static const JOINING:int = 3;
+        private static const MEASURING:int = 4;
+        private static const DONE:int = 5;
 
         private var _solid:Solid;
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _order:Vector.<int>;
+        private var _notes:SurfaceNotes;
+        private var _check:SurfaceCheck;
         private var _surfaceBuilder:SurfaceBuilder;
         private var _surface:Surface;
         private var _phase:int = PLACING;
@@ -32,17 +36,17 @@ package starlogo.hierarchy
 
         private var _root:HierarchyNode;
         private var _parts:PartFinder;
-
-        // By piece: where the points of its part are.
-        private var _pointsAt:Vector.<int> = new Vector.<int>();
+        private var _extremes:PartExtremes;
 
         /**
          * @param root the node around all triangles
          * @param vertices x, y, z each
          * @param triangles three vertex indices each
          * @param order the numbers of the triangles as the hierarchy has them
+         * @param notes what was noted of the surface, which spares most of the work if it is true; null for nothing
          */
-        public function SolidBuilder(root:HierarchyNode, vertices:Vector.<Number>, triangles:Vector.<uint>, order:Vector.<int>)
+        public function SolidBuilder(root:HierarchyNode, vertices:Vector.<Number>, triangles:Vector.<uint>, order:Vector.<int>,
+                notes:SurfaceNotes = null)
         {
             _vertices = vertices;
             _triangles = triangles;
@@ -51,7 +55,7 @@ package starlogo.hierarchy
             _solid.corners = new Vector.<Number>(9 * order.length, true);
             _solid.extents = new Vector.<Number>(6 * order.length, true);
             _solid.planes = new Vector.<Number>(5 * order.length, true);
-            _surfaceBuilder = new SurfaceBuilder(vertices, triangles);
+            _notes = notes;
             _root = root;
         }
 
@@ -59,6 +63,12 @@ package starlogo.hierarchy
         public function get solid():Solid
         {
             return _solid;
+        }
+
+        /** What another one spares most of the work with, when no step is left. */
+        public function get notes():SurfaceNotes
+        {
+            return _notes;
         }
 
         /** @inheritDoc */
@@ -69,15 +79,23 @@ package starlogo.hierarchy
                 case PLACING:
                     placeSome();
                     break;
+                case CHECKING:
+                    if (!_check.step())
+                    {
+                        takeChecked();
+                    }
+                    break;
                 case EXAMINING:
                     if (!_surfaceBuilder.step())
                     {
-                        takeSurface();
+                        takeSurface(_surfaceBuilder.surface);
+                        _phase = JOINING;
                     }
                     break;
                 case JOINING:
                     if (!_parts.step())
                     {
+                        takeNotes();
                         _phase = MEASURING;
                     }
                     break;
@@ -93,30 +111,95 @@ package starlogo.hierarchy
             var end:int = Math.min(_next + TRIANGLES_A_STEP, _order.length);
             for (var i:int = _next; i < end; i++)
             {
-                for (var axis:int = 0; axis < 3; axis++)
-                {
-                    placeAxis(i, 3 * _order[i], axis);
-                }
+                placeCorners(i, 3 * _order[i]);
+                placeExtents(9 * i, 6 * i);
                 placePlane(i);
             }
             _next = end;
             if (end == _order.length)
             {
-                _phase = EXAMINING;
-                _next = 0;
+                beginSurface();
             }
         }
 
-        private function placeAxis(triangle:int, corner:int, axis:int):void
+        private function beginSurface():void
         {
-            var a:Number = _vertices[3 * _triangles[corner] + axis];
-            var b:Number = _vertices[3 * _triangles[corner + 1] + axis];
-            var c:Number = _vertices[3 * _triangles[corner + 2] + axis];
-            _solid.corners[9 * triangle + axis] = a;
-            _solid.corners[9 * triangle + 3 + axis] = b;
-            _solid.corners[9 * triangle + 6 + axis] = c;
-            _solid.extents[6 * triangle + axis] = Math.min(a, b, c);
-            _solid.extents[6 * triangle + 3 + axis] = Math.max(a, b, c);
+            _next = 0;
+            if (_notes == null)
+            {
+                _surfaceBuilder = new SurfaceBuilder(_vertices, _triangles);
+                _phase = EXAMINING;
+                return;
+            }
+            _check = new SurfaceCheck(_vertices, _triangles, _notes.isTurned);
+            _phase = CHECKING;
+        }
+
+        // What does not hold is found out without it.
+        private function takeChecked():void
+        {
+            if (_check.surface != null)
+            {
+                takeSurface(_check.surface);
+                _phase = _parts.joinKnown(_notes.joins) ? MEASURING : JOINING;
+                return;
+            }
+            _notes = null;
+            beginSurface();
+        }
+
+        private function takeNotes():void
+        {
+            _notes = new SurfaceNotes();
+            _notes.isTurned = _surface.isTurned;
+            _notes.joins = _parts.joins;
+        }
+
+        private function placeCorners(triangle:int, corner:int):void
+        {
+            var vertices:Vector.<Number> = _vertices;
+            var corners:Vector.<Number> = _solid.corners;
+            var to:int = 9 * triangle;
+            for (var end:int = corner + 3; corner < end; corner++)
+            {
+                var at:int = 3 * _triangles[corner];
+                corners[to] = vertices[at];
+                corners[int(to + 1)] = vertices[int(at + 1)];
+                corners[int(to + 2)] = vertices[int(at + 2)];
+                to += 3;
+            }
+        }
+
+        private function placeExtents(from:int, to:int):void
+        {
+            var corners:Vector.<Number> = _solid.corners;
+            var extents:Vector.<Number> = _solid.extents;
+            for (var end:int = from + 3; from < end; from++)
+            {
+                var least:Number = corners[from];
+                var largest:Number = least;
+                var coordinate:Number = corners[int(from + 3)];
+                if (coordinate < least)
+                {
+                    least = coordinate;
+                }
+                else if (coordinate > largest)
+                {
+                    largest = coordinate;
+                }
+                coordinate = corners[int(from + 6)];
+                if (coordinate < least)
+                {
+                    least = coordinate;
+                }
+                else if (coordinate > largest)
+                {
+                    largest = coordinate;
+                }
+                extents[to] = least;
+                extents[int(to + 3)] = largest;
+                to++;
+            }
         }
 
         private function placePlane(triangle:int):void
@@ -156,9 +239,9 @@ package starlogo.hierarchy
                     Math.abs(normalX * corners[at + 6] + normalY * corners[at + 7] + normalZ * corners[at + 8] - place));
         }
 
-        private function takeSurface():void
+        private function takeSurface(surface:Surface):void
         {
-            _surface = _surfaceBuilder.surface;
+            _surface = surface;
             _solid.isClosed = _surface.isClosed;
             _solid.isOriented = _surface.isOriented;
             _solid.widestSeam = _surface.widestSeam;
@@ -166,12 +249,8 @@ package starlogo.hierarchy
             {
                 turnRound();
             }
-            for (var i:int = 0; i < _surface.pieceCount; i++)
-            {
-                _pointsAt.push(-1);
-            }
+            _extremes = new PartExtremes(_solid, _surface.pieceCount);
             _parts = new PartFinder(_root, _solid, _surface, _order);
-            _phase = JOINING;
         }
 
         private function turnRound():void
@@ -196,67 +275,13 @@ package starlogo.hierarchy
             var end:int = Math.min(_next + TRIANGLES_A_STEP, _order.length);
             for (var i:int = _next; i < end; i++)
             {
-                var part:int = _parts.partOf(i);
-                if (_pointsAt[part] < 0)
-                {
-                    beginPart(part, 9 * i);
-                }
-                for (var corner:int = 9 * i; corner < 9 * i + 9; corner += 3)
-                {
-                    extendPart(_pointsAt[part], corner);
-                }
+                _extremes.add(_parts.partOf(i), i);
             }
             _next = end;
             if (end == _order.length)
             {
-                measureExtents();
+                _extremes.finish();
                 _phase = DONE;
-            }
-        }
-
-        private function beginPart(part:int, corner:int):void
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            _pointsAt[part] = points.length;
-            for (var i:int = 0; i < Solid.POINTS_A_PART; i++)
-            {
-                points.push(_solid.corners[corner], _solid.corners[corner + 1], _solid.corners[corner + 2]);
-            }
-        }
-
-        private function extendPart(at:int, corner:int):void
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            var corners:Vector.<Number> = _solid.corners;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var low:int = at + 6 * axis;
-                var coordinate:Number = corners[corner + axis];
-                var to:int = -1;
-                if (coordinate < points[low + axis])
-                {
-                    to = low;
-                }
-                else if (coordinate > points[low + 3 + axis])
-                {
-                    to = low + 3;
-                }
-                if (to >= 0)
-                {
-                    points[to] = corners[corner];
-                    points[to + 1] = corners[corner + 1];
-                    points[to + 2] = corners[corner + 2];
-                }
-            }
-        }
-
-        private function measureExtents():void
-        {
-            var points:Vector.<Number> = _solid.partPoints;
-            for (var at:int = 0; at < points.length; at += 3 * Solid.POINTS_A_PART)
-            {
-                var extent:Number = Math.max(points[at + 3] - points[at], points[at + 10] - points[at + 7], points[at + 17] - points[at + 14]);
-                _solid.leastPartExtent = Math.min(_solid.leastPartExtent, extent);
             }
         }
     }

@@ -182,6 +182,11 @@ package starlogo.libraries
         {
             var shape:ShapeStructures = find(name);
             var structure:BoundingStructure = shape.ofKind(kind);
+            if (structure == null && shape.offered != null)
+            {
+                lookAtOffered(shape, vertices);
+                structure = shape.ofKind(kind);
+            }
             if (structure == null && shape.late == null)
             {
                 var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, true);
@@ -238,6 +243,17 @@ package starlogo.libraries
             delete _shapes[PREFIX + name];
             revision++;
             return true;
+        }
+
+        private static function lookAtOffered(shape:ShapeStructures, vertices:Vector.<Number>):void
+        {
+            var check:EnclosureCheck = new EnclosureCheck(shape.offered, vertices);
+            finish(check);
+            if (check.holds)
+            {
+                shape.found = shape.offered;
+            }
+            shape.offered = null;
         }
 
         private function find(name:String):ShapeStructures

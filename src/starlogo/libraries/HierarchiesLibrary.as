@@ -6,6 +6,7 @@ package starlogo.libraries
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.models.Model;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -83,13 +84,13 @@ package starlogo.libraries
         {
             var builder:HierarchyBuilder = begin(name, vertices, triangles);
             finish(builder);
-            store(name, builder.hierarchy);
+            store(name, builder);
         }
 
         /** Whether there is a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return name != null && _hierarchies[PREFIX + name] is Hierarchy;
+            return name != null && _hierarchies.hasOwnProperty(PREFIX + name);
         }
 
         /**
@@ -123,22 +124,31 @@ package starlogo.libraries
             {
                 refuse(name, VertexData.triangleProblem(triangles, vertices.length / 3));
             }
-            var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
-            builder.begin(vertices.concat(), triangles == null ? null : triangles.concat());
-            return builder;
+            return newBuilder(vertices.concat(), triangles == null ? null : triangles.concat());
         }
 
         /**
-         * Stores what a builder made; null for nothing.
+         * Begins to build what store takes of a model, which never changes and is in order; changes nothing.
          *
          * @private
          */
-        engine function store(name:String, built:Hierarchy):void
+        engine function beginModel(model:Model):HierarchyBuilder
+        {
+            checkSettings();
+            return newBuilder(model.vertices, model.triangles);
+        }
+
+        /**
+         * Stores what a builder makes; null for nothing. One that has not begun is not asked before somebody asks for the hierarchy.
+         *
+         * @private
+         */
+        engine function store(name:String, builder:HierarchyBuilder):void
         {
             remove(name);
-            if (built != null)
+            if (builder != null)
             {
-                _hierarchies[PREFIX + name] = built;
+                _hierarchies[PREFIX + name] = builder.isDone ? builder.hierarchy : builder;
             }
         }
 
@@ -167,13 +177,24 @@ package starlogo.libraries
          */
         engine function hierarchy(name:String):Hierarchy
         {
-            var found:Hierarchy = name == null ? null : _hierarchies[PREFIX + name] as Hierarchy;
-            if (found == null)
+            if (!has(name))
             {
                 throw new ArgumentError("there is no hierarchy for shape \"" + name
                         + "\": add its model first, with loadHierarchies set");
             }
-            return found;
+            var builder:HierarchyBuilder = _hierarchies[PREFIX + name] as HierarchyBuilder;
+            if (builder != null)
+            {
+                _hierarchies[PREFIX + name] = builder.finished;
+            }
+            return _hierarchies[PREFIX + name];
+        }
+
+        private function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):HierarchyBuilder
+        {
+            var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
+            builder.begin(vertices, triangles);
+            return builder;
         }
 
         private function checkSettings():void

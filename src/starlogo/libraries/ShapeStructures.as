@@ -24,6 +24,14 @@ package starlogo.libraries
         /** The smallest one found, or null. */
         public var box:Box;
 
+        /** By the numbers of the kinds, the smallest one found of each, or null: kept or not, it need not be found again. */
+        public var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+
+        /**
+         * By the numbers of the kinds, what is said to be the smallest of each, but has not been looked at; null for nothing.
+         */
+        public var offered:Vector.<BoundingStructure> = null;
+
         /** All of them, found when one was asked for that was not kept; or null. */
         public var late:ShapeStructures = null;
 
@@ -35,16 +43,20 @@ package starlogo.libraries
         public function ShapeStructures(found:Vector.<BoundingStructure>, cheaperTestsFactor:Number, keepsAll:Boolean)
         {
             tightest = choose(found, cheaperTestsFactor);
+            for (var kind:int = 0; kind < this.found.length; kind++)
+            {
+                this.found[kind] = smallest(found, kind);
+            }
             if (keepsAll)
             {
-                sphere = smallest(found, BoundingStructure.SPHERE) as Sphere;
-                capsule = smallest(found, BoundingStructure.CAPSULE) as Capsule;
-                box = smallest(found, BoundingStructure.BOX) as Box;
+                sphere = this.found[BoundingStructure.SPHERE] as Sphere;
+                capsule = this.found[BoundingStructure.CAPSULE] as Capsule;
+                box = this.found[BoundingStructure.BOX] as Box;
             }
         }
 
         /**
-         * The smallest structure of a kind, as far as it was kept or found late.
+         * The smallest structure of a kind, as far as one was found.
          *
          * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
          * @return null if there is none
@@ -55,8 +67,15 @@ package starlogo.libraries
             {
                 return tightest;
             }
-            var kept:BoundingStructure = kind == BoundingStructure.SPHERE ? sphere : (kind == BoundingStructure.CAPSULE ? capsule : box);
-            return kept == null && late != null ? late.ofKind(kind) : kept;
+            return found[kind] == null && late != null ? late.ofKind(kind) : found[kind];
+        }
+
+        /** Leaves nothing but the tightest; the others are offered. */
+        public function offer():void
+        {
+            offered = found;
+            found = new Vector.<BoundingStructure>(offered.length, true);
+            found[tightest.kind] = tightest;
         }
 
         private static function choose(found:Vector.<BoundingStructure>, factor:Number):BoundingStructure

@@ -15,12 +15,15 @@ package starlogo.libraries
     public final class StructuresBuild implements Steps
     {
         private var _name:String;
+        private var _vertices:Vector.<Number>;
         private var _cheaperTestsFactor:Number;
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _left:Vector.<Steps>;
         private var _structures:ShapeStructures = null;
+        private var _kept:Vector.<BoundingStructure> = null;
+        private var _check:EnclosureCheck = null;
 
         /**
          * @param name the shape's name
@@ -34,6 +37,7 @@ package starlogo.libraries
                 keepsAll:Boolean)
         {
             _name = name;
+            _vertices = vertices;
             _cheaperTestsFactor = cheaperTestsFactor;
             _keepsAll = keepsAll;
             if (fitters == null || fitters.length == 0)
@@ -52,6 +56,24 @@ package starlogo.libraries
                 _fits.push(fitter.beginOnce(session));
                 _left.push(_fits[_fits.length - 1]);
             }
+        }
+
+        /**
+         * Spares the fitters their work, if the structures enclose the model. To be called before the first step.
+         *
+         * @param kept by the numbers of the kinds, the smallest of each that the fitters found, or null
+         */
+        public function take(kept:Vector.<BoundingStructure>):void
+        {
+            _kept = kept;
+            _structures = new ShapeStructures(kept.filter(isThere), _cheaperTestsFactor, _keepsAll);
+            _check = new EnclosureCheck(_keepsAll ? kept : new <BoundingStructure>[_structures.tightest], _vertices);
+        }
+
+        /** Whether what was found was there from the beginning, when no step is left. */
+        public function get wasTaken():Boolean
+        {
+            return _kept != null;
         }
 
         /** What was found, when no step is left. */
@@ -76,11 +98,16 @@ package starlogo.libraries
             {
                 throw named(error.message);
             }
-            return _structures == null;
+            return _structures == null || _check != null;
         }
 
         private function advance():void
         {
+            if (_check != null)
+            {
+                check();
+                return;
+            }
             if (!_left[0].step())
             {
                 _left.shift();
@@ -89,6 +116,29 @@ package starlogo.libraries
             {
                 _structures = new ShapeStructures(found(), _cheaperTestsFactor, _keepsAll);
             }
+        }
+
+        private function check():void
+        {
+            if (_check.step())
+            {
+                return;
+            }
+            if (!_check.holds)
+            {
+                _structures = null;
+                _kept = null;
+            }
+            else if (!_keepsAll)
+            {
+                _structures.offer();
+            }
+            _check = null;
+        }
+
+        private static function isThere(structure:BoundingStructure, index:int, all:Vector.<BoundingStructure>):Boolean
+        {
+            return structure != null;
         }
 
         private function found():Vector.<BoundingStructure>

@@ -8,6 +8,7 @@ package starlogo.models
     internal final class ArchivedDocument implements Steps
     {
         private static const MANIFEST:String = "manifest.xml";
+        private static const MAX_MANIFEST:int = 100000;
 
         private var _name:String;
         private var _bytes:ByteArray;
@@ -68,10 +69,17 @@ package starlogo.models
         /** The document that the manifest names, or else the first one. */
         private function documentPath():String
         {
-            var words:Array = _manifest == null ? [] : ModelFile.text(_name, _manifest.content).split(/<[^>]*>/);
-            for each (var word:String in words)
+            if (_manifest != null && _manifest.content.length > MAX_MANIFEST)
             {
-                var path:String = unescape(word.replace(/^\s*(\.\/)?|\s*(#.*)?$/g, ""));
+                throw ZipArchive.error(_name, MANIFEST + " has more than " + MAX_MANIFEST + " bytes");
+            }
+            var manifest:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
+            // no regular expressions: they may take the square of the time
+            for each (var piece:String in manifest.split("<"))
+            {
+                // what comes after a tag, without its fragment
+                var word:String = TextTokens.trimmed(piece.substr(piece.indexOf(">") + 1).split("#")[0]);
+                var path:String = unescape(word.indexOf("./") == 0 ? word.substr(2) : word);
                 if (_archive.has(path))
                 {
                     return path;

@@ -3,6 +3,10 @@ package starlogo.models
     /** A COLLADA document: its elements found by id, their numbers read, and their places named in errors. */
     internal final class ColladaDocument
     {
+        private static const MAX_POINTS_READ:int = 4000000;
+
+        private var _pointsRead:int = 0;
+        private var _triangulation:WorkLimit = new WorkLimit(Triangulator.MAX_WORK);
         private var _name:String;
         private var _root:ColladaElement;
         private var _elementsById:Object = null;
@@ -130,6 +134,26 @@ package starlogo.models
                 throw error(element, "its count is " + TextTokens.shorten(element.attribute("count")) + ", but it has " + counted +
                         " " + what);
             }
+        }
+
+        /**
+         * Counts points that are read: each mesh reads its own, be they the same source's.
+         *
+         * @throws ModelError if they are more than a file of any use has
+         */
+        public function countPoints(element:ColladaElement, count:int):void
+        {
+            _pointsRead += count;
+            if (_pointsRead > MAX_POINTS_READ)
+            {
+                throw error(element, "its geometries have more than " + MAX_POINTS_READ + " points, those of a source counted for each");
+            }
+        }
+
+        /** How much may be spent on cutting all the document's polygons. */
+        public function get triangulation():WorkLimit
+        {
+            return _triangulation;
         }
 
         /** An error in an element. */

@@ -138,13 +138,16 @@ package starlogo.models
             }
             var count:int = 0;
             var place:int = 0;
-            for each (var sibling:XML in parent.elements())
+            var ownIndex:int = xml.childIndex();
+            var index:int = 0;
+            for each (var sibling:XML in parent.children())
             {
                 if (sibling.localName() == ownName)
                 {
                     count++;
-                    place = sibling.childIndex() == xml.childIndex() ? count : place;
+                    place = index == ownIndex ? count : place;
                 }
+                index++;
             }
             return count == 1 ? ownName : ownName + "[" + place + "]";
         }

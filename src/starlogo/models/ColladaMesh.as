@@ -9,6 +9,7 @@ package starlogo.models
         private var _document:ColladaDocument;
         private var _mesh:ColladaElement;
         private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+        private var _sources:Object = {}; // of positions, by the address that an input has; "#" is in front
         private var _positions:Object = {};
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
@@ -16,6 +17,7 @@ package starlogo.models
         private var _triangulator:Triangulator;
         private var _work:StepSequence = new StepSequence();
         private var _isRead:Boolean = false;
+        private var _hasSurfaces:Boolean = false;
 
         /**
          * @param document the document
@@ -25,7 +27,7 @@ package starlogo.models
         {
             _document = document;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            _triangulator = new Triangulator(_vertices, _triangles);
+            _triangulator = new Triangulator(_vertices, _triangles, document.triangulation);
             for each (var element:ColladaElement in _mesh == null ? new Vector.<ColladaElement>() : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
@@ -56,7 +58,7 @@ package starlogo.models
         /** When it is read: whether there are surfaces, be it without area. */
         public function get hasSurfaces():Boolean
         {
-            return _isUsed.indexOf(1) >= 0;
+            return _hasSurfaces;
         }
 
         /** @inheritDoc A mesh that is read may be asked again: it says that there is no more. */
@@ -90,8 +92,13 @@ package starlogo.models
         /** The source that an input leads to, by way of an element "vertices" or not. */
         private function positionSource(input:ColladaElement):ColladaElement
         {
-            var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
-            return target.name == "source" ? target : sourceOfVertices(target);
+            var url:String = input.attribute("source");
+            if (!_sources.hasOwnProperty(url))
+            {
+                var target:ColladaElement = _document.target(input, "source", ["vertices", "source"], _mesh);
+                _sources[url] = target.name == "source" ? target : sourceOfVertices(target);
+            }
+            return _sources[url];
         }
 
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
@@ -123,10 +130,12 @@ package starlogo.models
 
         private function conclude():void
         {
-            if (hasSurfaces)
+            _hasSurfaces = _isUsed.indexOf(1) >= 0;
+            if (_hasSurfaces)
             {
                 VertexFilter.keepUsed(_vertices, _triangles, _isUsed);
             }
+            _isUsed.length = 0;
             _isRead = true;
         }
     }

@@ -12,6 +12,9 @@ package starlogo.models
         /** Where its parent is in the scene, then where it is itself. */
         public var transform:ColladaTransform;
 
+        /** The element's id. */
+        public var id:String;
+
         /** How many nodes it is in. */
         public var depth:int;
 
@@ -23,6 +26,7 @@ package starlogo.models
         {
             this.element = element;
             this.parent = parent;
+            id = element.id;
             transform = parent == null ? new ColladaTransform() : parent.transform;
             depth = parent == null ? 0 : parent.depth + 1;
         }
@@ -32,7 +36,7 @@ package starlogo.models
         {
             for (var node:ColladaNode = this; node != null; node = node.parent)
             {
-                if (node.element.id == id)
+                if (node.id == id)
                 {
                     return true;
                 }

@@ -92,14 +92,21 @@ package starlogo.models
         /** @inheritDoc */
         public function step():Boolean
         {
+            if (_triangulator.isCutting)
+            {
+                _triangulator.cutSome();
+                return _triangulator.isCutting || hasMore;
+            }
             switch (_element.name)
             {
                 case "triangles":
                     return readTriangles();
                 case "polylist":
-                    return readPolylist();
+                    readPolylist();
+                    return _triangulator.isCutting || hasMore;
                 case "polygons":
-                    return readPolygons();
+                    readPolygons();
+                    return _triangulator.isCutting || hasMore;
                 case "tristrips":
                     return readStrips(false);
                 default:
@@ -184,7 +191,10 @@ package starlogo.models
             var words:Array = [];
             for each (var list:ColladaElement in _lists)
             {
-                words = words.concat(list.words);
+                for each (var word:String in list.words)
+                {
+                    words.push(word);
+                }
             }
             return words;
         }
@@ -211,10 +221,16 @@ package starlogo.models
             return _word < _words.length;
         }
 
-        private function readPolylist():Boolean
+        // Of polygons.
+        private function get hasMore():Boolean
+        {
+            return _sizes == null ? _list < _lists.length : _size < _sizes.length;
+        }
+
+        private function readPolylist():void
         {
             var end:int = _word + CORNERS_PER_STEP * _stride;
-            while (_size < _sizes.length && _word <= end)
+            while (_size < _sizes.length && _word <= end && !_triangulator.isCutting)
             {
                 var count:int = Number(_sizes[_size++]);
                 if (count == 4)
@@ -228,13 +244,12 @@ package starlogo.models
                 }
                 _word += count * _stride;
             }
-            return _size < _sizes.length;
         }
 
-        private function readPolygons():Boolean
+        private function readPolygons():void
         {
             var read:int = 0;
-            while (read < CORNERS_PER_STEP && _list < _lists.length)
+            while (read < CORNERS_PER_STEP && _list < _lists.length && !_triangulator.isCutting)
             {
                 var element:ColladaElement = _lists[_list++];
                 var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
@@ -256,7 +271,6 @@ package starlogo.models
                     _triangulator.addPolygon(loops);
                 }
             }
-            return _list < _lists.length;
         }
 
         private function readStrips(isFan:Boolean):Boolean

@@ -6,12 +6,6 @@ package starlogo.models
     /** Reads a COLLADA document; ColladaModel says what of it. */
     internal final class ColladaReader implements ModelReader
     {
-        /** How many vertices, and triangles, a scene may have: instances may make any number of a small file's. */
-        internal static const MAX_VERTICES:int = 1000000;
-
-        /** @copy #MAX_VERTICES */
-        internal static const MAX_TRIANGLES:int = 2000000;
-
         private var _name:String;
         private var _source:String;
         private var _document:ColladaDocument = null;
@@ -20,7 +14,7 @@ package starlogo.models
         private var _meshes:Object = {};
         private var _mesh:ColladaMesh = null;
         private var _isDone:Boolean = false;
-        private var _work:StepSequence = new StepSequence().call(parse).begin(newScene).repeat(readInstances).call(conclude);
+        private var _work:StepSequence = new StepSequence().begin(measure).call(parse).begin(newScene).repeat(readInstances).call(conclude);
 
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
@@ -63,6 +57,11 @@ package starlogo.models
         public function step():Boolean
         {
             return _work.step();
+        }
+
+        private function measure():Steps
+        {
+            return _source == null ? null : new XmlMeter(_name, _source);
         }
 
         private function parse():void
@@ -113,10 +112,9 @@ package starlogo.models
             var first:int = points.length / 3;
             var vertexCount:int = first + mesh.vertices.length / 3;
             var triangleCount:int = (_triangles.length + mesh.triangles.length) / 3;
-            if (vertexCount > MAX_VERTICES || triangleCount > MAX_TRIANGLES)
+            if (ModelLimits.areExceeded(vertexCount, triangleCount))
             {
-                throw _document.error(instance.element, "the scene has more than " + MAX_VERTICES + " vertices or " +
-                        MAX_TRIANGLES + " triangles");
+                throw _document.error(instance.element, ModelLimits.PROBLEM);
             }
             if (!instance.transform.addPoints(mesh.vertices, points))
             {

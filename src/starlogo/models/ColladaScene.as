@@ -8,15 +8,25 @@ package starlogo.models
      */
     internal final class ColladaScene implements Steps
     {
-        private static const NODES_PER_STEP:int = 20;
+        private static const PARTS_PER_STEP:int = 100;
         private static const MAX_DEPTH:int = 256;
+        private static const MAX_CONTROLLERS:int = 16;
 
         /** How many nodes a scene may have: with nodes that place others twice, a small file may have any number. */
         internal static const MAX_NODES:int = 50000;
 
+        /** How many elements its nodes may have in them: each transform, instance and controller counts as often as it is placed. */
+        internal static const MAX_PARTS:int = 250000;
+
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+
+        // the one that is walked through, the next element in it, and the nodes in it so far
+        private var _node:ColladaNode = null;
+        private var _child:int = 0;
+        private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
         private var _visited:int = 0;
+        private var _parts:int = 0;
         private var _instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
 
         /**
@@ -46,11 +56,22 @@ package starlogo.models
         /** @inheritDoc */
         public function step():Boolean
         {
-            for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
+            for (var i:int = 0; i < PARTS_PER_STEP && (_node != null || _pending.length > 0); i++)
             {
-                visit(_pending.pop());
+                if (_node == null)
+                {
+                    enter(_pending.pop());
+                }
+                else if (_child < _node.element.children.length)
+                {
+                    visit(_node.element.children[_child++]);
+                }
+                else
+                {
+                    leave();
+                }
             }
-            return _pending.length > 0;
+            return _node != null || _pending.length > 0;
         }
 
         private function addLibrary():void
@@ -64,36 +85,44 @@ package starlogo.models
             }
         }
 
-        private function visit(node:ColladaNode):void
+        private function enter(node:ColladaNode):void
         {
             checkSize(node);
-            var nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
-            for each (var element:ColladaElement in node.element.children)
+            countParts(node.element, 1 + node.element.children.length);
+            _node = node;
+            _child = 0;
+        }
+
+        private function visit(element:ColladaElement):void
+        {
+            switch (element.name)
             {
-                switch (element.name)
-                {
-                    case "instance_geometry":
-                        addGeometry(element, node.transform);
-                        break;
-                    case "instance_controller":
-                        addController(element, node.transform);
-                        break;
-                    case "instance_node":
-                        nodes.push(new ColladaNode(instanced(element, node), node));
-                        break;
-                    case "node":
-                        nodes.push(new ColladaNode(element, node));
-                        break;
-                    default:
-                        var local:ColladaTransform = ColladaTransform.of(_document, element);
-                        node.transform = local == null ? node.transform : node.transform.after(local);
-                        break;
-                }
+                case "instance_geometry":
+                    addGeometry(element, _node.transform);
+                    break;
+                case "instance_controller":
+                    addController(element, _node.transform);
+                    break;
+                case "instance_node":
+                    _nodes.push(new ColladaNode(instanced(element, _node), _node));
+                    break;
+                case "node":
+                    _nodes.push(new ColladaNode(element, _node));
+                    break;
+                default:
+                    var local:ColladaTransform = ColladaTransform.of(_document, element);
+                    _node.transform = local == null ? _node.transform : _node.transform.after(local);
+                    break;
             }
-            while (nodes.length > 0)
+        }
+
+        private function leave():void
+        {
+            while (_nodes.length > 0)
             {
-                _pending.push(nodes.pop());
+                _pending.push(_nodes.pop());
             }
+            _node = null;
         }
 
         private function checkSize(node:ColladaNode):void
@@ -106,6 +135,16 @@ package starlogo.models
             if (node.depth > MAX_DEPTH)
             {
                 throw _document.error(node.element, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            }
+        }
+
+        private function countParts(element:ColladaElement, count:int):void
+        {
+            _parts += count;
+            if (_parts > MAX_PARTS)
+            {
+                throw _document.error(element, "the scene has more than " + MAX_PARTS + " nodes, transforms and instances, each counted " +
+                        "as often as it is placed");
             }
         }
 
@@ -132,14 +171,15 @@ package starlogo.models
             var target:ColladaElement = _document.target(element, "url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)
             {
+                countParts(element, 1);
                 var skin:ColladaElement = target.child("skin");
                 var deformer:ColladaElement = skin || _document.requiredChild(target, "morph");
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
                 transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
-                if (i > MAX_DEPTH)
+                if (i > MAX_CONTROLLERS)
                 {
-                    throw _document.error(element, "its controllers deform each other in a circle");
+                    throw _document.error(element, "more than " + MAX_CONTROLLERS + " controllers deform each other, or they do in a circle");
                 }
             }
             _instances.push(new ColladaInstance(target, transform, element));

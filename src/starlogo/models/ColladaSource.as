@@ -31,6 +31,7 @@ package starlogo.models
             _words = _array.words;
             document.checkCount(_array, _words.length, "numbers");
             readAccessor(accessor);
+            document.countPoints(accessor, _count + _words.length / 3);
             _at = points.length;
             points.length += 3 * _count;
         }

@@ -12,6 +12,11 @@ package starlogo.models
         private var _work:WorkLimit;
         private var _triangles:Vector.<uint>;
 
+        // where it is, how many corners are left, and how many it has passed since the last ear
+        private var _node:int = 0;
+        private var _count:int = 0;
+        private var _misses:int = 0;
+
         /**
          * @param rings where the ring is
          * @param work counts the corners that are looked at; when it is used up, corners are cut off unseen
@@ -24,17 +29,30 @@ package starlogo.models
             _triangles = triangles;
         }
 
-        /** Cuts the ring of a node, which turns left; two corners are left of it. */
-        internal function cut(start:int):void
+        /** Begins with the ring of a node, which turns left. */
+        internal function begin(start:int):void
+        {
+            _node = start;
+            _count = countOf(start);
+            _misses = 0;
+        }
+
+        /**
+         * Cuts until two corners are left, or so much is done.
+         *
+         * @return whether there is more
+         */
+        internal function cut(most:int):Boolean
         {
             var next:Vector.<int> = _rings.next;
             var previous:Vector.<int> = _rings.previous;
-            var count:int = countOf(start);
-            var node:int = start;
+            var count:int = _count;
+            var node:int = _node;
             // an outline that crosses itself may have no ear left: after a round without one any left turn is cut,
             // after two any corner
-            var misses:int = 0;
-            while (count > 2)
+            var misses:int = _misses;
+            var end:int = _work.done + most;
+            while (count > 2 && _work.done < end)
             {
                 var before:int = previous[node];
                 var after:int = next[node];
@@ -57,6 +75,10 @@ package starlogo.models
                     node = after;
                 }
             }
+            _count = count;
+            _node = node;
+            _misses = misses;
+            return count > 2;
         }
 
         private function countOf(start:int):int

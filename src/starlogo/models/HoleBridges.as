@@ -8,6 +8,10 @@ package starlogo.models
     {
         private var _rings:PolygonRings;
         private var _work:WorkLimit;
+        private var _outline:int;
+
+        // the rightmost of each hole, the next one last
+        private var _nodes:Array = [];
 
         /**
          * @param rings where the rings are
@@ -20,30 +24,43 @@ package starlogo.models
         }
 
         /**
-         * Joins holes to the outline; those outside of it are left out.
+         * Begins with a polygon.
          *
          * @param outline a node of the outline's ring
          * @param holes a node of each hole's ring, turning right
          */
-        internal function join(outline:int, holes:Vector.<int>):void
+        internal function begin(outline:int, holes:Vector.<int>):void
         {
-            var nodes:Array = [];
+            _outline = outline;
+            _nodes = [];
             for each (var hole:int in holes)
             {
-                nodes.push(rightmost(hole));
+                _nodes.push(rightmost(hole));
             }
-            // those that reach furthest right first: no bridge crosses another hole
-            nodes.sort(compareByX);
-            for each (var node:int in nodes)
-            {
-                addBridge(outline, node);
-            }
+            // those that reach furthest right last, to be the first: no bridge crosses another hole
+            _nodes.sort(compareByX);
         }
 
+        /**
+         * Joins holes to the outline until all are joined, or so much is done; those outside of it are left out.
+         *
+         * @return whether there are more
+         */
+        internal function join(most:int):Boolean
+        {
+            var end:int = _work.done + most;
+            while (_nodes.length > 0 && _work.done < end)
+            {
+                addBridge(_outline, _nodes.pop());
+            }
+            return _nodes.length > 0;
+        }
+
+        // Of two that reach as far, the first in the file comes first, in every player.
         private function compareByX(a:int, b:int):int
         {
             var x:Vector.<Number> = _rings.x;
-            return x[a] > x[b] ? -1 : (x[a] < x[b] ? 1 : 0);
+            return x[a] > x[b] ? 1 : (x[a] < x[b] ? -1 : b - a);
         }
 
         private function rightmost(start:int):int

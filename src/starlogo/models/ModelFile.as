@@ -29,6 +29,10 @@ package starlogo.models
             {
                 throw new ModelError(name, "", "the file is empty");
             }
+            if (bytes.length > ModelLimits.BYTES)
+            {
+                throw new ModelError(name, "", "the file has " + bytes.length + " bytes: expected at most " + ModelLimits.BYTES);
+            }
             var encoding:String = encodingOf(bytes);
             if (encoding != UTF_16_LOW_FIRST && encoding != UTF_16_HIGH_FIRST)
             {

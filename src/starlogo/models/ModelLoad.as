@@ -2,6 +2,7 @@ package starlogo.models
 {
     import flash.net.URLLoader;
     import flash.utils.ByteArray;
+    import flash.utils.getTimer;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -12,11 +13,19 @@ package starlogo.models
         private static const FETCHED:Number = 0.2;
         private static const READ:Number = 0.5;
 
+        // milliseconds that a model that is read waits for its .fits file: it was asked for together with the model's own
+        private static const PATIENCE:int = 2000;
+
+        // the address of a file: data:text/plain,... has none beside it
+        private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
+
         private var _name:String;
         private var _upAxis:String;
         private var _receiver:ModelReceiver;
         private var _url:String = null;
         private var _fetch:ModelFetch = null;
+        private var _fitsFetch:ModelFetch = null;
+        private var _readTime:int = 0;
         private var _bytes:ByteArray = null;
         private var _document:ArchivedDocument = null;
         private var _text:String = null;
@@ -49,10 +58,14 @@ package starlogo.models
             return _model;
         }
 
-        /** Whether its file is there, or won't come. */
+        /** Whether what it needs next is there, or won't come. */
         public function get isReady():Boolean
         {
-            return _fetch == null || !_fetch.isUnderWay;
+            if (_fetch != null && _fetch.isUnderWay)
+            {
+                return false;
+            }
+            return _model == null || _fitsFetch == null || !_fitsFetch.isUnderWay || getTimer() - _readTime > PATIENCE;
         }
 
         /** How far along it is, from 0 to 1. */
@@ -78,13 +91,18 @@ package starlogo.models
          *
          * @param url where it is
          * @param loader fetches it
+         * @param fitsLoader fetches the .fits file beside it; null if none is wanted
          */
-        public function fetch(url:String, loader:URLLoader):void
+        public function fetch(url:String, loader:URLLoader, fitsLoader:URLLoader):void
         {
             _url = url || "";
             if (_url != "")
             {
                 _fetch = new ModelFetch(_url, loader);
+            }
+            if (fitsLoader != null && FILE.test(_url))
+            {
+                _fitsFetch = new ModelFetch(_url.replace(FILE, "$1.fits$2"), fitsLoader);
             }
         }
 
@@ -113,6 +131,10 @@ package starlogo.models
             if (_fetch != null)
             {
                 _fetch.cancel();
+            }
+            if (_fitsFetch != null)
+            {
+                _fitsFetch.cancel();
             }
         }
 
@@ -175,6 +197,7 @@ package starlogo.models
         {
             _model = new Model(_name, _reader.vertices, _reader.triangles);
             _reader = null;
+            _readTime = getTimer();
         }
 
         private function takeModel():void
@@ -185,7 +208,13 @@ package starlogo.models
 
         private function receive():Steps
         {
-            return _receiver.receive(_model);
+            if (_fitsFetch == null)
+            {
+                return _receiver.receive(_model);
+            }
+            // one that is too late
+            _fitsFetch.cancel();
+            return FitsReceiver(_receiver).receiveWithFits(_model, _fitsFetch.bytes);
         }
 
         /** What begins with a tag is no OBJ file, whatever its name. */

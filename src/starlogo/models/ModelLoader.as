@@ -40,6 +40,8 @@ package starlogo.models
      *
      * <p>A loader that has work need not be kept: it stays alive until that is done or cancelled.</p>
      *
+     * <p>What was computed for a model when the game was built is fetched with it: see usesBakedFits.</p>
+     *
      * <p>The reader is chosen by content and name: a zip archive, a text that begins with a tag, and files named .dae and
      * .zae are COLLADA, anything else OBJ. Agents may have a shape from when its ModelEvent comes; before that the
      * collision systems do not know it.</p>
@@ -56,6 +58,13 @@ package starlogo.models
     {
         // its listeners are the loaders that have work: static, so that they are not collected with what they are doing
         private static var sFrames:Shape = new Shape();
+
+        /**
+         * Whether <code>load()</code> asks for a file of the same address with ".fits" at its end as well, which spares the receiver
+         * most of its work if it is what <code>./antw bake</code> made of the model; whatever else it is, or if there is none, is
+         * no error. Only for a receiver that takes it, like a GreatLand.
+         */
+        public var usesBakedFits:Boolean = true;
 
         private var _receiver:ModelReceiver;
         private var _budget:Number;
@@ -148,7 +157,7 @@ package starlogo.models
          */
         public function load(name:String, url:String, upAxis:String = "z"):void
         {
-            add(name, upAxis).fetch(url, newURLLoader());
+            add(name, upAxis).fetch(url, newURLLoader(), usesBakedFits && _receiver is FitsReceiver ? newFitsLoader() : null);
         }
 
         /**
@@ -217,6 +226,12 @@ package starlogo.models
 
         /** Fetches one file. */
         internal function newURLLoader():URLLoader
+        {
+            return new URLLoader();
+        }
+
+        /** Fetches one .fits file. */
+        internal function newFitsLoader():URLLoader
         {
             return new URLLoader();
         }

@@ -7,6 +7,7 @@ package starlogo.models
     {
         private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
+        private static const CORNERS_PER_STEP:int = 1500;
 
         private var _name:String;
         private var _upAxis:String;
@@ -20,6 +21,7 @@ package starlogo.models
         private var _triangles:Vector.<uint> = new Vector.<uint>();
         // faces with more than three corners wait here until all vertices are known
         private var _polygons:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+        private var _polygonTriangles:int = 0;
         private var _triangulator:Triangulator;
         private var _highestIndex:int = -1;
         private var _highestLine:int;
@@ -79,10 +81,18 @@ package starlogo.models
         {
             if (_tokens.isPieceRead)
             {
-                _tokens.takePiece();
+                if (!_tokens.takePiece())
+                {
+                    throw error("a line, with those that it is continued in, has more than " + ObjTokens.MAX_PIECE + " characters",
+                            _tokens.line + 1);
+                }
                 return true;
             }
             readWords();
+            if (ModelLimits.areExceeded(_vertexCount, _triangles.length / 3 + _polygonTriangles))
+            {
+                throw error(ModelLimits.PROBLEM, _tokens.line);
+            }
             if (_tokens.isPieceRead && _tokens.isLastPiece)
             {
                 checkIndices();
@@ -193,6 +203,7 @@ package starlogo.models
             else if (count > 3)
             {
                 _polygons.push(_corners.slice(0, count));
+                _polygonTriangles += count - 2;
             }
         }
 
@@ -236,10 +247,17 @@ package starlogo.models
         /** A step through the polygons; whether there are more. */
         private function cutPolygons():Boolean
         {
+            if (_triangulator.isCutting)
+            {
+                _triangulator.cutSome();
+                return _triangulator.isCutting || _polygon < _polygons.length;
+            }
             var end:int = Math.min(_polygon + POLYGONS_PER_STEP, _polygons.length);
-            while (_polygon < end)
+            var corners:int = 0;
+            while (_polygon < end && corners < CORNERS_PER_STEP && !_triangulator.isCutting)
             {
                 var polygon:Vector.<uint> = _polygons[_polygon++];
+                corners += polygon.length;
                 if (polygon.length == 4)
                 {
                     _triangulator.addQuad(polygon[0], polygon[1], polygon[2], polygon[3]);
@@ -249,7 +267,7 @@ package starlogo.models
                     _triangulator.addPolygon(new <Vector.<uint>>[polygon]);
                 }
             }
-            return _polygon < _polygons.length;
+            return _triangulator.isCutting || _polygon < _polygons.length;
         }
 
         private function conclude():void

@@ -14,6 +14,9 @@ package starlogo.models
         /** Stands for a line's end that the next line goes on from. */
         internal static const CONTINUED:String = "\uE001";
 
+        /** How many characters a line may have, and what it is continued in: it is taken in one step. */
+        internal static const MAX_PIECE:int = 1000000;
+
         private static const CHARACTERS_PER_PIECE:int = 30000;
 
         /** The words of the present piece. The first and the last are nothing; there are none before the first piece. */
@@ -57,14 +60,19 @@ package starlogo.models
             return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
         }
 
-        /** Goes on to the next piece. */
-        internal function takePiece():void
+        /** Goes on to the next piece; false if it is a line that is too long. */
+        internal function takePiece():Boolean
         {
             _start = _end;
             _end = endOfPiece(_start + CHARACTERS_PER_PIECE);
+            if (_end - _start > MAX_PIECE)
+            {
+                return false;
+            }
             // with what makes an end before each line and after it
             words = wordsOf(_start == 0 ? "\n" : "", _source.substring(_start, _end), _end == _source.length ? "\n" : "");
             next = 1;
+            return true;
         }
 
         /**
@@ -131,7 +139,7 @@ package starlogo.models
             text = TextTokens.replaceAll(text, "\t", " ");
             text = TextTokens.replaceAll(text, "\\\n", " " + CONTINUED + " ");
             text = TextTokens.replaceAll(before + text + after, "\n", " " + END + " ");
-            return TextTokens.singleSpaced(" " + text + " ").split(" ");
+            return TextTokens.split(TextTokens.singleSpaced(" " + text + " "));
         }
     }
 }

@@ -3,6 +3,8 @@ package starlogo.models
     /** Splits text by means of what is native in the player: there a character at a time is slow. */
     internal final class TextTokens
     {
+        private static const LONGEST_WORD:int = 10000;
+
         /** All is static. */
         public function TextTokens()
         {
@@ -16,7 +18,47 @@ package starlogo.models
             text = singleSpaced(replaceAll(text, "\t", " "));
             var start:int = text.charCodeAt(0) == 0x20 ? 1 : 0;
             var end:int = text.charCodeAt(text.length - 1) == 0x20 ? text.length - 1 : text.length;
-            return end > start ? text.substring(start, end).split(" ") : [];
+            return end > start ? split(text.substring(start, end)) : [];
+        }
+
+        /**
+         * The words between single spaces. Of one that is very long only the beginning is left, which is no number any more: players take
+         * the square of the time over the digits of one.
+         */
+        internal static function split(text:String):Array
+        {
+            var words:Array = text.split(" ");
+            // a word that is too long is across one of these places
+            for (var place:int = LONGEST_WORD >> 1; place < text.length; place += LONGEST_WORD >> 1)
+            {
+                var end:int = text.indexOf(" ", place);
+                if ((end < 0 ? text.length : end) - text.lastIndexOf(" ", place) > LONGEST_WORD)
+                {
+                    return words.map(cut);
+                }
+            }
+            return words;
+        }
+
+        private static function cut(word:String, index:int, all:Array):String
+        {
+            return word.length > LONGEST_WORD ? shorten(word) : word;
+        }
+
+        /** The text without the white space at its ends. */
+        internal static function trimmed(text:String):String
+        {
+            var start:int = 0;
+            var end:int = text.length;
+            while (start < end && text.charCodeAt(start) <= 0x20)
+            {
+                start++;
+            }
+            while (end > start && text.charCodeAt(end - 1) <= 0x20)
+            {
+                end--;
+            }
+            return text.substring(start, end);
         }
 
         /** The text with one space wherever there are more in a row. */

@@ -15,19 +15,28 @@ package starlogo.models
         /** How many corners one triangulator looks at in all, some seconds' worth. */
         internal static const MAX_WORK:int = 10000000;
 
+        // how many corners it looks at in one call
+        private static const WORK_PER_STEP:int = 10000;
+
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _rings:PolygonRings;
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
+        // of the polygon that is being cut: a node of its outline, and what is still to do
+        private var _start:int = 0;
+        private var _isBridging:Boolean = false;
+        private var _isCutting:Boolean = false;
+
         /**
          * @param vertices x, y, z, ... that the polygons' corners index
          * @param triangles where the triangles go, three indices each, turning as their polygon turns
+         * @param work how much it may do, with others that have the same; MAX_WORK alone if null
          */
-        public function Triangulator(vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function Triangulator(vertices:Vector.<Number>, triangles:Vector.<uint>, work:WorkLimit = null)
         {
-            var work:WorkLimit = new WorkLimit(MAX_WORK);
+            work = work || new WorkLimit(MAX_WORK);
             _vertices = vertices;
             _triangles = triangles;
             _rings = new PolygonRings(vertices);
@@ -51,7 +60,7 @@ package starlogo.models
         }
 
         /**
-         * Cuts a polygon.
+         * Cuts a polygon, or begins to: see <code>isCutting</code>.
          *
          * @param loops the corners of its outline, then of each hole; a hole may turn either way
          */
@@ -80,8 +89,32 @@ package starlogo.models
                     holes.push(_rings.addLoop(loops[i], false));
                 }
             }
-            _bridges.join(start, holes);
-            _clipper.cut(start);
+            _start = start;
+            _isBridging = true;
+            _isCutting = true;
+            _bridges.begin(start, holes);
+            cutSome();
+        }
+
+        /** Whether the last polygon is so large that there is more of it to cut, by <code>cutSome()</code>, before the next one. */
+        internal function get isCutting():Boolean
+        {
+            return _isCutting;
+        }
+
+        /** Goes on with it for some milliseconds. */
+        internal function cutSome():void
+        {
+            if (_isBridging)
+            {
+                if (_bridges.join(WORK_PER_STEP))
+                {
+                    return;
+                }
+                _isBridging = false;
+                _clipper.begin(_start);
+            }
+            _isCutting = _clipper.cut(WORK_PER_STEP);
         }
 
         private function addSmall(outline:Vector.<uint>):void

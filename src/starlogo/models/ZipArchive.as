@@ -9,9 +9,6 @@ package starlogo.models
      */
     internal final class ZipArchive
     {
-        /** How large a file may be when it is unpacked, in bytes. */
-        internal static const MAX_SIZE:uint = 67108864;
-
         // in front of every key: a file may be called "hasOwnProperty"
         private static const PREFIX:String = ":";
 
@@ -78,9 +75,9 @@ package starlogo.models
             {
                 throw problem(path + " is encrypted or packed in a way other than \"deflate\"");
             }
-            if (size > MAX_SIZE)
+            if (size > ModelLimits.BYTES)
             {
-                throw problem(path + " has " + size + " bytes unpacked: expected at most " + MAX_SIZE);
+                throw problem(path + " has " + size + " bytes unpacked: expected at most " + ModelLimits.BYTES);
             }
             if (!isWithin(local, LOCAL_LENGTH) || wordAt(local) != LOCAL_HEADER)
             {

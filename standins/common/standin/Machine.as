@@ -37,6 +37,9 @@ package standin
         /** <code>():Number</code>: bytes in use. */
         public static var memory:Function;
 
+        /** <code>():void</code>: collects garbage. */
+        public static var collect:Function;
+
         /** <code>(value:*):String</code>: its class's name, as getQualifiedClassName. */
         public static var className:Function;
 

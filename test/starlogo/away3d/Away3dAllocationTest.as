@@ -3,25 +3,24 @@ package starlogo.away3d
     import away3d.entities.Mesh;
     import away3d.primitives.CubeGeometry;
     import flash.geom.Vector3D;
-    import headless.Host;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import support.MemoryGrowth;
 
     /**
-     * Bindings and wireframes allocate nothing, measured as collision's AllocationTest does: nothing is collected while a test runs, so
-     * that the player's memory grows.
+     * Bindings and wireframes allocate nothing, measured as collision's AllocationTest does.
      */
     public class Away3dAllocationTest
     {
         private static const UPDATES:int = 100000;
+        private static const WARM_UP:int = 10;
         private static const SMALLEST_OBJECT:int = 20;
 
         private var _agent:Agent;
         private var _mesh:Mesh;
         private var _binding:Away3dAgentBinding;
-        private var _kept:Array = [];
 
         [Before]
         public function bind():void
@@ -35,9 +34,9 @@ package starlogo.away3d
         [Test]
         public function theMeasureSeesOneSmallObject():void
         {
-            var grown:Number = growth(function(i:int):void
+            var grown:Number = MemoryGrowth.during(UPDATES, WARM_UP, function(i:int):void
                 {
-                    _kept[0] = new Measured();
+                    MemoryGrowth.makeObjects(1);
                 });
             assertTrue("one object an update: " + grown + " bytes", grown > UPDATES * SMALLEST_OBJECT);
         }
@@ -93,44 +92,8 @@ package starlogo.away3d
 
         private function assertAllocatesNothing(update:Function):void
         {
-            var grown:Number = growth(update);
+            var grown:Number = MemoryGrowth.during(UPDATES, WARM_UP, update);
             assertTrue(grown + " bytes in " + UPDATES + " updates", grown < UPDATES * SMALLEST_OBJECT / 2);
         }
-
-        private function growth(update:Function):Number
-        {
-            for (var i:int = 0; i < 10; i++)
-            {
-                update(i);
-            }
-            fillUp();
-            var before:Number = Host.memory;
-            assertTrue("the runner tells the memory", before > 0);
-            for (i = 0; i < UPDATES; i++)
-            {
-                update(i);
-            }
-            return Host.memory - before;
-        }
-
-        // Takes all the room that the player has left, until it has to ask for more.
-        private function fillUp():void
-        {
-            _kept = [];
-            var before:Number = Host.memory;
-            while (Host.memory == before)
-            {
-                for (var i:int = 0; i < 1000; i++)
-                {
-                    _kept.push(new Measured());
-                }
-            }
-        }
     }
-}
-
-/** A small object. */
-final class Measured
-{
-    public var x:Number;
 }

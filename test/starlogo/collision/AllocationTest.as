@@ -1,16 +1,16 @@
 package starlogo.collision
 {
-    import headless.Host;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import evaluation.pairs.SeededRandom;
     import support.Garbage;
+    import support.MemoryGrowth;
 
     /**
      * Steady frames allocate nothing. The player collects no garbage while a test runs, so that whatever a frame allocates
-     * makes the player's memory grow; each test first fills what room there was. Adobe's VM is asked with its collector off, and
+     * makes the player's memory grow; see MemoryGrowth. Adobe's VM is asked with its collector off, and
      * tells every page of 4,096 bytes.
      */
     public class AllocationTest
@@ -28,7 +28,6 @@ package starlogo.collision
 
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
-        private var _kept:Array = [];
 
         [Before]
         public function makeGame():void
@@ -51,12 +50,9 @@ package starlogo.collision
         [Test]
         public function theMeasureSeesOneSmallObjectAnAgent():void
         {
-            var grown:Number = growth(function():void
+            var grown:Number = growth(function(i:int):void
                 {
-                    for (var i:int = 0; i < AGENTS; i++)
-                    {
-                        _kept[0] = new Measured();
-                    }
+                    MemoryGrowth.makeObjects(AGENTS);
                 });
             assertTrue("one object an agent and frame: " + grown + " bytes", grown > 4 * 1024 * 1024);
         }
@@ -120,7 +116,7 @@ package starlogo.collision
             collision.onCollision("bears", "balls", takeContact);
             collision.onCollisionStart("bears", "walls", takeContact);
             collision.onCollisionEnd("bears", "walls", takeContact);
-            var grown:Number = growth(function():void
+            var grown:Number = growth(function(i:int):void
                 {
                     moveAll();
                     // somebody comes and goes in every frame
@@ -142,7 +138,7 @@ package starlogo.collision
             var calls:int = 0;
             collision.onCollision("bears", "bears", count);
             collision.onCollision("balls", "walls", count);
-            var grown:Number = growth(function():void
+            var grown:Number = growth(function(i:int):void
                 {
                     moveAll();
                     collision.update(_agents);
@@ -163,7 +159,7 @@ package starlogo.collision
         private function assertSearchAllocatesNothing(collider:CollisionSystem, inUpdate:Number):void
         {
             var found:Vector.<Agent> = new Vector.<Agent>();
-            var grown:Number = growth(function():void
+            var grown:Number = growth(function(i:int):void
                 {
                     moveAll();
                     collider.findCollisions(_agents, found);
@@ -185,48 +181,11 @@ package starlogo.collision
         }
 
         // How much the player's memory grows in the frames, warm-up apart.
-        private function growth(frame:Function):Number
+        private static function growth(frame:Function):Number
         {
             Garbage.assumeKept();
             // after a whole turn of all agents no list has to grow
-            var warmUp:int = Garbage.isCounted ? 360 : 10;
-            for (var i:int = 0; i < warmUp; i++)
-            {
-                frame();
-            }
-            if (!Garbage.isCounted)
-            {
-                fillUp();
-            }
-            var before:Number = Host.memory;
-            assertTrue("the runner tells the memory", before > 0);
-            for (i = 0; i < FRAMES; i++)
-            {
-                frame();
-            }
-            var grown:Number = Host.memory - before;
-            _kept = [];
-            return grown;
-        }
-
-        // Takes all the room that the player has left, until it has to ask for more.
-        private function fillUp():void
-        {
-            _kept = [];
-            var before:Number = Host.memory;
-            while (Host.memory == before)
-            {
-                for (var i:int = 0; i < 1000; i++)
-                {
-                    _kept.push(new Measured());
-                }
-            }
+            return MemoryGrowth.during(FRAMES, Garbage.isCounted ? 360 : 10, frame);
         }
     }
-}
-
-/** A small object. */
-final class Measured
-{
-    public var x:Number;
 }

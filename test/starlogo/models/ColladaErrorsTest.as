@@ -158,8 +158,53 @@ package starlogo.models
             fails(null, "nested more than 256 deep", Collada.scene(Collada.geometry("a", POINTS,
                             Collada.triangles("0 1 2")),
                         new Array(301).join("<node>") + NODE + new Array(301).join("</node>")));
-            fails("", "no vertices", "<COLLADA>" + new Array(20001).join("<node>") +
-                    new Array(20001).join("</node>") + "</COLLADA>");
+            fails("", "no vertices", "<COLLADA>" + nested(999) + "</COLLADA>");
+            fails("", "nested more than 1000 deep", "<COLLADA>" + nested(1000) + "</COLLADA>");
+            fails("", "nested more than 1000 deep", "<COLLADA>" + new Array(1001).join('<a b="/>">'));
+            fails("", "no vertices", "<COLLADA>" + new Array(2001).join("<a b='>'/><!-- <b> --><![CDATA[<c>]]><?d <e>?>") + "</COLLADA>");
+        }
+
+        [Test]
+        public function manyElementsAndAttributes():void
+        {
+            fails("", "more than 500000 elements", "<COLLADA>" + new Array(500001).join("<a/>") + "</COLLADA>");
+            fails("", "more than 100 attributes", "<COLLADA" + attributes(101) + "/>");
+            fails("", "no vertices", "<COLLADA" + attributes(100) + "/>");
+        }
+
+        [Test(timeout="20000")]
+        public function fewElementsPlacedOften():void
+        {
+            var parts:Array = [new Array(3001).join("<translate>0 0 0</translate>"), new Array(3001).join('<instance_geometry url="#a"/>')];
+            for each (var part:String in parts)
+            {
+                fails(null, "more than 250000 nodes, transforms and instances", Collada.scene(Collada.geometry("a", POINTS,
+                                Collada.triangles("0 1 2")) + '<library_nodes><node id="b">' + part + "</node></library_nodes>",
+                            "<node>" + new Array(101).join('<instance_node url="#b"/>') + "</node>"));
+            }
+        }
+
+        [Test(timeout="20000")]
+        public function manyMeshesOfOneSource():void
+        {
+            var meshes:String = "";
+            for (var i:int = 0; i < 500; i++)
+            {
+                meshes += '<geometry id="g' + i + '"><mesh><triangles count="1"><input semantic="POSITION" source="#p" offset="0"/>' +
+                    "<p>0 1 2</p></triangles></mesh></geometry>";
+            }
+            fails(null, "more than 4000000 points", Collada.document(Collada.geometry("a", new Array(10001).join(POINTS + " "),
+                            Collada.triangles("0 1 2")) + "<library_geometries>" + meshes + "</library_geometries>"));
+        }
+
+        [Test(timeout="20000")]
+        public function manyLists():void
+        {
+            var lists:String = "<triangles>" + Collada.INPUT + new Array(20001).join("<p>0 1 2</p>") + "</triangles>";
+            var model:ColladaModel = new ColladaModel("a", Collada.document(Collada.geometry("a", POINTS, lists)));
+            assertEquals(60000, model.triangles.length);
+            mesh("/triangles[20001]", "found \"9\"", POINTS, new Array(20001).join('<triangles count="0"/>') +
+                    '<triangles count="1">' + Collada.INPUT + "<p>0 1 9</p></triangles>");
         }
 
         [Test]
@@ -172,6 +217,21 @@ package starlogo.models
                 text = text.replace('id="p"', 'id="' + id + '"').replace('"#p"', '"#' + id + '"');
                 assertEquals(9, new ColladaModel("a", text).vertices.length);
             }
+        }
+
+        private static function nested(depth:int):String
+        {
+            return new Array(depth + 1).join("<node>") + new Array(depth + 1).join("</node>");
+        }
+
+        private static function attributes(count:int):String
+        {
+            var text:String = "";
+            for (var i:int = 0; i < count; i++)
+            {
+                text += " a" + i + '=""';
+            }
+            return text;
         }
 
         private static function scene(place:String, words:String, nodes:String):void

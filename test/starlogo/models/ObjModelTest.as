@@ -76,6 +76,52 @@ package starlogo.models
             assertEquals(60000, new ObjModel("a", many + "v 0 0 0 \\").vertices.length);
         }
 
+        [Test(timeout="30000")]
+        public function limitsVerticesAndTriangles():void
+        {
+            const VERTICES:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+            const STRIP:String = "f " + new Array(30001).join("1 2 3 ") + "\n";
+            for each (var text:String in [new Array(1000002).join("v 0 0 0\n"), VERTICES + new Array(24).join(STRIP)])
+            {
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", text);
+                    });
+                assertTrue(error.message, error.message.indexOf("more than 1000000 vertices or 2000000 triangles") >= 0);
+            }
+            assertEquals(9, new ObjModel("a", VERTICES + new Array(2).join(STRIP)).vertices.length);
+        }
+
+        [Test(timeout="20000")]
+        public function refusesNumbersOfTooManyDigits():void
+        {
+            for each (var digits:int in [10001, 900000])
+            {
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", "v 0 0 0\n# " + new Array(digits).join("7") + "\nv 0." + new Array(digits).join("7") + " 0 0\n");
+                    });
+                assertEquals("line 3", error.place);
+            }
+            assertEquals(0, new ObjModel("a", "v " + new Array(9990).join("0") + "1 0 0\n").vertices[0]);
+        }
+
+        [Test]
+        public function limitsTheLengthOfLines():void
+        {
+            const CORNERS:String = new Array(150001).join("1 2 3 ");
+            const VERTICES:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
+            assertEquals(9, new ObjModel("a", VERTICES + "f " + CORNERS + "1\n").vertices.length);
+            for each (var more:String in [new Array(100001).join(" "), new Array(50001).join("\\\n")])
+            {
+                var error:ModelError = Failures.of(function():void
+                    {
+                        new ObjModel("a", VERTICES + "f " + CORNERS + more + "1\n");
+                    });
+                assertTrue(error.message, error.message.indexOf("more than 1000000 characters") >= 0);
+            }
+        }
+
         [Test]
         public function cutsPolygons():void
         {

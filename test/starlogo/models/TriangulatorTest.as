@@ -124,6 +124,29 @@ package starlogo.models
         }
 
         [Test]
+        public function cutsLargePolygonsInPieces():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 600; i++)
+            {
+                var radius:Number = 1 + 0.5 * (i & 1);
+                vertices.push(radius * Math.cos(2 * Math.PI * i / 600), radius * Math.sin(2 * Math.PI * i / 600), 0);
+                corners.push(i);
+            }
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            triangulator.addPolygon(new <Vector.<uint>>[corners]);
+            var pieces:int = 1;
+            for (; triangulator.isCutting; pieces++)
+            {
+                triangulator.cutSome();
+            }
+            assertTrue("pieces: " + pieces, pieces > 5);
+            assertEquals(3 * 598, triangles.length);
+        }
+
+        [Test]
         public function endsOnAnyOutline():void
         {
             const SCALES:Array = [1, 1, 1, 1e-320, 1e-300, 1e150, 1e307];
@@ -147,12 +170,22 @@ package starlogo.models
                     vertices[j] *= scale;
                 }
                 var triangles:Vector.<uint> = new Vector.<uint>();
-                new Triangulator(vertices, triangles).addPolygon(loops);
+                cut(vertices, triangles, loops);
                 assertEquals(0, triangles.length % 3);
                 assertTrue("outline " + i, triangles.length / 3 <= vertices.length / 3 + 2 * loops.length);
                 empty += triangles.length == 0 ? 1 : 0;
             }
             assertTrue("some have no area: " + empty, empty > 50 && empty < 750);
+        }
+
+        private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
+        {
+            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            triangulator.addPolygon(loops);
+            while (triangulator.isCutting)
+            {
+                triangulator.cutSome();
+            }
         }
 
         /** Corners on few places: they meet, lie in line, and go back the way they came. */
@@ -209,7 +242,7 @@ package starlogo.models
             }
             var vertices:Vector.<Number> = placement.place(flat);
             var triangles:Vector.<uint> = new Vector.<uint>();
-            new Triangulator(vertices, triangles).addPolygon(indices);
+            cut(vertices, triangles, indices);
             assertEquals(0, triangles.length % 3);
             var side:Number = area(loops[0]) < 0 ? -1 : 1;
             for (var i:int = 0; i < triangles.length; i += 3)

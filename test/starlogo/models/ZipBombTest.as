@@ -50,6 +50,23 @@ package starlogo.models
             }
         }
 
+        [Test]
+        public function manifestsAreSmall():void
+        {
+            var space:String = new Array(99981).join(" ");
+            assertEquals("0,1,2", ColladaModel.fromBytes("a", Zip.of(["manifest.xml", "<a>" + space + "./b.dae#c</a>",
+                                "b.dae", DOCUMENT])).triangles.join());
+            fails("manifest.xml has more than 100000 bytes", Zip.of(["manifest.xml", space + space, "b.dae", DOCUMENT]));
+        }
+
+        [Test]
+        public function filesAreNotTooLarge():void
+        {
+            var large:ByteArray = new ByteArray();
+            large.length = 67108865;
+            fails("the file has 67108865 bytes", large);
+        }
+
         private static function zeros(count:int):ByteArray
         {
             var bytes:ByteArray = new ByteArray();

@@ -22,6 +22,8 @@ package flash.external
                     return Machine.now();
                 case "headless.memory":
                     return Machine.memory();
+                case "headless.collect":
+                    return Machine.collect();
                 case "headless.player":
                     return Machine.player;
                 case "headless.writeFile":

@@ -1,0 +1,83 @@
+/** What of others is in the release, and what made it: from the lock files and from Ivy's, with the checksums of what was fetched. */
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { inRoot, readJson } from './project.mjs';
+
+const NPM_FOLDERS = ['', 'module/', 'playground/'];
+const IVY_FILES = ['ivy.xml', 'module/ivy.xml'];
+
+/** The packages that are in the zip, as a whole or in part: where, and as what. */
+const INSIDE = {
+	'flex-sdk': { folder: '', where: ['docs/asdoc'], licence: 'MPL-1.1', what: 'the templates of ASDoc: style sheets, scripts and pictures' },
+	pako: { folder: 'module/', where: ['module', 'playground'], what: 'inflates' },
+	saxes: { folder: 'module/', where: ['module', 'playground'], what: 'parses XML' },
+	xmlchars: { folder: 'module/', where: ['module', 'playground'], what: 'knows the characters of XML' },
+	blockly: { folder: 'playground/', where: ['playground'], what: 'shows blocks' },
+	three: { folder: 'playground/', where: ['playground'], what: 'draws' },
+};
+
+/** What Maven's packages say of their licences, by organisation. */
+const MAVEN_LICENCES = {
+	antlr: 'BSD License',
+	args4j: 'MIT',
+	'commons-cli': 'Apache-2.0',
+	'commons-io': 'Apache-2.0',
+	'commons-lang': 'Apache-2.0',
+	'com.google.guava': 'Apache-2.0',
+	'com.google.javascript': 'Apache-2.0',
+	'org.antlr': 'BSD License',
+	'org.apache.flex': 'Apache-2.0',
+	'org.apache.royale.compiler': 'Apache-2.0',
+	'org.b1.pack': 'Public Domain',
+	'org.flexunit': 'MIT',
+};
+
+/**
+ * What of others is in the zip.
+ *
+ * @typedef {{name: string, group?: string, version: string, licence?: string, purl: string, hash: [string, string], where?: string[],
+ *     what?: string}} Part
+ * @returns {Part[]} by name
+ */
+export function partsInside() {
+	return Object.entries(INSIDE).map(([name, { folder, ...own }]) => ({ ...npmPart(folder, name), ...own }));
+}
+
+/** What the release was made and tested with, and is not in it. */
+export function tools() {
+	const all = [...NPM_FOLDERS.flatMap(npmTools), ...IVY_FILES.flatMap(ivyTools)].filter(({ name }) => !INSIDE[name]);
+	return [...new Map(all.map((part) => [part.purl, part])).values()];
+}
+
+function npmTools(folder) {
+	return Object.keys(readJson(`${folder}package.json`).devDependencies).map((name) => npmPart(folder, name));
+}
+
+function npmPart(folder, name) {
+	const { version, license, integrity } = readJson(`${folder}package-lock.json`).packages[`node_modules/${name}`];
+	const [algorithm, checksum] = integrity.split(/-(.*)/);
+	return {
+		name,
+		version,
+		licence: license,
+		purl: `pkg:npm/${name.replace('@', '%40')}@${version}`,
+		hash: [algorithm.replace('sha', 'SHA-'), Buffer.from(checksum, 'base64').toString('hex')],
+	};
+}
+
+function ivyTools(file) {
+	const text = readFileSync(inRoot(file), 'utf8');
+	const common = /defaultconf="([\w-]+)"/.exec(text)?.[1];
+	return [...text.matchAll(/<dependency org="([^"]+)" name="([^"]+)" rev="([^"]+)"(?:[^>]* conf="([^"]+)")?/g)]
+		.map(([, group, name, version, folder = common]) => {
+			const artifact = `lib/${folder}/${name}-${version}${group === 'org.flexunit' ? '-as3.swc' : '.jar'}`;
+			return {
+				name,
+				group,
+				version,
+				licence: MAVEN_LICENCES[group],
+				purl: `pkg:maven/${group}/${name}@${version}`,
+				hash: ['SHA-256', createHash('sha256').update(readFileSync(inRoot(artifact))).digest('hex')],
+			};
+		});
+}

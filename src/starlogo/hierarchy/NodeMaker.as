@@ -1,0 +1,89 @@
+package starlogo.hierarchy
+{
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /** Makes the nodes of a hierarchy: boxes around the extents of their parts, a little wider. */
+    internal final class NodeMaker
+    {
+        // The boxes of levels below this one are not made wider for those of the next.
+        private static const NESTED_LEVELS:int = 64;
+
+        private var _hierarchy:Hierarchy;
+        private var _radius:Number = 0;
+
+        /**
+         * @param hierarchy what the nodes are of
+         * @param extents of the whole model: minX, minY, minZ, maxX, maxY, maxZ
+         */
+        public function NodeMaker(hierarchy:Hierarchy, extents:Vector.<Number>)
+        {
+            _hierarchy = hierarchy;
+            // how far the model reaches, wherever its origin is: rounding goes with that
+            for (var i:int = 0; i < 6; i++)
+            {
+                _radius = Math.max(_radius, Math.abs(extents[i]));
+            }
+            _radius *= Math.sqrt(3);
+        }
+
+        /**
+         * How much wider than its part a box is: what touches the surface touches the boxes, and boxes are inside of their
+         * parents' in spite of rounding.
+         */
+        public function marginOf(level:int):Number
+        {
+            return _radius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, NESTED_LEVELS - level));
+        }
+
+        /**
+         * A leaf; whoever divides it says so.
+         *
+         * @param level the root's is 1
+         * @param first its first item in the hierarchy's order
+         * @param end the one behind its last
+         * @param extents has those of its part: minX, minY, minZ, maxX, maxY, maxZ
+         * @param at where they begin
+         */
+        public function make(level:int, first:int, end:int, extents:Vector.<Number>, at:int = 0):HierarchyNode
+        {
+            var node:HierarchyNode = new HierarchyNode();
+            node.hierarchy = _hierarchy;
+            node.level = level;
+            node.first = first;
+            node.end = end;
+            var margin:Number = marginOf(level);
+            var minX:Number = extents[at];
+            var minY:Number = extents[int(at + 1)];
+            var minZ:Number = extents[int(at + 2)];
+            var halfX:Number = 0.5 * (extents[int(at + 3)] - minX);
+            var halfY:Number = 0.5 * (extents[int(at + 4)] - minY);
+            var halfZ:Number = 0.5 * (extents[int(at + 5)] - minZ);
+            node.x = minX + halfX;
+            node.y = minY + halfY;
+            node.z = minZ + halfZ;
+            node.halfX = halfX += margin;
+            node.halfY = halfY += margin;
+            node.halfZ = halfZ += margin;
+            node.radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+            node.innerRadius = halfX < halfY ? halfX : halfY;
+            if (halfZ < node.innerRadius)
+            {
+                node.innerRadius = halfZ;
+            }
+            return node;
+        }
+
+        /** Divides a node between two others. */
+        public function divide(node:HierarchyNode, axis:int, left:HierarchyNode, right:HierarchyNode):void
+        {
+            node.isLeaf = false;
+            node.cutoffLevel = node.level;
+            node.splitAxis = axis;
+            node.left = left;
+            node.right = right;
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package starlogo.libraries
+{
+    import starlogo.engine;
+    import starlogo.fitting.Fitter;
+    import starlogo.geometry.Fingerprint;
+
+    use namespace engine;
+
+    /**
+     * Every setting that decides what the libraries compute for a model, as it is when this is made: fits that were computed with
+     * other settings are not taken for these. What is only chosen among what was computed does not count: cheaperTestsFactor,
+     * keepAll, boundsKind.
+     */
+    public final class FitSettings
+    {
+        /** To be raised whenever an algorithm of the engine finds something else than before for the same settings. */
+        private static const REVISION:int = 1;
+
+        /**
+         * What structures depend on; null if they are not wanted, or cannot be kept.
+         *
+         * @private
+         */
+        engine var structures:Fingerprint = null;
+
+        /**
+         * What a hierarchy depends on; null if none is wanted.
+         *
+         * @private
+         */
+        engine var hierarchy:Fingerprint = null;
+
+        /**
+         * How many levels a hierarchy may have.
+         *
+         * @private
+         */
+        engine var maxDepth:int = 0;
+
+        /**
+         * Whether what exact colliders need is wanted.
+         *
+         * @private
+         */
+        engine var wantsSurface:Boolean = false;
+
+        /**
+         * The settings of libraries as they are now.
+         *
+         * @param structures finds structures; null if none are wanted
+         * @param hierarchies builds hierarchies; null if none are wanted
+         */
+        public function FitSettings(structures:BoundingStructuresLibrary, hierarchies:HierarchiesLibrary)
+        {
+            var text:String = structures == null ? null : textOf(structures.fitters);
+            if (text != null)
+            {
+                this.structures = fingerprintOf(text);
+            }
+            if (hierarchies != null)
+            {
+                hierarchy = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
+                maxDepth = hierarchies.maxDepth;
+                wantsSurface = hierarchies.prepareExact;
+            }
+        }
+
+        /** All of them in sixteen hexadecimal digits. */
+        public function toString():String
+        {
+            var all:Fingerprint = fingerprintOf([structures, hierarchy, wantsSurface].join());
+            return all.toString();
+        }
+
+        // null if one of the fitters has no signature
+        private static function textOf(fitters:Vector.<Fitter>):String
+        {
+            var signatures:Array = ["structures"];
+            for each (var fitter:Fitter in fitters)
+            {
+                if (fitter == null || fitter.signature == null)
+                {
+                    return null;
+                }
+                signatures.push(fitter.signature);
+            }
+            return signatures.join(", ");
+        }
+
+        private static function fingerprintOf(text:String):Fingerprint
+        {
+            var fingerprint:Fingerprint = new Fingerprint();
+            fingerprint.addWord(REVISION);
+            fingerprint.addText(text);
+            return fingerprint;
+        }
+    }
+}

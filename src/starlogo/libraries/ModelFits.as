@@ -1,0 +1,88 @@
+package starlogo.libraries
+{
+    import flash.utils.ByteArray;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.SurfaceNotes;
+    import starlogo.hierarchy.TreeWriter;
+
+    use namespace engine;
+
+    /**
+     * What was computed for a model, apart from what follows from it: the smallest structures, how its hierarchy divides the
+     * triangles, what was found out of its surface. A FitStore keeps it; a .fits file is it.
+     */
+    public final class ModelFits
+    {
+        /**
+         * By the numbers of the kinds, the smallest of each, or null; null if there are none.
+         *
+         * @private
+         */
+        engine var structures:Vector.<BoundingStructure> = null;
+
+        /**
+         * What a TreeWriter wrote, at its position; null if there is no hierarchy.
+         *
+         * @private
+         */
+        engine var tree:ByteArray = null;
+
+        /**
+         * What was noted of the surface; null if nothing was.
+         *
+         * @private
+         */
+        engine var notes:SurfaceNotes = null;
+
+        /** Of nothing. A GreatLand and a FitStore make them. */
+        public function ModelFits()
+        {
+        }
+
+        /** Whether there are structures. */
+        public function get hasStructures():Boolean
+        {
+            return structures != null;
+        }
+
+        /** Whether there is a hierarchy. */
+        public function get hasHierarchy():Boolean
+        {
+            return tree != null;
+        }
+
+        /** Whether there is what exact colliders need of the surface. */
+        public function get hasSurface():Boolean
+        {
+            return notes != null;
+        }
+
+        /**
+         * Of what the libraries have.
+         *
+         * @param shape null if there are no structures
+         * @param hierarchy null if there is none
+         *
+         * @private
+         */
+        engine static function of(shape:ShapeStructures, hierarchy:Hierarchy):ModelFits
+        {
+            var fits:ModelFits = new ModelFits();
+            if (shape != null)
+            {
+                fits.structures = shape.offered || shape.found;
+            }
+            if (hierarchy != null)
+            {
+                fits.tree = new ByteArray();
+                fits.tree.endian = FitsWriter.ENDIAN;
+                TreeWriter.write(hierarchy, fits.tree);
+                fits.tree.position = 0;
+                fits.notes = hierarchy.isPrepared ? hierarchy.notes : null;
+            }
+            return fits;
+        }
+    }
+}

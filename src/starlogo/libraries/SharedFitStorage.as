@@ -1,0 +1,93 @@
+package starlogo.libraries
+{
+    import flash.net.SharedObject;
+    import flash.net.SharedObjectFlushStatus;
+    import flash.utils.ByteArray;
+
+    /**
+     * Keeps fits as shared objects, one for each name (thesis §7.9): in the player on the user's disk, in the ES module in the
+     * page's local storage. Where these are switched off nothing is kept.
+     *
+     * <p>The player lets a site have 100 KB unasked. It asks the user about more, which nobody waits for: what he has to be asked
+     * about is not kept.</p>
+     */
+    public final class SharedFitStorage implements FitStorage
+    {
+        private static const PREFIX:String = "starlogo-fits/";
+
+        /** The player's shared objects of this site. */
+        public function SharedFitStorage()
+        {
+        }
+
+        /** @inheritDoc */
+        public function read(name:String):ByteArray
+        {
+            var shared:SharedObject = sharedOf(name);
+            var kept:ByteArray = shared == null ? null : shared.data.bytes as ByteArray;
+            return kept == null ? null : copyOf(kept);
+        }
+
+        /** @inheritDoc */
+        public function write(name:String, bytes:ByteArray):Boolean
+        {
+            var shared:SharedObject = sharedOf(name);
+            if (shared == null)
+            {
+                return false;
+            }
+            shared.data.bytes = copyOf(bytes);
+            if (isFlushed(shared))
+            {
+                return true;
+            }
+            shared.clear();
+            return false;
+        }
+
+        /** @inheritDoc */
+        public function remove(name:String):void
+        {
+            var shared:SharedObject = sharedOf(name);
+            if (shared != null)
+            {
+                shared.clear();
+            }
+        }
+
+        // null where they are switched off
+        private static function sharedOf(name:String):SharedObject
+        {
+            try
+            {
+                return SharedObject.getLocal(PREFIX + name, "/");
+            }
+            catch (error:Error)
+            {
+                return null;
+            }
+            return null;
+        }
+
+        private static function isFlushed(shared:SharedObject):Boolean
+        {
+            try
+            {
+                return shared.flush() == SharedObjectFlushStatus.FLUSHED;
+            }
+            catch (error:Error)
+            {
+                return false;
+            }
+            return false;
+        }
+
+        private static function copyOf(bytes:ByteArray):ByteArray
+        {
+            var copy:ByteArray = new ByteArray();
+            copy.writeBytes(bytes);
+            copy.position = 0;
+            return copy;
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package flash.net
+{
+    import flash.events.EventDispatcher;
+
+    /** Keeps data under a name for as long as the program runs. */
+    public class SharedObject extends EventDispatcher
+    {
+        private static var sAll:Object = {};
+
+        private var _data:Object = {};
+
+        /** The object of a name, which is made if there is none. */
+        public static function getLocal(name:String, localPath:String = null, secure:Boolean = false):SharedObject
+        {
+            if (/[ ~%&\\;:"',<>?#]/.test(name))
+            {
+                throw new Error("Error #2085: Parameter name must be non-empty string.");
+            }
+            var key:String = localPath + ":" + name;
+            sAll[key] ||= new SharedObject();
+            return sAll[key];
+        }
+
+        /** What is kept. */
+        public function get data():Object
+        {
+            return _data;
+        }
+
+        /** Keeps it. */
+        public function flush(minDiskSpace:int = 0):String
+        {
+            return SharedObjectFlushStatus.FLUSHED;
+        }
+
+        /** Forgets it. */
+        public function clear():void
+        {
+            _data = {};
+        }
+    }
+}

@@ -1,0 +1,169 @@
+/** Tests of the release, unpacked: bin/starlogo-collision-VERSION.zip and nothing else. */
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { strFromU8, unzipSync } from 'fflate';
+import { chromium } from 'playwright-core';
+import { NAME, ROOT, VERSION, inRoot } from '../../dist/project.mjs';
+import { readSwf } from '../headless/swf.mjs';
+import { play } from '../headless/player.mjs';
+import { serve } from '../headless/server.mjs';
+import { mxmlc } from './flex.mjs';
+
+const release = `${NAME}-${VERSION}`;
+const archive = readFileSync(inRoot(`bin/${release}.zip`));
+const folder = inRoot(`bin/dist-test/${release}`);
+const pictures = inRoot('bin/dist-test');
+const chrome = process.env.CHROME || '/usr/bin/chromium';
+const files = new Map(Object.entries(unzipSync(archive)).map(([name, content]) => [name.slice(release.length + 1), Buffer.from(content)]));
+const text = (name) => strFromU8(files.get(name));
+const sha256 = (content) => createHash('sha256').update(content).digest('hex');
+
+before(() => {
+	rmSync(pictures, { recursive: true, force: true });
+	for (const [name, content] of files) {
+		mkdirSync(path.dirname(path.join(folder, name)), { recursive: true });
+		writeFileSync(path.join(folder, name), content);
+	}
+});
+
+test('its checksums are right, and there is one of every file', () => {
+	assert.equal(readFileSync(inRoot(`bin/${release}.zip.sha256`), 'utf8'), `${sha256(archive)}  ${release}.zip\n`);
+	const sums = new Map(text('SHA256SUMS').trim().split('\n').map((line) => line.split('  ').reverse()));
+	assert.deepEqual([...sums.keys()].sort(), [...files.keys()].filter((name) => name !== 'SHA256SUMS').sort());
+	for (const [name, sum] of sums) {
+		assert.equal(sha256(files.get(name)), sum, name);
+	}
+});
+
+test('everything is in it', () => {
+	for (const name of ['swc/starlogo-collision.swc', 'swc/starlogo-collision-away3d.swc', 'module/package.json', 'module/index.d.ts', 'playground/index.html',
+		'docs/asdoc/index.html', 'docs/release.md', 'assets/bear.obj', 'assets/bear.obj.fits', 'assets/LICENSE', 'examples/client/Client.as', 'examples/page/index.html',
+		'README.md', 'CHANGELOG.md', 'LICENSE', 'licences/README.md', 'sbom.cdx.json']) {
+		assert.ok(files.get(name)?.length > 300, name);
+	}
+});
+
+test('what its pages link to is in it', () => {
+	let links = 0;
+	for (const name of [...files.keys()].filter((each) => each.endsWith('.md'))) {
+		for (const [, target] of text(name).matchAll(/\]\((?!\w+:|#)([^)#]+)[^)]*\)/g)) {
+			links++;
+			const linked = path.posix.join(path.posix.dirname(name), target).replace(/\/$/, '');
+			assert.ok([...files.keys()].some((each) => each === linked || each.startsWith(`${linked}/`)), `${name} links to ${target}`);
+		}
+	}
+	assert.ok(links > 4);
+});
+
+test('it says nowhere where it was built', () => {
+	const here = ROOT.slice(0, -1);
+	for (const [name, content] of files) {
+		assert.ok(!content.includes(here), name);
+	}
+	for (const name of [...files.keys()].filter((each) => each.endsWith('.swc'))) {
+		const library = readSwf(Buffer.from(unzipSync(files.get(name))['library.swf']));
+		assert.ok(library.tags.every(({ content }) => !content.includes(here)), name);
+		assert.ok(library.tags.some(({ content }) => content.includes('/src;starlogo')), `${name} has the names of its sources for debuggers`);
+	}
+});
+
+test('SWCs say which version they are, and under which licence', () => {
+	for (const name of [...files.keys()].filter((each) => each.endsWith('.swc'))) {
+		const entries = unzipSync(files.get(name));
+		assert.equal(strFromU8(entries.VERSION), `${NAME} ${VERSION}\n`);
+		assert.equal(strFromU8(entries.LICENSE), text('LICENSE'));
+	}
+});
+
+test('nothing of others is in the SWCs', () => {
+	for (const name of [...files.keys()].filter((each) => each.endsWith('.swc'))) {
+		const catalog = strFromU8(unzipSync(files.get(name))['catalog.xml']);
+		const defined = [...catalog.matchAll(/<def id="([^"]+)"/g)].map((match) => match[1]);
+		assert.deepEqual(defined.filter((id) => !/^starlogo[.:]/.test(id) && !/^_[0-9a-f]{64}_flash_display_Sprite$/.test(id)), [], name);
+		assert.ok(defined.length > 2);
+	}
+});
+
+let browser;
+before(async () => {
+	browser = await chromium.launch({ executablePath: chrome, args: ['--no-sandbox'] });
+});
+after(() => browser.close());
+
+test('the example client compiles against the SWC alone, and runs', { timeout: 300000 }, async () => {
+	const client = path.join(folder, 'examples/client');
+	const [, command] = /^ {4}mxmlc (.*)$/m.exec(text('examples/client/README.md'));
+	mxmlc(command.split(' '), { cwd: client });
+	const frames = await playUntil(path.join(client, 'client.swf'), 'frame 240:', path.join(pictures, 'client.png'));
+	assert.equal(frames.filter((line) => line.startsWith('error')).length, 0, frames.join('\n'));
+	const [, bumps, hits] = /(\d+) bumps, (\d+) hits/.exec(frames.at(-1)).map(Number);
+	assert.ok(bumps > 20 && hits > 2, frames.at(-1));
+	await assertIsDrawn(path.join(pictures, 'client.png'), ['223,232,207', '185,167,140']);
+});
+
+test('the example page runs on the module alone', { timeout: 120000 }, async () => {
+	const server = await serve(null, { '': folder });
+	try {
+		const page = await browser.newPage({ viewport: { width: 1000, height: 800 } });
+		const said = [];
+		page.on('console', (message) => said.push(message.text()));
+		page.on('pageerror', (error) => said.push(String(error)));
+		page.on('request', (request) => request.url().startsWith(server.url) || request.url().startsWith('data:') || said.push(request.url()));
+		await page.goto(`${server.url}examples/page/`);
+		await page.waitForFunction(() => Number(/frame (\d+)/.exec(document.querySelector('output').textContent)?.[1]) >= 300, null, { timeout: 90000 });
+		const [, turns, hits] = /(\d+) turns, (\d+) hits/.exec(await page.textContent('output')).map(Number);
+		await page.screenshot({ path: path.join(pictures, 'page.png') });
+		assert.deepEqual(said, []);
+		assert.ok(turns > 50 && hits > 2, `${turns} turns, ${hits} hits`);
+		await assertIsDrawn(path.join(pictures, 'page.png'), ['188,216,224', '185,167,140']);
+	} finally {
+		server.close();
+	}
+});
+
+/** Plays a SWF until a line of what it traces begins with a text, and takes a picture then; gives all lines up to it. */
+async function playUntil(swf, beginning, picture) {
+	assert.ok(existsSync(swf));
+	const lines = [];
+	let player;
+	try {
+		await new Promise((resolve, reject) => {
+			const trace = (line) => lines.push(line) && line.startsWith(beginning) && resolve();
+			play({ swf, chrome, parameters: { assets: '/assets' }, folders: { '/assets': path.join(folder, 'assets') }, width: 800, height: 600 },
+				{ trace, error: reject, crash: reject, writeFile() {}, exit() {} }).then((started) => {
+				player = started;
+			}, reject);
+		});
+		await player.screenshot(picture);
+	} finally {
+		await player?.close();
+	}
+	return lines;
+}
+
+/** That a picture has many colours, and some that there must be in many places. */
+async function assertIsDrawn(file, expected) {
+	const page = await browser.newPage();
+	const counts = await page.evaluate(async (data) => {
+		const bitmap = await createImageBitmap(await (await fetch(data)).blob());
+		const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+		context.drawImage(bitmap, 0, 0);
+		const { data: pixels } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+		const colours = {};
+		for (let i = 0; i < pixels.length; i += 4) {
+			const colour = `${pixels[i]},${pixels[i + 1]},${pixels[i + 2]}`;
+			colours[colour] = (colours[colour] ?? 0) + 1;
+		}
+		return colours;
+	}, `data:image/png;base64,${readFileSync(file).toString('base64')}`);
+	await page.close();
+	assert.ok(Object.keys(counts).length > 500, `${Object.keys(counts).length} colours`);
+	const isNear = (one, other) => one.split(',').every((value, i) => Math.abs(value - other.split(',')[i]) <= 3);
+	for (const colour of expected) {
+		const pixels = Object.keys(counts).filter((each) => isNear(each, colour)).reduce((sum, each) => sum + counts[each], 0);
+		assert.ok(pixels > 1000, `${colour}: ${pixels} pixels`);
+	}
+}

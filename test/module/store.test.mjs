@@ -1,0 +1,206 @@
+/** Tests of stored and baked fits where browsers keep things: the package bin/module in headless Chromium, its local storage, and several tabs. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { serve } from "../headless/server.mjs";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const folder = path.join(root, "bin/module");
+const work = path.join(root, "bin/generated/module/store-test");
+const FILES = ["bear.obj", "kelp.obj", "tree.obj", "person.dae"];
+
+const PAGE = `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,"><script type="module">
+import * as engine from "/module/starlogo-collision.min.js";
+
+window.game = (capacity) => {
+	const greatLand = new engine.GreatLand();
+	if (capacity > 0) greatLand.fitStore = new engine.FitStore(capacity);
+	return greatLand;
+};
+window.modelsOf = async (count, seed) => {
+	const { vertices, triangles } = new engine.ObjModel("kelp", await (await fetch("/models/kelp.obj")).text());
+	const taller = (factor) => vertices.map((coordinate, i) => (i % 3 === 2 ? factor * coordinate : coordinate));
+	return Array.from({ length: count }, (_, i) => new engine.Model("kelp " + i, taller(1 + seed + i / 100), triangles));
+};
+window.addAll = (greatLand, models) => {
+	const start = performance.now();
+	for (const model of models) greatLand.addModel(model);
+	return performance.now() - start;
+};
+window.structures = (greatLand, models) => models.map((model) => greatLand.boundingStructures.tightestFit(model.name).volume);
+window.kept = (models) => {
+	const greatLand = new engine.GreatLand();
+	const settings = new engine.FitSettings(greatLand.boundingStructures, greatLand.hierarchies);
+	const store = new engine.FitStore();
+	return models.filter((model) => store.read(model, settings) !== null).length;
+};
+window.load = (files, usesBakedFits) => new Promise((resolve) => {
+	const greatLand = new engine.GreatLand();
+	const loader = new engine.ModelLoader(greatLand, 8);
+	loader.usesBakedFits = usesBakedFits;
+	const problems = [];
+	loader.addEventListener("error", (event) => problems.push(event.text));
+	loader.addEventListener("complete", () => resolve({ problems, volumes: files.map((file) => greatLand.boundingStructures.tightestFit(file).volume) }));
+	for (const file of files) loader.load(file, "/models/" + file);
+});
+window.isReady = true;
+</script>`;
+
+let server;
+let browser;
+
+before(async () => {
+	rmSync(work, { recursive: true, force: true });
+	mkdirSync(path.join(work, "plain"), { recursive: true });
+	for (const file of FILES) copyFileSync(path.join(root, "assets", file), path.join(work, "plain", file));
+	execFileSync(process.execPath, [path.join(folder, "bake.mjs"), path.join(work, "plain"), "--out", path.join(work, "models")]);
+	server = await serve(PAGE, { "/module": folder, "/models": path.join(work, "models") });
+	browser = await chromium.launch({ executablePath: process.env.CHROME || "/usr/bin/chromium", args: ["--no-sandbox"] });
+});
+
+after(async () => {
+	await browser?.close();
+	server?.close();
+});
+
+async function open(context, prepare) {
+	const page = await context.newPage();
+	page.problems = [];
+	page.on("pageerror", (error) => page.problems.push(String(error)));
+	page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+	if (prepare) await page.addInitScript(prepare);
+	await page.goto(server.url);
+	await page.waitForFunction(() => window.isReady);
+	return page;
+}
+
+test("what one page computed the next one reads", async () => {
+	const context = await browser.newContext();
+	const first = await open(context);
+	const computed = await first.evaluate(async () => {
+		const models = await modelsOf(5, 0);
+		const greatLand = game(1e6);
+		addAll(greatLand, models);
+		return structures(greatLand, models);
+	});
+	await first.close();
+	const second = await open(context);
+	const { read, count } = await second.evaluate(async () => {
+		const models = await modelsOf(5, 0);
+		const count = kept(models);
+		const greatLand = game(1e6);
+		addAll(greatLand, models);
+		return { read: structures(greatLand, models), count };
+	});
+	assert.equal(count, 5);
+	assert.deepEqual(read, computed);
+	assert.deepEqual([...first.problems, ...second.problems], []);
+	await context.close();
+});
+
+test("two tabs at once lose and mix nothing", async () => {
+	const context = await browser.newContext();
+	const tabs = await Promise.all([open(context), open(context), open(context)]);
+	await Promise.all(tabs.map((tab, index) => tab.evaluate(async (seed) => {
+		for (const model of await modelsOf(12, seed)) {
+			addAll(game(1e6), [model]);
+			await new Promise((resolve) => setTimeout(resolve, 1));
+		}
+	}, index)));
+	const late = await open(context);
+	for (let seed = 0; seed < tabs.length; seed++) {
+		const [count, read, alone] = await late.evaluate(async (each) => {
+			const models = await modelsOf(12, each);
+			const count = kept(models);
+			const [greatLand, without] = [game(1e6), game(0)];
+			addAll(greatLand, models);
+			addAll(without, models);
+			return [count, structures(greatLand, models), structures(without, models)];
+		}, seed);
+		assert.equal(count, 12, `of tab ${seed}`);
+		assert.deepEqual(read, alone);
+	}
+	const listed = await late.evaluate(() => atob(localStorage.getItem("starlogo-fits/index")).length);
+	assert.equal(Math.floor(listed / 40), 36, "all are listed by then");
+	await context.close();
+});
+
+test("games work where storage is full, or off, or holds something else", async () => {
+	const context = await browser.newContext();
+	const full = await open(context);
+	const [before, after] = await full.evaluate(async () => {
+		let room = 6e6;
+		for (let i = 0; room > 10; i++) {
+			try {
+				localStorage.setItem("other " + i, "x".repeat(room));
+			} catch {
+				room = Math.floor(room / 2);
+			}
+		}
+		const before = localStorage.length;
+		const models = await modelsOf(3, 0);
+		const greatLand = game(1e6);
+		addAll(greatLand, models);
+		return [before, localStorage.length, structures(greatLand, models)];
+	});
+	assert.equal(after, before, "nothing of the others is touched");
+	await full.evaluate(async () => {
+		localStorage.clear();
+		addAll(game(1e6), await modelsOf(3, 0));
+		for (const name of Object.keys(localStorage)) localStorage.setItem(name, "no base 64! ☃");
+		const models = await modelsOf(3, 0);
+		const greatLand = game(1e6);
+		addAll(greatLand, models);
+		structures(greatLand, models);
+	});
+	const off = await open(context, () => {
+		Object.defineProperty(window, "localStorage", {
+			get() {
+				throw new DOMException("switched off", "SecurityError");
+			},
+		});
+	});
+	await off.evaluate(async () => {
+		const models = await modelsOf(3, 0);
+		const greatLand = game(1e6);
+		addAll(greatLand, models);
+		structures(greatLand, models);
+	});
+	assert.deepEqual([...full.problems, ...off.problems], []);
+	await context.close();
+});
+
+test("a ModelLoader takes what was baked, and computes where it is damaged or gone", async () => {
+	const context = await browser.newContext();
+	const page = await open(context);
+	const computed = await page.evaluate((files) => load(files, false), FILES);
+	const baked = await page.evaluate((files) => load(files, true), FILES);
+	assert.deepEqual(baked, computed);
+	assert.deepEqual(baked.problems, []);
+	const names = readdirSync(path.join(work, "models")).filter((file) => file.endsWith(".fits"));
+	assert.equal(names.length, FILES.length);
+	for (const name of names) {
+		const bytes = readFileSync(path.join(work, "models", name));
+		bytes[100] ^= 1;
+		writeFileSync(path.join(work, "models", name), bytes);
+	}
+	rmSync(path.join(work, "models", names[0]));
+	const damaged = await page.evaluate((files) => load(files, true), FILES);
+	assert.deepEqual(damaged, computed);
+	assert.deepEqual(page.problems.filter((text) => !/404/.test(text)), []);
+	await context.close();
+});
+
+test("the baker says what is no model", () => {
+	writeFileSync(path.join(work, "plain/broken.obj"), "v 1 2\n");
+	assert.throws(() => execFileSync(process.execPath, [path.join(folder, "bake.mjs"), path.join(work, "plain"), "--out", path.join(work, "again")], { stdio: "pipe" }), (error) => {
+		assert.equal(error.status, 1);
+		assert.match(String(error.stderr), /broken\.obj: model "broken", line 1/);
+		assert.match(String(error.stdout), /4 baked, 1 that are no models/);
+		return true;
+	});
+});

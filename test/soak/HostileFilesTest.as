@@ -1,0 +1,45 @@
+package soak
+{
+    import flash.events.Event;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+
+    /** Large files are models in every format; every hostile file, a small one, ends: as a model, or with an error that says why. */
+    public class HostileFilesTest
+    {
+        private static const SIZE:int = 3000;
+
+        [Test(async, timeout="20000")]
+        public function largeFilesAreModels():void
+        {
+            var run:LoadRun = new LoadRun(["OBJ 2000", "COLLADA 2000", "ZIP 2000"], LargeFiles.make);
+            Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals("", run.errors.join());
+                    assertEquals(3, run.models);
+                }, 15000);
+            run.start();
+        }
+
+        [Test(async, timeout="60000")]
+        public function allEnd():void
+        {
+            var names:Array = HostileFiles.names;
+            var run:LoadRun = new LoadRun(names, function(name:String):Object
+                {
+                    return HostileFiles.make(name, SIZE);
+                });
+            Async.handleEvent(this, run, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertEquals(names.length, run.models + run.errors.length);
+                    assertTrue(run.models > 10 && run.errors.length > 10);
+                    for each (var error:String in run.errors)
+                    {
+                        assertTrue(error, error.indexOf("model \"model\"") == 0 && error.indexOf("it can't be taken in") < 0);
+                    }
+                }, 55000);
+            run.start();
+        }
+    }
+}

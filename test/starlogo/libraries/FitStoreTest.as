@@ -1,0 +1,305 @@
+package starlogo.libraries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNotNull;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.CountingFitter;
+    import support.LibraryContents;
+    import support.MemoryStorage;
+    import support.Mutations;
+    import support.PointSets;
+    import support.assertThrows;
+
+    /** What is kept from one game to the next, and what happens where that does not go well. */
+    public class FitStoreTest
+    {
+        private var _storage:MemoryStorage;
+        private var _store:FitStore;
+        private var _fitter:CountingFitter;
+
+        [Before]
+        public function setUp():void
+        {
+            _storage = new MemoryStorage();
+            _store = new FitStore(1e6, _storage);
+            _fitter = new CountingFitter();
+        }
+
+        [Test]
+        public function theSecondGameComputesNothing():void
+        {
+            var first:GreatLand = newGame(_store);
+            first.addModel(BuiltInModel.cylinder());
+            assertEquals(1, _fitter.count);
+            assertEquals("one entry", 1, _storage.names.length);
+            var second:GreatLand = newGame(new FitStore(1e6, _storage));
+            second.addModel(BuiltInModel.cylinder());
+            assertEquals("nothing is fitted", 1, _fitter.count);
+            assertEquals(LibraryContents.of(first, "cylinder"), LibraryContents.of(second, "cylinder"));
+            assertEquals("nothing is written", 1, _storage.names.length);
+        }
+
+        [Test]
+        public function nothingIsKeptWithoutAStore():void
+        {
+            newGame(null).addModel(BuiltInModel.cube());
+            newGame(null).addModel(BuiltInModel.cube());
+            assertEquals(2, _fitter.count);
+        }
+
+        [Test]
+        public function gamesWithOtherSettingsDoNotTakeFromEachOther():void
+        {
+            newGame(_store).addModel(BuiltInModel.cube());
+            var other:GreatLand = newGame(_store);
+            other.hierarchies.maxDepth = 3;
+            other.addModel(BuiltInModel.cube());
+            assertEquals(2, _storage.names.length);
+            newGame(_store).addModel(BuiltInModel.cube());
+            assertEquals("both are there", 2, _storage.names.length);
+            assertEquals("one fit for each", 2, _fitter.count);
+        }
+
+        [Test]
+        public function itMayBeReadAndWrittenByHand():void
+        {
+            var settings:FitSettings = settingsOf(newGame(null));
+            assertNull(_store.read(BuiltInModel.cube(), settings));
+            newGame(_store).addModel(BuiltInModel.cube());
+            var fits:ModelFits = _store.read(BuiltInModel.cube(), settings);
+            assertTrue(fits.hasStructures && fits.hasHierarchy);
+            assertFalse(fits.hasSurface);
+            var other:FitStore = new FitStore(1e6, new MemoryStorage());
+            assertTrue(other.write(BuiltInModel.cube(), settings, fits));
+            assertNotNull(other.read(BuiltInModel.cube(), settings));
+            assertNull("another model", other.read(BuiltInModel.sphere(), settings));
+            other.clear();
+            assertNull(other.read(BuiltInModel.cube(), settings));
+            assertEquals(0, other.length);
+            assertThrows(ArgumentError, /null/, _store.read, null, settings);
+            assertThrows(ArgumentError, /null/, _store.read, BuiltInModel.cube(), null);
+            assertThrows(ArgumentError, /null/, _store.write, BuiltInModel.cube(), settings, null);
+            assertThrows(RangeError, /-1/, newStore, -1);
+            assertThrows(RangeError, /NaN/, newStore, NaN);
+        }
+
+        [Test]
+        public function damagedEntriesAreReplaced():void
+        {
+            var expected:String = null;
+            var random:SeededRandom = new SeededRandom(19);
+            for (var i:int = 0; i < 60; i++)
+            {
+                var game:GreatLand = newGame(_store);
+                game.addModel(BuiltInModel.cube());
+                expected ||= LibraryContents.of(game, "cube");
+                assertEquals(expected, LibraryContents.of(game, "cube"));
+                assertEquals("computed again, " + i, i + 1, _fitter.count);
+                var name:String = _storage.names[0];
+                var damaged:ByteArray = Mutations.ofBytes(_storage.entries[name], random);
+                damaged[8 * random.integer(2, 5)] ^= 1;
+                _storage.entries[name] = damaged;
+            }
+        }
+
+        [Test]
+        public function theLeastRecentlyUsedGoFirst():void
+        {
+            var models:Vector.<Model> = someModels(6);
+            newGame(_store).addModel(models[0]);
+            var size:int = _store.length;
+            var small:FitStore = new FitStore(3.5 * size, _storage);
+            for (var i:int = 0; i < 3; i++)
+            {
+                newGame(small).addModel(models[i]);
+            }
+            newGame(small).addModel(models[0]);
+            newGame(small).addModel(models[3]);
+            assertEquals("models 2, 0 and 3", 3, _storage.names.length);
+            assertTrue(small.length <= small.capacity);
+            _fitter.count = 0;
+            newGame(small).addModel(models[0]);
+            newGame(small).addModel(models[3]);
+            newGame(small).addModel(models[2]);
+            assertEquals("those are there", 0, _fitter.count);
+            newGame(small).addModel(models[1]);
+            assertEquals("this one was not used for longest", 1, _fitter.count);
+        }
+
+        [Test]
+        public function whatIsLargerThanTheCapacityIsNotKept():void
+        {
+            newGame(new FitStore(100, _storage)).addModel(BuiltInModel.cube());
+            assertEquals(0, _storage.names.length);
+            newGame(new FitStore(0, _storage)).addModel(BuiltInModel.cube());
+            assertEquals(0, _storage.names.length);
+        }
+
+        [Test]
+        public function whereThereIsLessRoomThanItWasToldOthersGo():void
+        {
+            var models:Vector.<Model> = someModels(5);
+            newGame(_store).addModel(models[0]);
+            _storage.room = 2.9 * _store.length;
+            for each (var model:Model in models)
+            {
+                newGame(_store).addModel(model);
+            }
+            assertTrue("some were refused", _storage.refusalCount > 0);
+            assertEquals("two have room", 2, _storage.names.length);
+            _fitter.count = 0;
+            newGame(_store).addModel(models[4]);
+            newGame(_store).addModel(models[3]);
+            assertEquals("the last two", 0, _fitter.count);
+        }
+
+        [Test]
+        public function gamesWorkWhereNothingCanBeKept():void
+        {
+            _storage.room = 0;
+            for each (var model:Model in someModels(3))
+            {
+                var game:GreatLand = newGame(_store);
+                game.addModel(model);
+                assertTrue(game.boundingStructures.has(model.name));
+            }
+            assertEquals(0, _storage.names.length);
+            assertTrue("it is not tried for each", _storage.refusalCount < 8);
+        }
+
+        [Test]
+        public function aDamagedListOfEntriesLosesNone():void
+        {
+            var models:Vector.<Model> = someModels(3);
+            for each (var model:Model in models)
+            {
+                newGame(_store).addModel(model);
+            }
+            for each (var damage:Function in [clear, truncate, spoil])
+            {
+                damage();
+                _fitter.count = 0;
+                for each (model in models)
+                {
+                    newGame(_store).addModel(model);
+                }
+                assertEquals("they are found all the same", 0, _fitter.count);
+                assertEquals("and listed again", 3, listedCount());
+            }
+        }
+
+        [Test]
+        public function twoGamesAtOnceLoseAndMixNothing():void
+        {
+            // what one has written of the list, the other overwrites
+            var models:Vector.<Model> = someModels(8);
+            for (var i:int = 0; i < models.length; i += 2)
+            {
+                var before:ByteArray = _storage.read("index");
+                newGame(new FitStore(1e6, _storage)).addModel(models[i]);
+                if (before != null)
+                {
+                    _storage.write("index", before);
+                }
+                newGame(new FitStore(1e6, _storage)).addModel(models[i + 1]);
+            }
+            assertTrue("the list misses some", listedCount() < 8);
+            _fitter.count = 0;
+            for each (var model:Model in models)
+            {
+                var game:GreatLand = newGame(_store);
+                game.addModel(model);
+                var alone:GreatLand = newGame(null);
+                alone.addModel(model);
+                assertEquals(LibraryContents.of(alone, model.name), LibraryContents.of(game, model.name));
+            }
+            assertEquals("none is lost", models.length, _fitter.count);
+            assertEquals("and all are listed", 8, listedCount());
+        }
+
+        [Test]
+        public function theMachinesOwnStorage():void
+        {
+            var storage:SharedFitStorage = new SharedFitStorage();
+            var name:String = "0123456789abcdef0123456789abcdef";
+            storage.remove(name);
+            assertNull(storage.read(name));
+            var bytes:ByteArray = new ByteArray();
+            for (var i:int = 0; i < 1000; i++)
+            {
+                bytes.writeByte(i);
+            }
+            if (!storage.write(name, bytes))
+            {
+                // there is none: so it is in Node
+                assertNull(storage.read(name));
+                return;
+            }
+            bytes[0] = 77;
+            var back:ByteArray = storage.read(name);
+            assertEquals(1000, back.length);
+            assertEquals("a copy", 0, back[0]);
+            assertEquals(999 & 255, back[999]);
+            back[1] = 77;
+            assertEquals("a copy again", 1, storage.read(name)[1]);
+            storage.remove(name);
+            assertNull(storage.read(name));
+        }
+
+        private function newGame(store:FitStore):GreatLand
+        {
+            var game:GreatLand = new GreatLand();
+            game.boundingStructures.fitters.push(_fitter);
+            game.fitStore = store;
+            return game;
+        }
+
+        private static function newStore(capacity:Number):FitStore
+        {
+            return new FitStore(capacity);
+        }
+
+        private static function settingsOf(game:GreatLand):FitSettings
+        {
+            return new FitSettings(game.boundingStructures, game.hierarchies);
+        }
+
+        private static function someModels(count:int):Vector.<Model>
+        {
+            var models:Vector.<Model> = new Vector.<Model>();
+            var random:SeededRandom = new SeededRandom(20);
+            for (var i:int = 0; i < count; i++)
+            {
+                models.push(new Model("model " + i, PointSets.cloud(random, 30, 1, 1, 1)));
+            }
+            return models;
+        }
+
+        private function listedCount():int
+        {
+            return StoreIndex.read(_storage.read("index")).names.length;
+        }
+
+        private function clear():void
+        {
+            _storage.remove("index");
+        }
+
+        private function truncate():void
+        {
+            _storage.entries["index"].length -= 3;
+        }
+
+        private function spoil():void
+        {
+            _storage.entries["index"][5] ^= 4;
+        }
+    }
+}

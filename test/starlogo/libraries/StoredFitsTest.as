@@ -1,0 +1,605 @@
+package starlogo.libraries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.fitting.Fitter;
+    import starlogo.fitting.MinimalBoxFitter;
+    import starlogo.fitting.MinimalSphereFitter;
+    import starlogo.geometry.Fingerprint;
+    import starlogo.geometry.GeometryFingerprint;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.SolidContents;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import starlogo.steps.finish;
+    import support.Effort;
+    import support.Fixtures;
+    import support.LibraryContents;
+    import support.Mutations;
+    import support.SteppedModels;
+    import support.assertThrows;
+
+    use namespace engine;
+
+    /** Fits that were written down and read again are those that were computed; whatever else is read is not taken for them. */
+    public class StoredFitsTest
+    {
+        public static const FIXTURES:Array = SteppedModels.FIXTURES;
+
+        // What the twelve models' fits come to. Where it changes, raise FitSettings.REVISION: what players have kept is void.
+        private static const FINGERPRINT:String = "146ee061ee7e0a13";
+
+        private var _greatLand:GreatLand;
+
+        [Before]
+        public function setUp():void
+        {
+            _greatLand = new GreatLand();
+        }
+
+        [Test]
+        public function whatIsReadIsWhatWasComputed():void
+        {
+            for each (var model:Model in SteppedModels.twelve().concat(SteppedModels.odd()))
+            {
+                assertReadAsComputed(model, model.name);
+            }
+        }
+
+        [Test]
+        public function settingsThatChooseAmongWhatIsKept():void
+        {
+            var model:Model = bear();
+            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX])
+            {
+                _greatLand.hierarchyBounds = kind;
+                for each (var factor:Number in [1, 1.5, 10])
+                {
+                    _greatLand.cheaperTestsFactor = factor;
+                    _greatLand.loadAllBoundingStructures = !_greatLand.loadAllBoundingStructures;
+                    assertReadAsComputed(model, [kind, factor].join());
+                }
+            }
+        }
+
+        [Test]
+        public function allKindsOfStructuresAreThereWhenAskedFor():void
+        {
+            var model:Model = bear();
+            var computed:GreatLand = new GreatLand();
+            computed.addModel(model);
+            finish(_greatLand.receiveWithFits(model, computed.bake(model)));
+            for each (var kind:int in [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX])
+            {
+                var expected:BoundingStructure = computed.structureOfKind("bear", kind);
+                var read:BoundingStructure = _greatLand.structureOfKind("bear", kind);
+                assertEquals(kind, read.kind);
+                assertEquals(expected.volume, read.volume);
+            }
+        }
+
+        [Test]
+        public function everySettingThatMattersCounts():void
+        {
+            var model:Model = bear();
+            var baked:ByteArray = _greatLand.bake(model);
+            assertTrue("the same", isTaken(model, baked, true) && isTaken(model, baked, false));
+            _greatLand.orientedBoxDegIncrement = 15;
+            assertTrue("another increment", !isTaken(model, baked, true) && isTaken(model, baked, false));
+            _greatLand.orientedBoxDegIncrement = 10;
+            _greatLand.boundingStructures.fitters.push(new MinimalBoxFitter());
+            assertFalse("another fitter", isTaken(model, baked, true));
+            _greatLand.boundingStructures.fitters.pop();
+            _greatLand.hierarchies.minVerticesToSplit = 6;
+            assertTrue("fewer leaves", isTaken(model, baked, true) && !isTaken(model, baked, false));
+            _greatLand.hierarchies.minVerticesToSplit = 5;
+            _greatLand.hierarchies.maxDepth = 9;
+            assertFalse("fewer levels", isTaken(model, baked, false));
+            _greatLand.hierarchies.maxDepth = 10;
+            _greatLand.hierarchies.splitByMean = true;
+            assertFalse("split elsewhere", isTaken(model, baked, false));
+            _greatLand.hierarchies.splitByMean = false;
+            assertTrue("the same again", isTaken(model, baked, true) && isTaken(model, baked, false));
+        }
+
+        [Test]
+        public function everyBuiltInFitterHasASignatureOfItsOwn():void
+        {
+            _greatLand.boundingStructures.fitters = new <Fitter>[new MinimalSphereFitter(), new MinimalBoxFitter()];
+            assertReadAsComputed(bear(), "minimal");
+            assertTrue(isTaken(bear(), _greatLand.bake(bear()), true));
+        }
+
+        [Test]
+        public function whatAFitterWithoutSignatureFindsIsNotKept():void
+        {
+            _greatLand.boundingStructures.fitters.push(new UnsignedFitter());
+            var baked:ByteArray = _greatLand.bake(bear());
+            assertFalse("structures", isTaken(bear(), baked, true));
+            assertTrue("its hierarchy is", isTaken(bear(), baked, false));
+        }
+
+        [Test]
+        public function aVertexThatMovedMakesAnotherModel():void
+        {
+            var model:Model = bear();
+            var baked:ByteArray = _greatLand.bake(model);
+            var random:SeededRandom = new SeededRandom(11);
+            var seen:Object = {};
+            for (var i:int = 0; i < 300; i++)
+            {
+                var vertices:Vector.<Number> = model.vertices.concat();
+                var at:int = random.integer(0, vertices.length - 1);
+                vertices[at] += random.logBetween(1e-14, 1e-3);
+                var fingerprint:GeometryFingerprint = new GeometryFingerprint(vertices, model.triangles);
+                finish(fingerprint);
+                seen[fingerprint.fingerprint.toString()] = true;
+            }
+            for (i = 0; i < 300; i++)
+            {
+                var triangles:Vector.<uint> = model.triangles.concat();
+                at = random.integer(0, triangles.length - 1);
+                triangles[at] = (triangles[at] + random.integer(1, vertices.length / 3 - 1)) % (vertices.length / 3);
+                fingerprint = new GeometryFingerprint(model.vertices, triangles);
+                finish(fingerprint);
+                seen[fingerprint.fingerprint.toString()] = true;
+            }
+            var count:int = 0;
+            for (var each:String in seen)
+            {
+                count++;
+            }
+            assertTrue("all but those that were the same by chance: " + count, count >= 598);
+            vertices = model.vertices.concat();
+            vertices[0] += 1e-9;
+            assertFalse(isTaken(new Model("bear", vertices, model.triangles), baked, true));
+        }
+
+        [Test]
+        public function theNameDoesNotCount():void
+        {
+            var other:Model = new ObjModel("grizzly", Fixtures.text("/assets/bear.obj"));
+            assertTrue(isTaken(other, _greatLand.bake(bear()), true));
+        }
+
+        [Test]
+        public function damagedFitsAreComputedAgain():void
+        {
+            var models:Vector.<Model> = new <Model>[BuiltInModel.cube(), tetrahedron(), points()];
+            var expected:Vector.<String> = new Vector.<String>();
+            var baked:Vector.<ByteArray> = new Vector.<ByteArray>();
+            var index:int;
+            for (index = 0; index < models.length; index++)
+            {
+                _greatLand.addModel(models[index]);
+                expected.push(contentsOf(_greatLand, models[index]));
+                baked.push(_greatLand.bake(models[index]));
+            }
+            var random:SeededRandom = new SeededRandom(15);
+            var count:int = Effort.choose(600, 10000);
+            var unchanged:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                index = i % models.length;
+                var damaged:ByteArray = damage(baked, index, random);
+                if (areSame(damaged, baked[index]))
+                {
+                    unchanged++;
+                    continue;
+                }
+                var build:ModelBuild = newBuild(models[index], damaged);
+                assertFalse("structures are computed, " + i, build.areStructuresTaken);
+                assertFalse("so is the hierarchy, " + i, build.hierarchy.isTaken);
+                if (i % 10 < models.length)
+                {
+                    finish(_greatLand.receiveWithFits(models[index], damaged));
+                    assertEquals(expected[index], contentsOf(_greatLand, models[index]));
+                }
+            }
+            trace("  " + (count - unchanged) + " files damaged, each computed again; " + unchanged + " came out as they were");
+            assertTrue(unchanged < count / 50);
+        }
+
+        [Test]
+        public function structuresThatLeaveSomeOfTheModelOutAreNotTaken():void
+        {
+            var model:Model = bear();
+            _greatLand.addModel(model);
+            var right:BoundingStructure = _greatLand.boundingStructures.tightestFit("bear");
+            assertTrue(right is Box);
+            var small:Box = Box(right.clone());
+            small.halfY *= 0.999;
+            var moved:BoundingStructure = right.clone();
+            Box(moved).center.x += 1e-3;
+            var huge:Sphere = new Sphere(Box(right).center, 1e-9);
+            for each (var wrong:BoundingStructure in [small, moved, huge])
+            {
+                var fits:ModelFits = fitsOf(model);
+                fits.structures = new Vector.<BoundingStructure>(3);
+                fits.structures[wrong.kind] = wrong;
+                var land:GreatLand = new GreatLand();
+                finish(land.receiveWithFits(model, bytesOf(fits, model)));
+                assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
+            }
+        }
+
+        [Test]
+        public function structuresOfOtherKindsAreLookedAtWhenAskedFor():void
+        {
+            var model:Model = bear();
+            _greatLand.addModel(model);
+            var fits:ModelFits = fitsOf(model);
+            var sphere:Sphere = Sphere(fits.structures[BoundingStructure.SPHERE].clone());
+            var radius:Number = sphere.radius;
+            sphere.radius *= 0.99;
+            fits.structures[BoundingStructure.SPHERE] = sphere;
+            var land:GreatLand = new GreatLand();
+            // too large to be the tightest, so nobody needs it at first
+            finish(land.receiveWithFits(model, bytesOf(fits, model)));
+            assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
+            assertEquals(radius, Sphere(land.structureOfKind("bear", BoundingStructure.SPHERE)).radius);
+        }
+
+        [Test]
+        public function impossibleStructuresAreNotTaken():void
+        {
+            var model:Model = bear();
+            _greatLand.addModel(model);
+            var spoilers:Array = [function(box:Box):void
+                {
+                    box.halfX = NaN;
+                }, function(box:Box):void
+                {
+                    box.halfX = Infinity;
+                }, function(box:Box):void
+                {
+                    box.halfZ = -1;
+                }, function(box:Box):void
+                {
+                    box.center.y = NaN;
+                }, function(box:Box):void
+                {
+                    box.axisX.scaleBy(1.000001);
+                }, function(box:Box):void
+                {
+                    box.axisX = box.axisY;
+                }
+            ];
+            for each (var spoil:Function in spoilers)
+            {
+                var box:Box = Box(_greatLand.boundingStructures.tightestFit("bear").clone());
+                spoil(box);
+                var fits:ModelFits = fitsOf(model);
+                fits.structures = new Vector.<BoundingStructure>(3);
+                fits.structures[BoundingStructure.BOX] = box;
+                var land:GreatLand = new GreatLand();
+                finish(land.receiveWithFits(model, bytesOf(fits, model)));
+                assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
+            }
+        }
+
+        [Test]
+        public function aForgedHierarchyIsComputedAgainOrEnclosesTheModel():void
+        {
+            var model:Model = bear();
+            _greatLand.addModel(model);
+            var expected:String = LibraryContents.of(_greatLand, "bear");
+            var random:SeededRandom = new SeededRandom(16);
+            var taken:int = 0;
+            var refused:int = 0;
+            for (var i:int = 0; i < Effort.choose(60, 2000); i++)
+            {
+                var fits:ModelFits = fitsOf(model);
+                if (random.chance(0.5))
+                {
+                    fits.tree = Mutations.ofBytes(fits.tree, random);
+                }
+                else
+                {
+                    swapTwo(fits.tree, model.triangles.length / 3, random);
+                }
+                fits.tree.endian = FitsWriter.ENDIAN;
+                fits.tree.position = 0;
+                var land:GreatLand = new GreatLand();
+                finish(land.receiveWithFits(model, bytesOf(fits, model)));
+                land.hierarchies.root("bear");
+                if (LibraryContents.of(land, "bear") == expected)
+                {
+                    refused++;
+                    continue;
+                }
+                taken++;
+                assertEncloses(land.hierarchies.root("bear"), model);
+            }
+            trace("  " + refused + " forged hierarchies computed again, " + taken + " that divide the triangles another way");
+            assertTrue(refused > 15 && taken > 15);
+        }
+
+        [Test]
+        public function whatIsSaidOfASurfaceIsNotBelieved():void
+        {
+            var random:SeededRandom = new SeededRandom(17);
+            for each (var model:Model in [bear(), BuiltInModel.cube(), turned(BuiltInModel.sphere(), random, 0.2), opened(BuiltInModel.sphere())])
+            {
+                _greatLand.addModel(model);
+                var expected:String = SolidContents.of(_greatLand, model.name);
+                for (var i:int = 0; i < 20; i++)
+                {
+                    var fits:ModelFits = fitsOf(model);
+                    forge(fits, model.triangles.length / 3, random, i);
+                    var land:GreatLand = new GreatLand();
+                    finish(land.receiveWithFits(model, bytesOf(fits, model)));
+                    assertEquals(model.name + " " + i, expected, SolidContents.of(land, model.name));
+                }
+            }
+        }
+
+        [Test]
+        public function surfacesThatMustBeTurnedRoundAreKept():void
+        {
+            var model:Model = turned(bear(), new SeededRandom(18), 0.1);
+            var fits:ModelFits = fitsOf(model);
+            assertTrue("some are turned", fits.notes.isTurned != null && fits.notes.isTurned.indexOf(true) >= 0);
+            assertReadAsComputed(model, "turned");
+        }
+
+        [Test]
+        public function anotherAlgorithmIsAnotherRevision():void
+        {
+            var all:Fingerprint = new Fingerprint();
+            for each (var model:Model in SteppedModels.twelve())
+            {
+                var baked:ByteArray = _greatLand.bake(model);
+                all.addBytes(baked, baked.length / Fingerprint.LENGTH);
+            }
+            trace("  fits of the twelve models: " + all);
+            // rotations of single precision find other boxes
+            var matrix:Matrix3D = new Matrix3D();
+            matrix.appendTranslation(0.1, 0, 0);
+            if (matrix.rawData[12] == 0.1)
+            {
+                assertEquals(FINGERPRINT, all.toString());
+            }
+        }
+
+        [Test]
+        public function whatIsBakedIsAModel():void
+        {
+            assertThrows(ArgumentError, /model must not be null/, _greatLand.bake, null);
+            assertFalse("it is not added", _greatLand.hasModel("bear"));
+            _greatLand.bake(bear());
+            assertFalse(_greatLand.hasModel("bear"));
+        }
+
+        private function assertReadAsComputed(model:Model, message:String):void
+        {
+            for each (var isExact:Boolean in [false, true])
+            {
+                _greatLand.prepareExact = isExact;
+                _greatLand.addModel(model);
+                var computed:String = contentsOf(_greatLand, model);
+                var baked:ByteArray = _greatLand.bake(model);
+                assertTrue(message, isTaken(model, baked, true) && isTaken(model, baked, false));
+                finish(_greatLand.receiveWithFits(model, baked));
+                assertEquals(message, computed, contentsOf(_greatLand, model));
+            }
+        }
+
+        private static function contentsOf(land:GreatLand, model:Model):String
+        {
+            return LibraryContents.of(land, model.name) + "\n" + SolidContents.of(land, model.name);
+        }
+
+        // Whether the structures, or the hierarchy, are taken from fits.
+        private function isTaken(model:Model, baked:ByteArray, structures:Boolean):Boolean
+        {
+            var build:ModelBuild = newBuild(model, baked);
+            return structures ? build.areStructuresTaken : build.hierarchy.isTaken;
+        }
+
+        private function newBuild(model:Model, baked:ByteArray):ModelBuild
+        {
+            var build:ModelBuild = new ModelBuild(model, _greatLand.boundingStructures, _greatLand.hierarchies, baked, null);
+            finish(build);
+            build.hierarchy.finished;
+            return build;
+        }
+
+        private function fitsOf(model:Model):ModelFits
+        {
+            var build:ModelBuild = newBuild(model, null);
+            var hierarchy:Hierarchy = build.hierarchy.finished;
+            hierarchy.prepare();
+            return ModelFits.of(build.structures, hierarchy);
+        }
+
+        private function bytesOf(fits:ModelFits, model:Model):ByteArray
+        {
+            var geometry:GeometryFingerprint = new GeometryFingerprint(model.vertices, model.triangles);
+            finish(geometry);
+            return FitsWriter.write(fits, geometry.fingerprint, new FitSettings(_greatLand.boundingStructures, _greatLand.hierarchies));
+        }
+
+        private static function forge(fits:ModelFits, triangleCount:int, random:SeededRandom, way:int):void
+        {
+            var i:int;
+            switch (way % 4)
+            {
+                case 0:
+                    fits.notes.isTurned = new Vector.<Boolean>(triangleCount);
+                    for (i = 0; i < triangleCount; i++)
+                    {
+                        fits.notes.isTurned[i] = way == 0 || random.chance(0.5);
+                    }
+                    break;
+                case 1:
+                    fits.notes.isTurned = null;
+                    fits.notes.joins = new <int>[0, triangleCount - 1];
+                    break;
+                case 2:
+                    fits.notes.joins = new Vector.<int>();
+                    for (i = 0; i < 2 * Math.min(40, triangleCount - 1); i++)
+                    {
+                        fits.notes.joins.push(random.integer(0, triangleCount - 1));
+                    }
+                    break;
+                default:
+                    fits.notes.joins.reverse();
+                    fits.notes.joins.push(0, 0);
+                    break;
+            }
+        }
+
+        private static function assertEncloses(node:HierarchyNode, model:Model):void
+        {
+            for each (var triangle:int in node.triangleIndices())
+            {
+                for (var corner:int = 3 * triangle; corner < 3 * triangle + 3; corner++)
+                {
+                    var at:int = 3 * model.triangles[corner];
+                    assertTrue(node.bounds.contains(new Vector3D(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2])));
+                }
+            }
+            if (!node.isLeaf)
+            {
+                assertEquals(node.triangleCount, node.left.triangleCount + node.right.triangleCount);
+                assertEncloses(node.left, model);
+                assertEncloses(node.right, model);
+            }
+        }
+
+        // Two of the triangles in the order of the hierarchy, which has two bytes for each.
+        private static function swapTwo(tree:ByteArray, triangleCount:int, random:SeededRandom):void
+        {
+            var a:int = 2 * random.integer(0, triangleCount - 1);
+            var b:int = 2 * random.integer(0, triangleCount - 1);
+            for (var i:int = 0; i < 2; i++)
+            {
+                var byte:int = tree[a + i];
+                tree[a + i] = tree[b + i];
+                tree[b + i] = byte;
+            }
+        }
+
+        private static function damage(baked:Vector.<ByteArray>, index:int, random:SeededRandom):ByteArray
+        {
+            switch (random.integer(0, 5))
+            {
+                case 0:
+                    return baked[(index + 1) % baked.length];
+                case 1:
+                    return bitTurned(baked[index], random);
+                case 2:
+                    return crossed(baked[index], baked[(index + 1) % baked.length], random);
+                default:
+                    return Mutations.ofBytes(baked[index], random);
+            }
+        }
+
+        private static function bitTurned(bytes:ByteArray, random:SeededRandom):ByteArray
+        {
+            var copy:ByteArray = new ByteArray();
+            copy.writeBytes(bytes);
+            copy[random.integer(0, copy.length - 1)] ^= 1 << random.integer(0, 7);
+            return copy;
+        }
+
+        private static function crossed(a:ByteArray, b:ByteArray, random:SeededRandom):ByteArray
+        {
+            var copy:ByteArray = new ByteArray();
+            var at:int = random.integer(0, Math.min(a.length, b.length));
+            if (at > 0)
+            {
+                copy.writeBytes(a, 0, at);
+            }
+            if (at < b.length)
+            {
+                copy.writeBytes(b, at);
+            }
+            return copy;
+        }
+
+        private static function areSame(a:ByteArray, b:ByteArray):Boolean
+        {
+            for (var i:int = 0; i < a.length && a.length == b.length; i++)
+            {
+                if (a[i] != b[i])
+                {
+                    return false;
+                }
+            }
+            return a.length == b.length;
+        }
+
+        private static function bear():Model
+        {
+            return SteppedModels.twelve().filter(function(model:Model, index:int, all:Vector.<Model>):Boolean
+                {
+                    return model.name == "bear";
+                })[0];
+        }
+
+        // With some of its triangles turned round.
+        private static function turned(model:Model, random:SeededRandom, share:Number):Model
+        {
+            var triangles:Vector.<uint> = model.triangles.concat();
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                if (random.chance(share))
+                {
+                    var corner:uint = triangles[i];
+                    triangles[i] = triangles[i + 1];
+                    triangles[i + 1] = corner;
+                }
+            }
+            return new Model("turned " + model.name, model.vertices, triangles);
+        }
+
+        // With a hole of one triangle.
+        private static function opened(model:Model):Model
+        {
+            return new Model("opened " + model.name, model.vertices, model.triangles.slice(3));
+        }
+
+        private static function tetrahedron():Model
+        {
+            return new Model("tetrahedron", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], new <uint>[0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
+        }
+
+        private static function points():Model
+        {
+            return new Model("points", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.3, 0.3, 0.3, 0.2, 0.7, 0.1, 0.9, 0.1, 0.4]);
+        }
+    }
+}
+
+import flash.geom.Vector3D;
+import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Sphere;
+import starlogo.fitting.Fit;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
+
+/** Finds a sphere that is large enough for every model. */
+class UnsignedFitter extends Fitter
+{
+    override public function begin(session:FitSession):Fit
+    {
+        return new Fit(session, function(session:FitSession):BoundingStructure
+            {
+                return new Sphere(new Vector3D(), 100);
+            });
+    }
+}

@@ -36,6 +36,10 @@ import {
 	finish,
 	Fit,
 	FitSession,
+	FitSettings,
+	FitsReceiver,
+	FitStorage,
+	FitStore,
 	Fitter,
 	GreatLand,
 	HierarchicalCollider,
@@ -51,6 +55,7 @@ import {
 	Model,
 	ModelError,
 	ModelEvent,
+	ModelFits,
 	ModelLoader,
 	ModelReceiver,
 	ModelSource,
@@ -62,6 +67,7 @@ import {
 	ProgressEvent,
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
+	SharedFitStorage,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
@@ -217,6 +223,26 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	const source: ModelSource = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
 	loader.loadFrom(source);
 	return new Promise((resolve) => dispatcher.addEventListener(Event.COMPLETE, () => resolve(loaded.sort())));
+}
+
+/** Keeps what was computed, in a place of one's own; how many bytes a model's take, and what comes back. */
+export function keep(): string[] {
+	const kept = new Map<string, ByteArray>();
+	const storage: FitStorage = {
+		read: (name) => (kept.has(name) ? new ByteArray(kept.get(name)!.toUint8Array()) : null),
+		write: (name, bytes: ByteArray) => kept.set(name, new ByteArray(bytes.toUint8Array())).size > 0,
+		remove: (name) => void kept.delete(name),
+	};
+	const model = BuiltInModel.cylinder();
+	const greatLand = new GreatLand();
+	greatLand.fitStore = new FitStore(100000, storage);
+	greatLand.addModel(model);
+	const fits: ModelFits | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
+	const receiver: FitsReceiver = new GreatLand();
+	finish(receiver.receiveWithFits(model, greatLand.bake(model)));
+	// there is none in Node
+	const here: FitStorage = new SharedFitStorage();
+	return [String(greatLand.bake(model).length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];
 }
 
 /** What goes wrong is said by name. */

@@ -442,7 +442,7 @@ package soak
         {
             var names:Array = ["agents added", "agents removed", "agents resized", "agents reshaped", "agents turned",
                     "agents of another breed", "jumps", "agents that begin or cease to sweep", "agents whose model is loading",
-                    "models added", "models replaced", "models removed", "models loaded", "loads cancelled", "loads failed, as they should",
+                    "models added", "models replaced", "models removed", "models loaded", "fits read", "fits read damaged", "loads cancelled", "loads failed, as they should",
                     "systems exchanged", "handlers added", "handlers removed", "handler calls", "calls that changed the game",
                     "errors of handlers, as they should", "errors for models that are gone, as they should",
                     "calls of another Collision", "starts of touches", "ends of touches", "frames checked", "pairs checked",

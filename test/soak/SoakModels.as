@@ -5,6 +5,7 @@ package soak
     import flash.utils.ByteArray;
     import starlogo.GreatLand;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.libraries.FitStore;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ModelEvent;
@@ -19,6 +20,10 @@ package soak
         private static const REPLACED:Array = ["blob 1", "blob 2", "blob 3", "blob 4"];
         private static const LOADED:Array = ["load 1", "load 2", "load 3", "load 4", "load 5"];
         private static const BROKEN:String = "v 0 0 0\nv 1 0 0\nf 1 2 3\n";
+
+        // shapes that come again, and how many bytes of fits are kept: not of all
+        private static const COMMON_SHAPES:int = 6;
+        private static const KEPT_BYTES:int = 15000;
 
         private var _random:SeededRandom;
         private var _counts:SoakCounts;
@@ -36,6 +41,7 @@ package soak
         {
             _random = random;
             _counts = counts;
+            _greatLand.fitStore = new FitStore(KEPT_BYTES, new SoakStorage(random, counts));
             var points:Model = new Model("points", cloud());
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), points,
                         SolidModels.hollow(), SolidModels.apart()])
@@ -81,7 +87,7 @@ package soak
             var name:String = _random.pick(_random.chance(0.8) ? REPLACED : LOADED);
             _counts.add(_greatLand.hasModel(name) ? "models replaced" : "models added");
             chooseFlags();
-            var lathe:Lathe = new Lathe(_random);
+            var lathe:Lathe = newLathe();
             add(new Model(name, lathe.vertices, lathe.triangles));
         }
 
@@ -104,7 +110,7 @@ package soak
                 chooseFlags();
                 load(loader, _random.chance(0.2) ? "passing " + ++_passing : LOADED[place]);
             }
-            else if (_random.chance(0.03))
+            else if (_random.chance(0.05))
             {
                 loader.cancel();
                 _counts.add("loads cancelled");
@@ -141,7 +147,7 @@ package soak
 
         private function load(loader:ModelLoader, name:String):void
         {
-            var lathe:Lathe = new Lathe(_random);
+            var lathe:Lathe = newLathe();
             switch (_random.integer(0, 4))
             {
                 case 0:
@@ -159,6 +165,11 @@ package soak
                 default:
                     loader.loadBytes(name, Zip.of(["a.dae", lathe.toCollada()]));
             }
+        }
+
+        private function newLathe():Lathe
+        {
+            return new Lathe(_random.chance(0.5) ? new SeededRandom(_random.integer(1, COMMON_SHAPES)) : _random);
         }
 
         private function chooseFlags():void

@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor of flat typed arrays and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, exact, peers
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, exact, peers, fits
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
@@ -217,5 +217,22 @@ async function peers() {
 	print("Spheres, all moving, ms a frame", ["", "bins", "tightest fit", "Rapier (WebAssembly)", "cannon-es", "pairs", "Rapier's"], rows);
 }
 
+/** The twelve models of the thesis's table, taken in with their fits known and with all to compute. */
+function fits() {
+	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
+	const read = (file) => (file.endsWith(".obj") ? new ObjModel(file, asset(file)) : new ColladaModel(file, asset(file)));
+	const models = [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
+	const baked = models.map((model) => greatLand.bake(model));
+	const rows = [false, true].map((isExact) => {
+		const land = new GreatLand();
+		land.prepareExact = isExact;
+		const take = (fitsOf) => ({ run: () => models.forEach((model, i) => engine.finish(land.receiveWithFits(model, fitsOf(i)))) });
+		const [known, computed] = measure([take((i) => baked[i]), take(() => null)], 40);
+		return [isExact ? "all of it" : "until they are there", known, computed, computed / known];
+	});
+	const [files12] = measure([{ run: () => files.forEach(read) }], 20);
+	print("Twelve models, ms", ["", "fits known", "computed", "times"], [...rows, ["reading nine of their files", files12, "", ""]]);
+}
+
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, exact, peers]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, exact, peers, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -23,7 +23,13 @@ const COLD = {
 	'starlogo.collision.PairHandlers': 'made when handlers change',
 	'starlogo.hierarchy.HierarchyBuilder': 'when a model loads',
 	'starlogo.hierarchy.Items': 'when a model loads',
+	'starlogo.hierarchy.NodeDivider': 'when a model loads',
+	'starlogo.hierarchy.NodeMaker': 'when a model loads',
 	'starlogo.hierarchy.NodeStructures': 'when a model loads',
+	'starlogo.hierarchy.PartExtremes': 'when a model loads',
+	'starlogo.hierarchy.SurfaceNotes': 'when a model loads',
+	'starlogo.hierarchy.TreeReader': 'when a model loads',
+	'starlogo.hierarchy.TreeWriter': 'when a model loads',
 	'starlogo.hierarchy.SolidBuilder': 'when a model loads',
 };
 

@@ -13,13 +13,10 @@ package starlogo.geometry
     {
         private static const VERTICES_A_STEP:int = 3000;
 
-        // no model's sides are in such proportions
-        private static const WEIGHT_X:Number = 0.7548776662466927;
-        private static const WEIGHT_Y:Number = 0.5698402909980532;
-        private static const WEIGHT_Z:Number = 0.4301597090019468;
-
-        // what is left of a number without its first 30 bits counts as well
-        private static const UNIT:Number = 1073741824;
+        // No model's sides are in such proportions. A vertex's number fills an integer, and what is left of it counts as well.
+        private static const WEIGHT_X:Number = 0.7548776662466927 * 1073741824;
+        private static const WEIGHT_Y:Number = 0.5698402909980532 * 1073741824;
+        private static const WEIGHT_Z:Number = 0.4301597090019468 * 1073741824;
 
         private var _fingerprint:Fingerprint = new Fingerprint();
         private var _vertices:Vector.<Number>;
@@ -73,9 +70,15 @@ package starlogo.geometry
             var end:int = Math.min(_nextVertex + 3 * VERTICES_A_STEP, vertices.length);
             var mix:int = _mix;
             var rest:Number = _rest;
-            for (var i:int = _nextVertex; i < end; i += 3)
+            var weightX:Number = WEIGHT_X;
+            var weightY:Number = WEIGHT_Y;
+            var weightZ:Number = WEIGHT_Z;
+            var i:int = _nextVertex;
+            while (i < end)
             {
-                var place:Number = (vertices[i] * WEIGHT_X + vertices[int(i + 1)] * WEIGHT_Y + vertices[int(i + 2)] * WEIGHT_Z) * UNIT;
+                var place:Number = vertices[i++] * weightX;
+                place += vertices[i++] * weightY;
+                place += vertices[i++] * weightZ;
                 var whole:int = place;
                 rest += place - whole;
                 mix ^= whole;
@@ -92,9 +95,14 @@ package starlogo.geometry
             var triangles:Vector.<uint> = _triangles;
             var end:int = Math.min(_nextTriangle + 6 * VERTICES_A_STEP, triangles.length);
             var mix:int = _mix;
-            for (var i:int = _nextTriangle; i < end; i += 3)
+            var i:int = _nextTriangle;
+            while (i < end)
             {
-                mix ^= triangles[i] ^ triangles[int(i + 1)] << 11 ^ triangles[int(i + 2)] << 21;
+                var place:Number = triangles[i++];
+                place += triangles[i++] * 65599;
+                place += triangles[i++] * 8261505;
+                var whole:int = place;
+                mix ^= whole;
                 mix += mix << 10;
                 mix ^= mix >>> 6;
             }

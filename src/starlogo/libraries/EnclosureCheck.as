@@ -73,11 +73,12 @@ package starlogo.libraries
             var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
             var reach:Number = radius + Tolerances.CONTAINMENT * (radius + Math.sqrt(squared) / 2);
             reach *= reach;
-            for (var i:int = first; i < end; i += 3)
+            var i:int = first;
+            while (i < end)
             {
-                var x:Number = vertices[i] - fromX;
-                var y:Number = vertices[int(i + 1)] - fromY;
-                var z:Number = vertices[int(i + 2)] - fromZ;
+                var x:Number = vertices[i++] - fromX;
+                var y:Number = vertices[i++] - fromY;
+                var z:Number = vertices[i++] - fromZ;
                 if (squared > 0)
                 {
                     var along:Number = (x * axisX + y * axisY + z * axisZ) / squared;
@@ -120,11 +121,12 @@ package starlogo.libraries
             var halfX:Number = box.halfX + slack;
             var halfY:Number = box.halfY + slack;
             var halfZ:Number = box.halfZ + slack;
-            for (var i:int = first; i < end; i += 3)
+            var i:int = first;
+            while (i < end)
             {
-                var x:Number = vertices[i] - centerX;
-                var y:Number = vertices[int(i + 1)] - centerY;
-                var z:Number = vertices[int(i + 2)] - centerZ;
+                var x:Number = vertices[i++] - centerX;
+                var y:Number = vertices[i++] - centerY;
+                var z:Number = vertices[i++] - centerZ;
                 var onX:Number = x * xx + y * xy + z * xz;
                 var onY:Number = x * yx + y * yy + z * yz;
                 var onZ:Number = x * zx + y * zy + z * zz;

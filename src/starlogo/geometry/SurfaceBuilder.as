@@ -27,8 +27,8 @@ package starlogo.geometry
         private var _phase:int = WELDING;
         private var _next:int = 0;
 
-        // Union-find over vertices, then the number of the piece that a root stands for.
-        private var _parents:Vector.<int>;
+        // The vertices that hang together, then the number of the piece that a root stands for.
+        private var _sets:DisjointSets;
         private var _numbers:Vector.<int>;
 
         // Three a triangle: twice the number of the two vertices' pair, and 1 more from the higher to the lower; -1 where the
@@ -46,11 +46,10 @@ package starlogo.geometry
             _welding = new Welding(vertices);
             _orientation = new Orientation(vertices, triangles);
             var count:int = vertices.length / 3;
-            _parents = new Vector.<int>(count, true);
+            _sets = new DisjointSets(count);
             _numbers = new Vector.<int>(count, true);
             for (var i:int = 0; i < count; i++)
             {
-                _parents[i] = i;
                 _numbers[i] = -1;
             }
             _edges = new Array(triangles.length);
@@ -122,9 +121,8 @@ package starlogo.geometry
             var a:int = cornerOf(3 * triangle);
             var b:int = cornerOf(3 * triangle + 1);
             var c:int = cornerOf(3 * triangle + 2);
-            var root:int = rootOf(a);
-            _parents[rootOf(b)] = root;
-            _parents[rootOf(c)] = root;
+            _sets.join(a, b);
+            _sets.join(a, c);
             var hasArea:Boolean = a != b && b != c && c != a;
             _edges[3 * triangle] = hasArea ? edge(a, b) : -1;
             _edges[3 * triangle + 1] = hasArea ? edge(b, c) : -1;
@@ -133,7 +131,7 @@ package starlogo.geometry
 
         private function number(triangle:int):void
         {
-            var root:int = rootOf(cornerOf(3 * triangle));
+            var root:int = _sets.rootOf(cornerOf(3 * triangle));
             if (_numbers[root] < 0)
             {
                 _numbers[root] = _surface.pieceCount++;
@@ -196,20 +194,9 @@ package starlogo.geometry
             return _welding.welded[_triangles[index]];
         }
 
-        private function rootOf(vertex:int):int
-        {
-            while (_parents[vertex] != vertex)
-            {
-                // shortens the way for the next one
-                _parents[vertex] = _parents[_parents[vertex]];
-                vertex = _parents[vertex];
-            }
-            return vertex;
-        }
-
         private function edge(from:int, to:int):Number
         {
-            var count:Number = _parents.length;
+            var count:Number = _numbers.length;
             return from < to ? 2 * (from * count + to) : 2 * (to * count + from) + 1;
         }
     }

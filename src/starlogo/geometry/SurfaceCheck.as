@@ -29,8 +29,8 @@ package starlogo.geometry
         private var _phase:int = WELDING;
         private var _next:int = 0;
 
-        // Union-find over vertices, then the number of the piece that a root stands for; the vertices' random numbers.
-        private var _parents:Vector.<int>;
+        // The vertices that hang together, then the number of the piece that a root stands for; the vertices' random numbers.
+        private var _sets:DisjointSets;
         private var _numbers:Vector.<int>;
         private var _marks:Vector.<int>;
         private var _mark:int = 0x2545F491;
@@ -54,7 +54,7 @@ package starlogo.geometry
             _isTurned = isTurned;
             _welding = new Welding(vertices);
             var count:int = vertices.length / 3;
-            _parents = new Vector.<int>(count, true);
+            _sets = new DisjointSets(count);
             _numbers = new Vector.<int>(count, true);
             _marks = new Vector.<int>(count, true);
             _surface.pieces = new Vector.<int>(triangles.length / 3, true);
@@ -94,18 +94,17 @@ package starlogo.geometry
         // Marsaglia, "Xorshift RNGs", Journal of Statistical Software 8(14), 2003.
         private function markSome():void
         {
-            var end:int = Math.min(_next + VERTICES_A_STEP, _parents.length);
+            var end:int = Math.min(_next + VERTICES_A_STEP, _numbers.length);
             for (var i:int = _next; i < end; i++)
             {
                 _mark ^= _mark << 13;
                 _mark ^= _mark >>> 17;
                 _mark ^= _mark << 5;
                 _marks[i] = _mark;
-                _parents[i] = i;
                 _numbers[i] = -1;
             }
             _next = end;
-            if (end == _parents.length)
+            if (end == _numbers.length)
             {
                 _phase = JOINING;
                 _next = 0;
@@ -116,7 +115,6 @@ package starlogo.geometry
         {
             var welded:Vector.<int> = _welding.welded;
             var triangles:Vector.<uint> = _triangles;
-            var parents:Vector.<int> = _parents;
             var count:int = triangles.length / 3;
             var end:int = Math.min(_next + TRIANGLES_A_STEP, count);
             for (var i:int = _next; i < end; i++)
@@ -125,9 +123,8 @@ package starlogo.geometry
                 var a:int = welded[triangles[corner]];
                 var b:int = welded[triangles[int(corner + 1)]];
                 var c:int = welded[triangles[int(corner + 2)]];
-                var root:int = rootOf(a);
-                parents[rootOf(b)] = root;
-                parents[rootOf(c)] = root;
+                _sets.join(a, b);
+                _sets.join(a, c);
                 if (a != b && b != c && c != a)
                 {
                     _hasArea = true;
@@ -173,7 +170,7 @@ package starlogo.geometry
             var end:int = Math.min(_next + TRIANGLES_A_STEP, count);
             for (var i:int = _next; i < end; i++)
             {
-                var root:int = rootOf(_welding.welded[_triangles[3 * i]]);
+                var root:int = _sets.rootOf(_welding.welded[_triangles[3 * i]]);
                 if (_numbers[root] < 0)
                 {
                     _numbers[root] = _surface.pieceCount++;
@@ -220,21 +217,6 @@ package starlogo.geometry
                 }
             }
             return true;
-        }
-
-        private function rootOf(vertex:int):int
-        {
-            var parents:Vector.<int> = _parents;
-            var parent:int = parents[vertex];
-            while (parent != vertex)
-            {
-                // shortens the way for the next one
-                var above:int = parents[parent];
-                parents[vertex] = above;
-                vertex = above;
-                parent = parents[vertex];
-            }
-            return vertex;
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
+    import starlogo.geometry.DisjointSets;
     import starlogo.geometry.Surface;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.triangleTriangle;
@@ -27,8 +28,8 @@ package starlogo.hierarchy
         private var _touching:Number;
         private var _pairs:int = 0;
 
-        // Union-find over pieces, how many parts are left, and pairs of nodes whose pieces have not been compared.
-        private var _parents:Vector.<int> = new Vector.<int>();
+        // The pieces that are one part, how many parts are left, and pairs of nodes whose pieces have not been compared.
+        private var _sets:DisjointSets;
         private var _partCount:int;
         private var _joins:Vector.<int> = new Vector.<int>();
         private var _stack:Vector.<HierarchyNode>;
@@ -50,10 +51,7 @@ package starlogo.hierarchy
             _touching = 2 * Tolerances.SURFACES * root.radius;
             _stack = new <HierarchyNode>[root, root];
             _partCount = surface.pieceCount;
-            for (var i:int = 0; i < _partCount; i++)
-            {
-                _parents.push(i);
-            }
+            _sets = new DisjointSets(_partCount);
         }
 
         /**
@@ -63,13 +61,7 @@ package starlogo.hierarchy
          */
         public function partOf(triangle:int):int
         {
-            var piece:int = _surface.pieces[_order[triangle]];
-            while (_parents[piece] != piece)
-            {
-                _parents[piece] = _parents[_parents[piece]];
-                piece = _parents[piece];
-            }
-            return piece;
+            return _sets.rootOf(_surface.pieces[_order[triangle]]);
         }
 
         /** Two triangles that touch, by their indices in the hierarchy's order, for each time that two parts turned out to be one. */
@@ -186,7 +178,7 @@ package starlogo.hierarchy
 
         private function joinParts(i:int, k:int):void
         {
-            _parents[partOf(k)] = partOf(i);
+            _sets.join(_surface.pieces[_order[i]], _surface.pieces[_order[k]]);
             _partCount--;
             _joins.push(i, k);
         }

@@ -18,7 +18,8 @@ package starlogo.geometry
         private static const SORTING:int = 3;
         private static const COMPARING:int = 4;
         private static const TURNING:int = 5;
-        private static const DONE:int = 6;
+        private static const BALANCING:int = 6;
+        private static const DONE:int = 7;
 
         private var _surface:Surface = new Surface();
         private var _triangles:Vector.<uint>;
@@ -34,6 +35,7 @@ package starlogo.geometry
         // Three a triangle: twice the number of the two vertices' pair, and 1 more from the higher to the lower; -1 where the
         // triangle has no area. Equal pairs are side by side in the order.
         private var _edges:Array;
+        private var _sort:SteppedSort = null;
         private var _order:Array;
 
         /**
@@ -81,10 +83,7 @@ package starlogo.geometry
                     forSome(number, _surface.pieces.length);
                     break;
                 case SORTING:
-                    // as numbers, so that the native sort brings those of the same two vertices together
-                    _order = _edges.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-                    _surface.isClosed = _order.length > 0 && _edges[_order[_order.length - 1]] >= 0;
-                    _phase = COMPARING;
+                    sortSome();
                     break;
                 case COMPARING:
                     compareSome();
@@ -92,10 +91,11 @@ package starlogo.geometry
                 case TURNING:
                     if (!_orientation.step())
                     {
-                        _surface.isTurned = _orientation.isTurned;
-                        _surface.isOriented = _orientation.isTurned != null && areTurnedEdgesBalanced();
-                        _phase = DONE;
+                        takeOrientation();
                     }
+                    break;
+                case BALANCING:
+                    balanceSome();
                     break;
             }
             return _phase != DONE;
@@ -139,6 +139,19 @@ package starlogo.geometry
             _surface.pieces[triangle] = _numbers[root];
         }
 
+        // As numbers, so that the native sort brings those of the same two vertices together.
+        private function sortSome():void
+        {
+            _sort ||= new SteppedSort(_edges);
+            if (!_sort.step())
+            {
+                _order = _sort.order;
+                _sort = null;
+                _surface.isClosed = _order.length > 0 && _edges[_order[_order.length - 1]] >= 0;
+                _phase = COMPARING;
+            }
+        }
+
         private function compareSome():void
         {
             var last:int = Math.min(_next + 3 * TRIANGLES_A_STEP, _order.length);
@@ -169,24 +182,38 @@ package starlogo.geometry
             }
         }
 
-        private function areTurnedEdgesBalanced():Boolean
+        private function takeOrientation():void
         {
-            var isTurned:Vector.<Boolean> = _surface.isTurned;
-            for (var i:int = 0; i < _order.length; )
+            _surface.isTurned = _orientation.isTurned;
+            _surface.isOriented = _orientation.isTurned != null;
+            _phase = _surface.isOriented ? BALANCING : DONE;
+            _next = 0;
+        }
+
+        // Whether the edges between the same two vertices cancel out, now that triangles are turned.
+        private function balanceSome():void
+        {
+            var last:int = Math.min(_next + 3 * TRIANGLES_A_STEP, _order.length);
+            while (_next < last)
             {
-                var pair:Number = Math.floor(_edges[_order[i]] / 2);
+                var pair:Number = Math.floor(_edges[_order[_next]] / 2);
                 var balance:int = 0;
-                while (i < _order.length && Math.floor(_edges[_order[i]] / 2) == pair)
+                while (_next < _order.length && Math.floor(_edges[_order[_next]] / 2) == pair)
                 {
-                    balance += (_edges[_order[i]] == 2 * pair) != isTurned[int(_order[i] / 3)] ? 1 : -1;
-                    i++;
+                    var index:int = _order[_next];
+                    balance += (_edges[index] == 2 * pair) != _surface.isTurned[int(index / 3)] ? 1 : -1;
+                    _next++;
                 }
                 if (pair >= 0 && balance != 0)
                 {
-                    return false;
+                    _surface.isOriented = false;
+                    last = _next = _order.length;
                 }
             }
-            return true;
+            if (_next == _order.length)
+            {
+                _phase = DONE;
+            }
         }
 
         private function cornerOf(index:int):int

@@ -25,7 +25,6 @@ package starlogo.geometry
         private var _vertices:Vector.<Number>;
         private var _tolerance:Number = 0;
         private var _keys:Array;
-        private var _sort:SteppedSort = null;
         private var _order:Array = null;
         private var _next:int = 0;
 
@@ -47,11 +46,6 @@ package starlogo.geometry
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_order == null && _sort != null)
-            {
-                sortSome();
-                return true;
-            }
             var count:int = welded.length;
             var end:int = Math.min(_next + VERTICES_A_STEP, count);
             if (_order == null)
@@ -60,7 +54,7 @@ package starlogo.geometry
                 _next = end;
                 if (end == count)
                 {
-                    _sort = new SteppedSort(_keys);
+                    _order = _keys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
                     _tolerance *= Tolerances.WELDING;
                     _next = 0;
                 }
@@ -73,15 +67,6 @@ package starlogo.geometry
             }
             _next = end;
             return end < count;
-        }
-
-        private function sortSome():void
-        {
-            if (!_sort.step())
-            {
-                _order = _sort.order;
-                _sort = null;
-            }
         }
 
         // The tolerance is the largest coordinate at first.

@@ -1,7 +1,6 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.steps.StepSequence;
 
     /**
      * The smallest sphere of all (beyond the thesis; see SmallestEnclosingBall): exact but for rounding, about 1e-12 of the radius. Usually
@@ -23,19 +22,15 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            var ball:SmallestEnclosingBall;
+            return new Fit(session, find);
+        }
+
+        private function find(session:FitSession):BoundingStructure
+        {
+            var ball:SmallestEnclosingBall = new SmallestEnclosingBall(session.hull.points);
             // the hull leaves out what is outside of it by less than its grid's step
-            var enclosing:StepSequence = new StepSequence().call(function():void
-                {
-                    ball = new SmallestEnclosingBall(session.hull.points);
-                }).call(function():void
-                {
-                    ball.enclose(session.vertices);
-                });
-            return new Fit(session, function(session:FitSession):BoundingStructure
-                {
-                    return EnclosingStructures.sphere(session.vertices, ball.x, ball.y, ball.z);
-                }, enclosing);
+            ball.enclose(session.vertices);
+            return EnclosingStructures.sphere(session.vertices, ball.x, ball.y, ball.z);
         }
     }
 }

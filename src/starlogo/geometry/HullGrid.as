@@ -1,7 +1,5 @@
 package starlogo.geometry
 {
-    import starlogo.steps.Slices;
-    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -20,11 +18,12 @@ package starlogo.geometry
         private var _lows:Vector.<Number> = new Vector.<Number>();
         private var _steps:Vector.<Number> = new Vector.<Number>();
 
-        // The axis under way, and where the vertices begin and end on it.
+        // The axis under way, where the vertices begin and end on it, and the next vertex to measure or, after that, to snap.
         private var _axis:int = 0;
         private var _low:Number = Infinity;
         private var _high:Number = -Infinity;
-        private var _work:StepSequence = new StepSequence();
+        private var _isMeasured:Boolean = false;
+        private var _next:int = 0;
 
         /**
          * @param vertices x, y, z each; along each of the axes they differ
@@ -36,12 +35,7 @@ package starlogo.geometry
             _vertices = vertices;
             _axes = axes;
             _dimensions = dimensions;
-            var count:int = vertices.length / 3;
-            _points = new Vector.<Number>(dimensions * count);
-            for (var i:int = 0; i < dimensions; i++)
-            {
-                _work.add(new Slices(count, VERTICES_A_STEP, measure)).add(new Slices(count, VERTICES_A_STEP, snap)).call(finishAxis);
-            }
+            _points = new Vector.<Number>(dimensions * (vertices.length / 3));
         }
 
         /** The vertices on the grid, two or three whole numbers each, from 0 to QuickHull.GRID. */
@@ -53,7 +47,23 @@ package starlogo.geometry
         /** @inheritDoc */
         public function step():Boolean
         {
-            return _work.step();
+            var count:int = _vertices.length / 3;
+            var first:int = _next;
+            var end:int = Math.min(first + VERTICES_A_STEP, count);
+            if (_isMeasured)
+            {
+                snap(first, end);
+            }
+            else
+            {
+                measure(first, end);
+            }
+            _next = end;
+            if (end == count)
+            {
+                finishPass();
+            }
+            return _axis < _dimensions;
         }
 
         /**
@@ -127,13 +137,18 @@ package starlogo.geometry
             }
         }
 
-        private function finishAxis():void
+        private function finishPass():void
         {
-            _lows.push(_low);
-            _steps.push((_high - _low) / QuickHull.GRID);
-            _axis++;
-            _low = Infinity;
-            _high = -Infinity;
+            _next = 0;
+            _isMeasured = !_isMeasured;
+            if (!_isMeasured)
+            {
+                _lows.push(_low);
+                _steps.push((_high - _low) / QuickHull.GRID);
+                _axis++;
+                _low = Infinity;
+                _high = -Infinity;
+            }
         }
     }
 }

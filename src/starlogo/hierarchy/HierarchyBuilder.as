@@ -241,21 +241,16 @@ package starlogo.hierarchy
                 }
                 if (!_isDividing)
                 {
-                    addChildren(node);
                     _next++;
+                    if (!node.isLeaf)
+                    {
+                        _nodes.push(node.left, node.right);
+                    }
                 }
             }
             if (_next == _nodes.length)
             {
                 encloseNodes();
-            }
-        }
-
-        private function addChildren(node:HierarchyNode):void
-        {
-            if (!node.isLeaf)
-            {
-                _nodes.push(node.left, node.right);
             }
         }
 

@@ -36,6 +36,7 @@ package starlogo.hierarchy
         private var _last:int;
         private var _axis:int;
         private var _split:Number;
+        private var _isBegun:Boolean;
 
         /**
          * @param vertices x, y, z each
@@ -134,8 +135,7 @@ package starlogo.hierarchy
             _last = end - 1;
             _axis = axis;
             _split = split;
-            write(leftExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
-            write(rightExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+            _isBegun = false;
         }
 
         /**
@@ -159,18 +159,33 @@ package starlogo.hierarchy
             {
                 left = 0;
             }
-            var leftMinX:Number = leftExtents[0];
-            var leftMinY:Number = leftExtents[1];
-            var leftMinZ:Number = leftExtents[2];
-            var leftMaxX:Number = leftExtents[3];
-            var leftMaxY:Number = leftExtents[4];
-            var leftMaxZ:Number = leftExtents[5];
-            var rightMinX:Number = rightExtents[0];
-            var rightMinY:Number = rightExtents[1];
-            var rightMinZ:Number = rightExtents[2];
-            var rightMaxX:Number = rightExtents[3];
-            var rightMaxY:Number = rightExtents[4];
-            var rightMaxZ:Number = rightExtents[5];
+            var leftMinX:Number = Infinity;
+            var leftMinY:Number = Infinity;
+            var leftMinZ:Number = Infinity;
+            var leftMaxX:Number = -Infinity;
+            var leftMaxY:Number = -Infinity;
+            var leftMaxZ:Number = -Infinity;
+            var rightMinX:Number = Infinity;
+            var rightMinY:Number = Infinity;
+            var rightMinZ:Number = Infinity;
+            var rightMaxX:Number = -Infinity;
+            var rightMaxY:Number = -Infinity;
+            var rightMaxZ:Number = -Infinity;
+            if (_isBegun)
+            {
+                leftMinX = leftExtents[0];
+                leftMinY = leftExtents[1];
+                leftMinZ = leftExtents[2];
+                leftMaxX = leftExtents[3];
+                leftMaxY = leftExtents[4];
+                leftMaxZ = leftExtents[5];
+                rightMinX = rightExtents[0];
+                rightMinY = rightExtents[1];
+                rightMinZ = rightExtents[2];
+                rightMaxX = rightExtents[3];
+                rightMaxY = rightExtents[4];
+                rightMaxZ = rightExtents[5];
+            }
             while (last - i >= left)
             {
                 var item:int = items[i];
@@ -246,6 +261,7 @@ package starlogo.hierarchy
             write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             middle = i;
             _last = last;
+            _isBegun = true;
             return left > 0;
         }
 

@@ -5,7 +5,7 @@ package starlogo.models
     /** The words of some elements' own texts, one after the other, in steps. */
     internal final class ColladaWords implements Steps
     {
-        private static const CHARACTERS_PER_STEP:int = 60000;
+        private static const CHARACTERS_PER_STEP:int = 200000;
 
         private var _elements:Vector.<ColladaElement>;
         private var _element:int = 0;
@@ -52,10 +52,7 @@ package starlogo.models
         {
             var end:int = endOfPiece(_start + CHARACTERS_PER_STEP);
             var words:Array = TextTokens.of(_text.substring(_start, end));
-            for each (var word:String in words)
-            {
-                _all.push(word);
-            }
+            add(words);
             var count:int = end - _start;
             _start = end;
             if (end == _text.length)
@@ -64,6 +61,19 @@ package starlogo.models
                 _element++;
             }
             return count;
+        }
+
+        private function add(words:Array):void
+        {
+            if (_all.length == 0)
+            {
+                _all = words;
+                return;
+            }
+            for each (var word:String in words)
+            {
+                _all.push(word);
+            }
         }
 
         // Words stay whole.

@@ -3,10 +3,12 @@ package starlogo.geometry
     import starlogo.steps.Steps;
 
     /**
-     * Vertices rounded to QuickHull's grid: whole numbers along two or three axes. A step rounds along one of the axes.
+     * Vertices rounded to QuickHull's grid: whole numbers along two or three axes, in steps.
      */
     internal final class HullGrid implements Steps
     {
+        private static const VERTICES_A_STEP:int = 4000;
+
         private var _vertices:Vector.<Number>;
         private var _axes:Vector.<Number>;
         private var _dimensions:int;
@@ -15,6 +17,13 @@ package starlogo.geometry
         // Of each axis: where the grid begins, and how long a step of it is.
         private var _lows:Vector.<Number> = new Vector.<Number>();
         private var _steps:Vector.<Number> = new Vector.<Number>();
+
+        // The axis under way, where the vertices begin and end on it, and the next vertex to measure or, after that, to snap.
+        private var _axis:int = 0;
+        private var _low:Number = Infinity;
+        private var _high:Number = -Infinity;
+        private var _isMeasured:Boolean = false;
+        private var _next:int = 0;
 
         /**
          * @param vertices x, y, z each; along each of the axes they differ
@@ -38,8 +47,23 @@ package starlogo.geometry
         /** @inheritDoc */
         public function step():Boolean
         {
-            snap(_lows.length);
-            return _lows.length < _dimensions;
+            var count:int = _vertices.length / 3;
+            var first:int = _next;
+            var end:int = Math.min(first + VERTICES_A_STEP, count);
+            if (_isMeasured)
+            {
+                snap(first, end);
+            }
+            else
+            {
+                measure(first, end);
+            }
+            _next = end;
+            if (end == count)
+            {
+                finishPass();
+            }
+            return _axis < _dimensions;
         }
 
         /**
@@ -72,22 +96,20 @@ package starlogo.geometry
             return placed;
         }
 
-        private function snap(axis:int):void
+        private function measure(first:int, end:int):void
         {
-            var snapped:Vector.<Number> = _points;
+            var places:Vector.<Number> = _points;
             var dimensions:int = _dimensions;
-            var axisX:Number = _axes[3 * axis];
-            var axisY:Number = _axes[3 * axis + 1];
-            var axisZ:Number = _axes[3 * axis + 2];
-            var low:Number = Infinity;
-            var high:Number = -Infinity;
-            var length:int = _vertices.length;
-            var to:int = axis;
-            var i:int;
-            for (i = 0; i < length; i += 3)
+            var axisX:Number = _axes[3 * _axis];
+            var axisY:Number = _axes[3 * _axis + 1];
+            var axisZ:Number = _axes[3 * _axis + 2];
+            var low:Number = _low;
+            var high:Number = _high;
+            var to:int = dimensions * first + _axis;
+            for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
                 var t:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ;
-                snapped[to] = t;
+                places[to] = t;
                 to += dimensions;
                 if (t < low)
                 {
@@ -98,14 +120,35 @@ package starlogo.geometry
                     high = t;
                 }
             }
-            var scale:Number = QuickHull.GRID / (high - low);
-            length = snapped.length;
-            for (i = axis; i < length; i += dimensions)
+            _low = low;
+            _high = high;
+        }
+
+        private function snap(first:int, end:int):void
+        {
+            var places:Vector.<Number> = _points;
+            var dimensions:int = _dimensions;
+            var low:Number = _low;
+            var scale:Number = QuickHull.GRID / (_high - low);
+            var to:int = dimensions * end;
+            for (var i:int = dimensions * first + _axis; i < to; i += dimensions)
             {
-                snapped[i] = int((snapped[i] - low) * scale + 0.5);
+                places[i] = int((places[i] - low) * scale + 0.5);
             }
-            _lows.push(low);
-            _steps.push((high - low) / QuickHull.GRID);
+        }
+
+        private function finishPass():void
+        {
+            _next = 0;
+            _isMeasured = !_isMeasured;
+            if (!_isMeasured)
+            {
+                _lows.push(_low);
+                _steps.push((_high - _low) / QuickHull.GRID);
+                _axis++;
+                _low = Infinity;
+                _high = -Infinity;
+            }
         }
     }
 }

@@ -5,15 +5,27 @@ package starlogo.geometry
     /**
      * Up to four vertices of a set that are far from each other, how many dimensions they span, and axes along them. Every
      * other vertex lies in the point, on the line or in the plane of fewer than four, up to Tolerances.HULL_FLAT and
-     * HULL_ROUNDING. A step is a pass over the vertices.
+     * HULL_ROUNDING. Each takes a pass over the vertices, in steps.
      */
     internal final class InitialSimplex implements Steps
     {
         // Beyond it the cubes and squares of coordinates overflow.
         private static const LARGEST:Number = 1e100;
 
+        private static const VERTICES_A_STEP:int = 4000;
+
         private var _vertices:Vector.<Number>;
+
+        // The least x, y, z and the greatest; the sum of all coordinates, which is finite if they are.
         private var _box:Vector.<Number> = null;
+        private var _sum:Number = 0;
+        private var _isMeasured:Boolean = false;
+
+        // The pass under way: the next vertex, and the one farthest from the corners so far.
+        private var _next:int = 0;
+        private var _farthest:int = 0;
+        private var _most:Number = -1;
+
         private var _extent:Number = 0;
         private var _flat:Number;
         private var _dimension:int = 0;
@@ -38,29 +50,20 @@ package starlogo.geometry
         {
             if (_box == null)
             {
-                measureBox();
-                return true;
+                beginBox();
             }
-            var isHigher:Boolean = true;
-            switch (_corners.length)
+            var first:int = _next;
+            var end:int = Math.min(first + VERTICES_A_STEP, _vertices.length / 3);
+            _next = end;
+            if (_isMeasured)
             {
-                case 0:
-                    _corners.push(farthestFrom((_box[0] + _box[3]) / 2, (_box[1] + _box[4]) / 2, (_box[2] + _box[5]) / 2));
-                    return true;
-                case 1:
-                    isHigher = spanLine(_corners[0]);
-                    break;
-                case 2:
-                    isHigher = spanPlane(_corners[0]);
-                    break;
-                default:
-                    isHigher = spanVolume(_corners[0]);
+                look(3 * first, 3 * end);
             }
-            if (isHigher)
+            else
             {
-                _dimension++;
+                measureBox(3 * first, 3 * end);
             }
-            return isHigher && _dimension < 3;
+            return end < _vertices.length / 3 || finishPass();
         }
 
         /** The longest side of the axis-aligned box around the vertices. */
@@ -102,22 +105,25 @@ package starlogo.geometry
             return spanned < Tolerances.HULL_THIN * extents;
         }
 
-        // The least x, y, z and the greatest; and the check of the vertices, without a pass of its own.
-        private function measureBox():void
+        private function beginBox():void
         {
             if (_vertices == null || _vertices.length == 0 || _vertices.length % 3 != 0)
             {
                 refuseIfWrong();
             }
-            var lowX:Number = _vertices[0];
-            var lowY:Number = _vertices[1];
-            var lowZ:Number = _vertices[2];
-            var highX:Number = lowX;
-            var highY:Number = lowY;
-            var highZ:Number = lowZ;
-            var sum:Number = 0;
-            var length:int = _vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            _box = new <Number>[_vertices[0], _vertices[1], _vertices[2], _vertices[0], _vertices[1], _vertices[2]];
+        }
+
+        private function measureBox(from:int, to:int):void
+        {
+            var lowX:Number = _box[0];
+            var lowY:Number = _box[1];
+            var lowZ:Number = _box[2];
+            var highX:Number = _box[3];
+            var highY:Number = _box[4];
+            var highZ:Number = _box[5];
+            var sum:Number = _sum;
+            for (var i:int = from; i < to; i += 3)
             {
                 var x:Number = _vertices[i];
                 var y:Number = _vertices[i + 1];
@@ -148,19 +154,48 @@ package starlogo.geometry
                     highZ = z;
                 }
             }
+            _sum = sum;
+            _box[0] = lowX;
+            _box[1] = lowY;
+            _box[2] = lowZ;
+            _box[3] = highX;
+            _box[4] = highY;
+            _box[5] = highZ;
+        }
+
+        // Whether there is another one.
+        private function finishPass():Boolean
+        {
+            var isHigher:Boolean = true;
+            if (!_isMeasured)
+            {
+                takeBox();
+                _isMeasured = true;
+            }
+            else
+            {
+                _corners.push(_farthest);
+                isHigher = _corners.length == 1 || span(_corners[0], _farthest);
+            }
+            _next = _farthest = 0;
+            _most = -1;
+            return isHigher && _dimension < 3;
+        }
+
+        private function takeBox():void
+        {
             // the sum of numbers that are not all finite is not either, nor that of numbers too large
-            if (sum - sum != 0)
+            if (_sum - _sum != 0)
             {
                 refuseIfWrong();
             }
-            _extent = Math.max(highX - lowX, highY - lowY, highZ - lowZ);
-            var largest:Number = Math.max(-lowX, -lowY, -lowZ, highX, highY, highZ);
+            _extent = Math.max(_box[3] - _box[0], _box[4] - _box[1], _box[5] - _box[2]);
+            var largest:Number = Math.max(-_box[0], -_box[1], -_box[2], _box[3], _box[4], _box[5]);
             if (largest > LARGEST)
             {
                 throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
             }
             _flat = Tolerances.HULL_FLAT * _extent + Tolerances.HULL_ROUNDING * largest;
-            _box = new <Number>[lowX, lowY, lowZ, highX, highY, highZ];
         }
 
         private function refuseIfWrong():void
@@ -172,33 +207,51 @@ package starlogo.geometry
             }
         }
 
-        private function spanLine(a:int):Boolean
+        // Whether the last corner lies in one dimension more than the others.
+        private function span(a:int, last:int):Boolean
         {
-            var b:int = farthestFrom(_vertices[3 * a], _vertices[3 * a + 1], _vertices[3 * a + 2]);
-            _corners.push(b);
-            return alignFirst(a, b);
+            var isHigher:Boolean;
+            switch (_dimension)
+            {
+                case 0:
+                    isHigher = alignFirst(a, last);
+                    break;
+                case 1:
+                    isHigher = alignSecond(a, last);
+                    break;
+                default:
+                    isHigher = Math.abs(along(2, last) - along(2, a)) > _flat;
+            }
+            if (isHigher)
+            {
+                _dimension++;
+            }
+            return isHigher;
         }
 
-        private function spanPlane(a:int):Boolean
+        // For what is farthest from the box's middle, then from the first corner, from the line and from the plane.
+        private function look(from:int, to:int):void
         {
-            var c:int = farthestFromLine(a);
-            _corners.push(c);
-            return alignSecond(a, c);
+            switch (_corners.length)
+            {
+                case 0:
+                    lookFromPoint((_box[0] + _box[3]) / 2, (_box[1] + _box[4]) / 2, (_box[2] + _box[5]) / 2, from, to);
+                    break;
+                case 1:
+                    lookFromPoint(_vertices[3 * _corners[0]], _vertices[3 * _corners[0] + 1], _vertices[3 * _corners[0] + 2], from, to);
+                    break;
+                case 2:
+                    lookFromLine(_corners[0], from, to);
+                    break;
+                default:
+                    lookFromPlane(_corners[0], from, to);
+            }
         }
 
-        private function spanVolume(a:int):Boolean
+        private function lookFromPoint(x:Number, y:Number, z:Number, from:int, to:int):void
         {
-            var d:int = farthestFromPlane(a);
-            _corners.push(d);
-            return Math.abs(along(2, d) - along(2, a)) > _flat;
-        }
-
-        private function farthestFrom(x:Number, y:Number, z:Number):int
-        {
-            var farthest:int = 0;
-            var most:Number = -1;
-            var length:int = _vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            var most:Number = _most;
+            for (var i:int = from; i < to; i += 3)
             {
                 var toX:Number = _vertices[i] - x;
                 var toY:Number = _vertices[i + 1] - y;
@@ -207,24 +260,22 @@ package starlogo.geometry
                 if (square > most)
                 {
                     most = square;
-                    farthest = i;
+                    _farthest = i / 3;
                 }
             }
-            return farthest / 3;
+            _most = most;
         }
 
-        private function farthestFromLine(from:int):int
+        private function lookFromLine(corner:int, from:int, to:int):void
         {
-            var x:Number = _vertices[3 * from];
-            var y:Number = _vertices[3 * from + 1];
-            var z:Number = _vertices[3 * from + 2];
+            var x:Number = _vertices[3 * corner];
+            var y:Number = _vertices[3 * corner + 1];
+            var z:Number = _vertices[3 * corner + 2];
             var axisX:Number = _axes[0];
             var axisY:Number = _axes[1];
             var axisZ:Number = _axes[2];
-            var farthest:int = 0;
-            var most:Number = -1;
-            var length:int = _vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            var most:Number = _most;
+            for (var i:int = from; i < to; i += 3)
             {
                 var toX:Number = _vertices[i] - x;
                 var toY:Number = _vertices[i + 1] - y;
@@ -236,22 +287,20 @@ package starlogo.geometry
                 if (square > most)
                 {
                     most = square;
-                    farthest = i;
+                    _farthest = i / 3;
                 }
             }
-            return farthest / 3;
+            _most = most;
         }
 
-        private function farthestFromPlane(from:int):int
+        private function lookFromPlane(corner:int, from:int, to:int):void
         {
             var axisX:Number = _axes[6];
             var axisY:Number = _axes[7];
             var axisZ:Number = _axes[8];
-            var offset:Number = along(2, from);
-            var farthest:int = 0;
-            var most:Number = -1;
-            var length:int = _vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            var offset:Number = along(2, corner);
+            var most:Number = _most;
+            for (var i:int = from; i < to; i += 3)
             {
                 var distance:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ - offset;
                 if (distance < 0)
@@ -261,10 +310,10 @@ package starlogo.geometry
                 if (distance > most)
                 {
                     most = distance;
-                    farthest = i;
+                    _farthest = i / 3;
                 }
             }
-            return farthest / 3;
+            _most = most;
         }
 
         private function along(axis:int, vertex:int):Number

@@ -17,7 +17,7 @@ package starlogo.geometry
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
-        // Three a triangle: the neighbour over each edge, or -1, and whether one of the two must be turned.
+        // Three a triangle: the neighbour over each edge, counted from 1, or 0, and whether one of the two must be turned.
         private var _neighbours:Vector.<int>;
         private var _differs:Vector.<Boolean>;
         private var _isKnown:Vector.<Boolean>;
@@ -51,15 +51,11 @@ package starlogo.geometry
                 var count:int = _triangles.length;
                 _neighbours = new Vector.<int>(count, true);
                 _differs = new Vector.<Boolean>(count, true);
-                for (var i:int = 0; i < count; i++)
-                {
-                    _neighbours[i] = -1;
-                }
                 _isKnown = new Vector.<Boolean>(count / 3, true);
                 isTurned = new Vector.<Boolean>(count / 3, true);
             }
-            _neighbours[a] = b / 3;
-            _neighbours[b] = a / 3;
+            _neighbours[a] = 1 + int(b / 3);
+            _neighbours[b] = 1 + int(a / 3);
             _differs[a] = _differs[b] = differs;
         }
 
@@ -94,7 +90,7 @@ package starlogo.geometry
         {
             for (var edge:int = 3 * triangle; edge < 3 * triangle + 3; edge++)
             {
-                var neighbour:int = _neighbours[edge];
+                var neighbour:int = _neighbours[edge] - 1;
                 if (neighbour < 0)
                 {
                     continue;

@@ -50,6 +50,13 @@ package starlogo.geometry
         private var _horizon:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
 
+        // The vertex that was added last; whether points are still to be looked at again: the next one, or -1, and the next of
+        // the faces seen.
+        private var _eye:int;
+        private var _isMoving:Boolean = false;
+        private var _point:int;
+        private var _seenNext:int;
+
         /**
          * @param points x, y, z of every point: whole numbers from 0 to GRID
          * @param simplex indices of four points that span a tetrahedron
@@ -169,46 +176,69 @@ package starlogo.geometry
         private function growSome():void
         {
             var looks:int = 0;
-            while (_pending.length > 0)
+            while (looks <= LOOKS_A_STEP)
             {
-                var face:HullFace = _pending.pop();
-                if (face.isBuried || face.farthest < 0)
+                if (_isMoving)
                 {
+                    looks += moveSome((LOOKS_A_STEP - looks) / _created.length + 1) * _created.length;
                     continue;
                 }
-                var moved:int = addVertex(face.farthest, face);
-                _last = _created[0];
-                looks += (moved + LOOKS_A_FACE) * _created.length;
-                if (looks > LOOKS_A_STEP)
+                if (_pending.length == 0)
                 {
+                    // a second hull is of corners only
+                    _walk = new FaceWalk(_points, _last, _among == null);
+                    _phase = WALKING;
                     return;
                 }
+                var face:HullFace = _pending.pop();
+                if (!face.isBuried && face.farthest >= 0)
+                {
+                    addVertex(face.farthest, face);
+                    looks += LOOKS_A_FACE * _created.length;
+                }
             }
-            // a second hull is of corners only
-            _walk = new FaceWalk(_points, _last, _among == null);
-            _phase = WALKING;
         }
 
-        // Returns how many points had to be looked at again, the vertex being one of them.
-        private function addVertex(eye:int, face:HullFace):int
+        // What the faces that the vertex sees had outside is left to be looked at again.
+        private function addVertex(eye:int, face:HullFace):void
         {
             findHorizon(eye, face);
             buildCone(eye);
+            _last = _created[0];
+            _isMoving = true;
+            _eye = eye;
+            _seenNext = 0;
+            _point = -1;
+        }
+
+        // Returns how many points were looked at, the vertex being one of them.
+        private function moveSome(most:int):int
+        {
             var moved:int = 0;
-            for (var i:int = 0; i < _seen.length; i++)
+            var point:int = _point;
+            while (moved < most)
             {
-                var point:int = _seen[i].firstOutside;
-                while (point >= 0)
+                if (point >= 0)
                 {
                     var next:int = _nextOutside[point];
-                    if (point != eye)
+                    if (point != _eye)
                     {
                         assign(point);
                     }
                     moved++;
                     point = next;
                 }
+                else if (_seenNext < _seen.length)
+                {
+                    point = _seen[_seenNext++].firstOutside;
+                }
+                else
+                {
+                    _isMoving = false;
+                    break;
+                }
             }
+            _point = point;
             return moved;
         }
 

@@ -4,7 +4,7 @@ package starlogo.geometry
 
     /**
      * Finds out what a model's triangles are as a whole, in steps. Vertices at the same place count as one, to within
-     * Tolerances.WELDING. Costs two sorts and a few look-ups a triangle.
+     * Tolerances.WELDING. Costs sorting vertices and edges, and a few look-ups a triangle.
      *
      * @private
      */
@@ -15,9 +15,9 @@ package starlogo.geometry
         private static const WELDING:int = 0;
         private static const JOINING:int = 1;
         private static const NUMBERING:int = 2;
-        private static const SORTING:int = 3;
-        private static const COMPARING:int = 4;
-        private static const TURNING:int = 5;
+        private static const COMPARING:int = 3;
+        private static const TURNING:int = 4;
+        private static const BALANCING:int = 5;
         private static const DONE:int = 6;
 
         private var _surface:Surface = new Surface();
@@ -27,14 +27,14 @@ package starlogo.geometry
         private var _phase:int = WELDING;
         private var _next:int = 0;
 
+        private var _hasArea:Boolean = false;
+
         // The vertices that hang together, then the number of the piece that a root stands for.
         private var _sets:DisjointSets;
         private var _numbers:Vector.<int>;
 
-        // Three a triangle: twice the number of the two vertices' pair, and 1 more from the higher to the lower; -1 where the
-        // triangle has no area. Equal pairs are side by side in the order.
-        private var _edges:Array;
-        private var _order:Array;
+        // Three a triangle, of those that have an area.
+        private var _edges:EdgeBuckets;
 
         /**
          * @param vertices x, y, z each
@@ -52,7 +52,7 @@ package starlogo.geometry
             {
                 _numbers[i] = -1;
             }
-            _edges = new Array(triangles.length);
+            _edges = new EdgeBuckets(count, triangles.length);
             _surface.pieces = new Vector.<int>(triangles.length / 3, true);
         }
 
@@ -80,20 +80,23 @@ package starlogo.geometry
                 case NUMBERING:
                     forSome(number, _surface.pieces.length);
                     break;
-                case SORTING:
-                    // as numbers, so that the native sort brings those of the same two vertices together
-                    _order = _edges.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-                    _surface.isClosed = _order.length > 0 && _edges[_order[_order.length - 1]] >= 0;
-                    _phase = COMPARING;
-                    break;
                 case COMPARING:
-                    compareSome();
+                    compareBucket(null);
+                    if (_next == _edges.length)
+                    {
+                        takeComparison();
+                    }
                     break;
                 case TURNING:
                     if (!_orientation.step())
                     {
-                        _surface.isTurned = _orientation.isTurned;
-                        _surface.isOriented = _orientation.isTurned != null && areTurnedEdgesBalanced();
+                        takeOrientation();
+                    }
+                    break;
+                case BALANCING:
+                    compareBucket(_surface.isTurned);
+                    if (_next == _edges.length)
+                    {
                         _phase = DONE;
                     }
                     break;
@@ -123,10 +126,13 @@ package starlogo.geometry
             var c:int = cornerOf(3 * triangle + 2);
             _sets.join(a, b);
             _sets.join(a, c);
-            var hasArea:Boolean = a != b && b != c && c != a;
-            _edges[3 * triangle] = hasArea ? edge(a, b) : -1;
-            _edges[3 * triangle + 1] = hasArea ? edge(b, c) : -1;
-            _edges[3 * triangle + 2] = hasArea ? edge(c, a) : -1;
+            if (a != b && b != c && c != a)
+            {
+                _hasArea = true;
+                _edges.add(3 * triangle, a, b);
+                _edges.add(3 * triangle + 1, b, c);
+                _edges.add(3 * triangle + 2, c, a);
+            }
         }
 
         private function number(triangle:int):void
@@ -139,65 +145,67 @@ package starlogo.geometry
             _surface.pieces[triangle] = _numbers[root];
         }
 
-        private function compareSome():void
+        // Whether the next bucket's edges between the same two vertices close the surface, and cancel out.
+        private function compareBucket(isTurned:Vector.<Boolean>):void
         {
-            var last:int = Math.min(_next + 3 * TRIANGLES_A_STEP, _order.length);
-            while (_next < last)
+            var pairs:Array = _edges.pairsOf(_next);
+            var edges:Array = _edges.edgesOf(_next);
+            var order:Array = _edges.orderOf(_next++);
+            var count:int = order.length;
+            var i:int = 0;
+            while (i < count)
             {
-                var first:int = _next;
-                var pair:Number = Math.floor(_edges[_order[first]] / 2);
+                var first:int = i;
+                var pair:Number = pairs[order[i]];
                 var balance:int = 0;
-                while (_next < _order.length && Math.floor(_edges[_order[_next]] / 2) == pair)
+                while (i < count && pairs[order[i]] == pair)
                 {
-                    balance += _edges[_order[_next]] == 2 * pair ? 1 : -1;
-                    _next++;
-                }
-                if (pair >= 0)
-                {
-                    _surface.isOriented &&= balance == 0;
-                    _surface.isClosed &&= (_next - first) % 2 == 0;
-                    if (_next - first == 2)
+                    var edge:int = edges[order[i++]];
+                    var isBackward:Boolean = edge < 0;
+                    if (isTurned != null && isTurned[int(EdgeBuckets.numberOf(edge) / 3)])
                     {
-                        _orientation.connect(_order[first], _order[first + 1], balance != 0);
+                        isBackward = !isBackward;
                     }
+                    balance += isBackward ? -1 : 1;
                 }
-            }
-            if (_next == _order.length)
-            {
-                _surface.isOriented &&= _surface.isClosed;
-                _phase = _surface.isClosed && !_surface.isOriented ? TURNING : DONE;
+                _surface.isOriented &&= balance == 0;
+                if (isTurned == null)
+                {
+                    takePair(edges, order, first, i, balance);
+                }
             }
         }
 
-        private function areTurnedEdgesBalanced():Boolean
+        // Edges of the same two vertices, from one place in the order up to another.
+        private function takePair(edges:Array, order:Array, first:int, end:int, balance:int):void
         {
-            var isTurned:Vector.<Boolean> = _surface.isTurned;
-            for (var i:int = 0; i < _order.length; )
+            _surface.isClosed &&= (end - first) % 2 == 0;
+            if (end - first == 2)
             {
-                var pair:Number = Math.floor(_edges[_order[i]] / 2);
-                var balance:int = 0;
-                while (i < _order.length && Math.floor(_edges[_order[i]] / 2) == pair)
-                {
-                    balance += (_edges[_order[i]] == 2 * pair) != isTurned[int(_order[i] / 3)] ? 1 : -1;
-                    i++;
-                }
-                if (pair >= 0 && balance != 0)
-                {
-                    return false;
-                }
+                var a:int = EdgeBuckets.numberOf(edges[order[first]]);
+                var b:int = EdgeBuckets.numberOf(edges[order[int(first + 1)]]);
+                _orientation.connect(a, b, balance != 0);
             }
-            return true;
+        }
+
+        private function takeComparison():void
+        {
+            _surface.isClosed &&= _hasArea;
+            _surface.isOriented &&= _surface.isClosed;
+            _phase = _surface.isClosed && !_surface.isOriented ? TURNING : DONE;
+        }
+
+        private function takeOrientation():void
+        {
+            _surface.isTurned = _orientation.isTurned;
+            _surface.isOriented = _orientation.isTurned != null;
+            _phase = _surface.isOriented ? BALANCING : DONE;
+            _next = 0;
         }
 
         private function cornerOf(index:int):int
         {
             return _welding.welded[_triangles[index]];
-        }
-
-        private function edge(from:int, to:int):Number
-        {
-            var count:Number = _numbers.length;
-            return from < to ? 2 * (from * count + to) : 2 * (to * count + from) + 1;
         }
     }
 }

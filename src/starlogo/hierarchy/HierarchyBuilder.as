@@ -49,6 +49,7 @@ package starlogo.hierarchy
         private var _reader:TreeReader;
         private var _maker:NodeMaker;
         private var _divider:NodeDivider;
+        private var _isDividing:Boolean = false;
         private var _nodes:Vector.<HierarchyNode>;
         private var _structures:NodeStructures;
         private var _solid:SolidBuilder;
@@ -208,7 +209,7 @@ package starlogo.hierarchy
 
         private function makeRoot():void
         {
-            var extents:Vector.<Number> = _items.extentsOfAll();
+            var extents:Vector.<Number> = _items.extents;
             _maker = new NodeMaker(_hierarchy, extents);
             _divider = new NodeDivider(_hierarchy, _items, _maker, _minVerticesToSplit, _splitByMean);
             var root:HierarchyNode = _maker.make(1, 0, _items.count, extents);
@@ -223,22 +224,34 @@ package starlogo.hierarchy
 
         private function divideSome():void
         {
-            var items:int = 0;
+            var left:int = ITEMS_A_STEP;
             // children are appended while their parents are divided
-            while (_next < _nodes.length)
+            while (left > 0 && _next < _nodes.length)
             {
-                var node:HierarchyNode = _nodes[_next++];
-                if (node.level < _maxDepth && _divider.divide(node))
+                var node:HierarchyNode = _nodes[_next];
+                if (!_isDividing)
                 {
-                    _nodes.push(node.left, node.right);
+                    _isDividing = node.level < _maxDepth && _divider.begin(node);
+                    left -= ITEMS_A_NODE;
                 }
-                items += node.end - node.first + ITEMS_A_NODE;
-                if (items >= ITEMS_A_STEP)
+                if (_isDividing)
                 {
-                    return;
+                    _isDividing = _divider.goOn(ITEMS_A_STEP);
+                    left -= node.end - node.first;
+                }
+                if (!_isDividing)
+                {
+                    _next++;
+                    if (!node.isLeaf)
+                    {
+                        _nodes.push(node.left, node.right);
+                    }
                 }
             }
-            encloseNodes();
+            if (_next == _nodes.length)
+            {
+                encloseNodes();
+            }
         }
 
         private function encloseNodes():void

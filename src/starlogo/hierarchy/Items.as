@@ -12,7 +12,13 @@ package starlogo.hierarchy
         /** How many there are. */
         public var count:int;
 
-        /** The extents of those that the last division put first: minX, minY, minZ, maxX, maxY, maxZ. */
+        /** The extents of all, when they are measured: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var extents:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
+
+        /** Where those begin that the last division put last, when it is done. */
+        public var middle:int;
+
+        /** The extents of those that the last division put first. */
         public var leftExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
         /** The same of those that it put last. */
@@ -25,6 +31,12 @@ package starlogo.hierarchy
         private var _extents:Vector.<Number> = null;
         private var _stride:int;
         private var _high:int;
+
+        // the division under way: the last item that is not looked at; the first is the middle
+        private var _last:int;
+        private var _axis:int;
+        private var _split:Number;
+        private var _isBegun:Boolean;
 
         /**
          * @param vertices x, y, z each
@@ -55,34 +67,7 @@ package starlogo.hierarchy
                     writeExtents(3 * i, 6 * i);
                 }
             }
-        }
-
-        /** The extents of all: minX, minY, minZ, maxX, maxY, maxZ. */
-        public function extentsOfAll():Vector.<Number>
-        {
-            var all:Vector.<Number> = new Vector.<Number>(6, true);
-            var length:int = count * _stride;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var least:Number = Infinity;
-                var largest:Number = -Infinity;
-                for (var i:int = axis; i < length; i += _stride)
-                {
-                    var coordinate:Number = _extents[i];
-                    if (coordinate < least)
-                    {
-                        least = coordinate;
-                    }
-                    coordinate = _extents[int(i + _high)];
-                    if (coordinate > largest)
-                    {
-                        largest = coordinate;
-                    }
-                }
-                all[axis] = least;
-                all[axis + 3] = largest;
-            }
-            return all;
+            extend(first * _stride, end * _stride);
         }
 
         /** The corners of some items, x, y, z each. */
@@ -104,17 +89,16 @@ package starlogo.hierarchy
             return points;
         }
 
-        /** The mean along an axis of some items' least and largest coordinates, added. */
-        public function meanOf(first:int, end:int, axis:int):Number
+        /** A number and, one after the other, some items' least and largest coordinates along an axis. */
+        public function sumOf(sum:Number, first:int, end:int, axis:int):Number
         {
-            var sum:Number = 0;
             var high:int = axis + _high;
             for (var i:int = first; i < end; i++)
             {
                 var at:int = order[i] * _stride;
                 sum += _extents[int(at + axis)] + _extents[int(at + high)];
             }
-            return sum / (end - first);
+            return sum;
         }
 
         /**
@@ -137,21 +121,44 @@ package starlogo.hierarchy
         }
 
         /**
-         * Puts the items whose centre is below a splitting point before the others. The extents of both are found on the way,
+         * Begins to put the items whose centre is below a splitting point before the others. The extents of both are found on the way,
          * so that an item is looked at once a level.
          *
          * @param first the first item in the order
          * @param end the one after the last
          * @param axis 0, 1 or 2
          * @param split twice the coordinate of the splitting point
-         * @return where the others begin
          */
-        public function divide(first:int, end:int, axis:int, split:Number):int
+        public function beginDivision(first:int, end:int, axis:int, split:Number):void
+        {
+            middle = first;
+            _last = end - 1;
+            _axis = axis;
+            _split = split;
+            _isBegun = false;
+        }
+
+        /**
+         * Goes on with the division.
+         *
+         * @param most how many items to look at
+         * @return whether there are more
+         */
+        public function divideSome(most:int):Boolean
         {
             var items:Vector.<int> = order;
-            var extents:Vector.<Number> = _extents;
+            var all:Vector.<Number> = _extents;
             var stride:int = _stride;
             var high:int = _high;
+            var axis:int = _axis;
+            var split:Number = _split;
+            var i:int = middle;
+            var last:int = _last;
+            var left:int = last - i + 1 - most;
+            if (left < 0)
+            {
+                left = 0;
+            }
             var leftMinX:Number = Infinity;
             var leftMinY:Number = Infinity;
             var leftMinZ:Number = Infinity;
@@ -164,19 +171,32 @@ package starlogo.hierarchy
             var rightMaxX:Number = -Infinity;
             var rightMaxY:Number = -Infinity;
             var rightMaxZ:Number = -Infinity;
-            var i:int = first;
-            var last:int = end - 1;
-            while (i <= last)
+            if (_isBegun)
+            {
+                leftMinX = leftExtents[0];
+                leftMinY = leftExtents[1];
+                leftMinZ = leftExtents[2];
+                leftMaxX = leftExtents[3];
+                leftMaxY = leftExtents[4];
+                leftMaxZ = leftExtents[5];
+                rightMinX = rightExtents[0];
+                rightMinY = rightExtents[1];
+                rightMinZ = rightExtents[2];
+                rightMaxX = rightExtents[3];
+                rightMaxY = rightExtents[4];
+                rightMaxZ = rightExtents[5];
+            }
+            while (last - i >= left)
             {
                 var item:int = items[i];
                 var at:int = item * stride;
-                var minX:Number = extents[at];
-                var minY:Number = extents[int(at + 1)];
-                var minZ:Number = extents[int(at + 2)];
+                var minX:Number = all[at];
+                var minY:Number = all[int(at + 1)];
+                var minZ:Number = all[int(at + 2)];
                 at += high;
-                var maxX:Number = extents[at];
-                var maxY:Number = extents[int(at + 1)];
-                var maxZ:Number = extents[int(at + 2)];
+                var maxX:Number = all[at];
+                var maxY:Number = all[int(at + 1)];
+                var maxZ:Number = all[int(at + 2)];
                 var sum:Number = axis == 0 ? minX + maxX : (axis == 1 ? minY + maxY : minZ + maxZ);
                 if (sum < split)
                 {
@@ -239,7 +259,35 @@ package starlogo.hierarchy
             }
             write(leftExtents, leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
             write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
-            return i;
+            middle = i;
+            _last = last;
+            _isBegun = true;
+            return left > 0;
+        }
+
+        // From one place in the items' extents up to another.
+        private function extend(from:int, to:int):void
+        {
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var least:Number = extents[axis];
+                var largest:Number = extents[axis + 3];
+                for (var i:int = from + axis; i < to; i += _stride)
+                {
+                    var coordinate:Number = _extents[i];
+                    if (coordinate < least)
+                    {
+                        least = coordinate;
+                    }
+                    coordinate = _extents[int(i + _high)];
+                    if (coordinate > largest)
+                    {
+                        largest = coordinate;
+                    }
+                }
+                extents[axis] = least;
+                extents[axis + 3] = largest;
+            }
         }
 
         private static function write(extents:Vector.<Number>, minX:Number, minY:Number, minZ:Number,

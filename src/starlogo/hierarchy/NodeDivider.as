@@ -23,6 +23,13 @@ package starlogo.hierarchy
         private var _minVerticesToSplit:int;
         private var _splitByMean:Boolean;
 
+        // the node under way, what its items' coordinates add up to so far, and the item that comes next
+        private var _node:HierarchyNode;
+        private var _axis:int;
+        private var _isAveraging:Boolean;
+        private var _sum:Number;
+        private var _next:int;
+
         /**
          * @param hierarchy what the nodes are of
          * @param items what is divided
@@ -39,24 +46,61 @@ package starlogo.hierarchy
             _splitByMean = splitByMean;
         }
 
-        /** Gives a node children, unless it has too few vertices, or its items are all in one place; returns whether it has. */
-        public function divide(node:HierarchyNode):Boolean
+        /** Begins to give a node children; returns whether there is more to do. If not, it has too few vertices. */
+        public function begin(node:HierarchyNode):Boolean
         {
             if (!hasEnough(node))
             {
                 return false;
             }
-            var axis:int = node.longestAxis();
-            var split:Number;
-            if (_splitByMean)
+            _node = node;
+            _axis = node.longestAxis();
+            _isAveraging = _splitByMean;
+            if (_isAveraging)
             {
-                split = _items.meanOf(node.first, node.end, axis);
+                _sum = 0;
+                _next = node.first;
+                return true;
             }
-            else
+            var centre:Number = _axis == 0 ? node.x : (_axis == 1 ? node.y : node.z);
+            _items.beginDivision(node.first, node.end, _axis, 2 * centre);
+            return true;
+        }
+
+        /**
+         * Goes on with the node that was begun. If its items are all in one place, it gets no children.
+         *
+         * @param most about how many items to look at
+         * @return whether there is more to do
+         */
+        public function goOn(most:int):Boolean
+        {
+            if (_isAveraging)
             {
-                split = 2 * (axis == 0 ? node.x : (axis == 1 ? node.y : node.z));
+                averageSome(most);
+                return true;
             }
-            return divideAt(node, axis, split) || divideWhereCentresSpread(node);
+            if (_items.divideSome(most))
+            {
+                return true;
+            }
+            if (!takeDivision(_axis))
+            {
+                divideWhereCentresSpread();
+            }
+            return false;
+        }
+
+        private function averageSome(most:int):void
+        {
+            var end:int = Math.min(_next + most, _node.end);
+            _sum = _items.sumOf(_sum, _next, end, _axis);
+            _next = end;
+            if (end == _node.end)
+            {
+                _isAveraging = false;
+                _items.beginDivision(_node.first, end, _axis, _sum / (end - _node.first));
+            }
         }
 
         private function hasEnough(node:HierarchyNode):Boolean
@@ -71,14 +115,14 @@ package starlogo.hierarchy
             return count > few * (few - 1) * (few - 2) / 6 || node.vertexCount > few;
         }
 
-        private function divideWhereCentresSpread(node:HierarchyNode):Boolean
+        private function divideWhereCentresSpread():void
         {
             var widest:int = 0;
             var width:Number = 0;
             var split:Number = 0;
             for (var axis:int = 0; axis < 3; axis++)
             {
-                var ends:Vector.<Number> = _items.centresOf(node.first, node.end, axis);
+                var ends:Vector.<Number> = _items.centresOf(_node.first, _node.end, axis);
                 if (ends[1] - ends[0] > width)
                 {
                     widest = axis;
@@ -86,13 +130,19 @@ package starlogo.hierarchy
                     split = ends[0] + 0.5 * width;
                 }
             }
-            return width > 0 && divideAt(node, widest, split);
+            if (width > 0)
+            {
+                _items.beginDivision(_node.first, _node.end, widest, split);
+                _items.divideSome(_node.end - _node.first);
+                takeDivision(widest);
+            }
         }
 
         // Whether there are items on either side; if not, the node has no children.
-        private function divideAt(node:HierarchyNode, axis:int, split:Number):Boolean
+        private function takeDivision(axis:int):Boolean
         {
-            var middle:int = _items.divide(node.first, node.end, axis, split);
+            var node:HierarchyNode = _node;
+            var middle:int = _items.middle;
             if (middle == node.first || middle == node.end)
             {
                 return false;

@@ -18,6 +18,7 @@ package starlogo.hierarchy
     internal final class PartFinder implements Steps
     {
         private static const PAIRS_A_STEP:int = 800;
+        private static const RUNS_A_STEP:int = 5000;
 
         // Of triangles that may touch. Beyond that, pieces are left apart: the answers are the same.
         private static const MOST_PAIRS:int = 100000;
@@ -36,6 +37,8 @@ package starlogo.hierarchy
 
         // For each triangle in order, the next one of another piece.
         private var _runEnds:Vector.<int> = null;
+        private var _runsLeft:int = -1;
+        private var _runEnd:int;
 
         /**
          * @param root the node around all triangles
@@ -92,9 +95,10 @@ package starlogo.hierarchy
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_runEnds == null)
+            if (_runsLeft != 0)
             {
                 findRuns();
+                return true;
             }
             var end:int = Math.min(_pairs + PAIRS_A_STEP, MOST_PAIRS);
             while (_pairs < end && _stack.length > 0 && _partCount > 1)
@@ -197,18 +201,25 @@ package starlogo.hierarchy
             return triangleTriangle(_solid.corners, 9 * i, _solid.corners, 9 * k, _touching);
         }
 
+        // From the last triangle down.
         private function findRuns():void
         {
-            var end:int = _order.length;
-            _runEnds = new Vector.<int>(end, true);
-            for (var i:int = end - 1; i >= 0; i--)
+            if (_runEnds == null)
             {
-                _runEnds[i] = end;
+                _runsLeft = _order.length;
+                _runEnds = new Vector.<int>(_runsLeft, true);
+                _runEnd = _runsLeft;
+            }
+            var first:int = Math.max(0, _runsLeft - RUNS_A_STEP);
+            for (var i:int = _runsLeft - 1; i >= first; i--)
+            {
+                _runEnds[i] = _runEnd;
                 if (i > 0 && _surface.pieces[_order[i]] != _surface.pieces[_order[i - 1]])
                 {
-                    end = i;
+                    _runEnd = i;
                 }
             }
+            _runsLeft = first;
         }
     }
 }

@@ -90,15 +90,21 @@ package starlogo.models
             return null;
         }
 
-        /** The words of its own text, which comments and elements may divide. */
+        /** The words of its own text. For one that may be long there is ColladaWords. */
         public function get words():Array
         {
+            return TextTokens.of(text);
+        }
+
+        /** Its own text, which comments and elements may divide. */
+        public function get text():String
+        {
             var texts:Array = [];
-            for each (var text:XML in _xml.text())
+            for each (var part:XML in _xml.text())
             {
-                texts.push(text.toString());
+                texts.push(part.toString());
             }
-            return TextTokens.of(texts.join(" "));
+            return texts.join(" ");
         }
 
         /** The elements with ids anywhere in it, in the document's order. */

@@ -10,7 +10,7 @@ package starlogo.models
         private var _mesh:ColladaElement;
         private var _primitives:Vector.<ColladaElement> = new Vector.<ColladaElement>();
         private var _sources:Object = {}; // of positions, by the address that an input has; "#" is in front
-        private var _positions:Object = {};
+        private var _points:Object = {};
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
@@ -38,9 +38,9 @@ package starlogo.models
             }
             if (_primitives.length == 0)
             {
-                _work.begin(points);
+                _work.begin(readPoints);
             }
-            _work.call(conclude);
+            _work.begin(dropUnused).call(conclude);
         }
 
         /** When it is read: the points that its surfaces use, or all if it has none. */
@@ -73,18 +73,21 @@ package starlogo.models
             var element:ColladaElement = _primitives.shift();
             var work:StepSequence = new StepSequence();
             var source:ColladaElement = positionSource(ColladaPrimitive.positionInput(_document, element));
-            var positions:ColladaPointRange = positionsOf(source, work);
-            return work.add(new ColladaPrimitive(_document, element, positions, _isUsed, _triangles, _triangulator));
+            var points:ColladaSource = pointsOf(source, work);
+            return work.begin(function():Steps
+                {
+                    return new ColladaPrimitive(_document, element, points, _isUsed, _triangles, _triangulator);
+                });
         }
 
         /** Where there are no surfaces, the points are all that there is. */
-        private function points():Steps
+        private function readPoints():Steps
         {
             var work:StepSequence = new StepSequence();
             var element:ColladaElement = _mesh == null ? null : _mesh.child("vertices");
             if (element != null)
             {
-                positionsOf(sourceOfVertices(element), work);
+                pointsOf(sourceOfVertices(element), work);
             }
             return work;
         }
@@ -113,29 +116,32 @@ package starlogo.models
             throw _document.error(vertices, "expected an <input> with the semantic POSITION");
         }
 
-        /** A source's points; the work of reading them is added, once, however many primitives have them. */
-        private function positionsOf(source:ColladaElement, work:StepSequence):ColladaPointRange
+        /** A source; the work of reading it is added, once, however many primitives have its points. */
+        private function pointsOf(source:ColladaElement, work:StepSequence):ColladaSource
         {
             var key:String = "#" + source.id; // an id may be the name of a property that each Object has
-            if (_positions[key] == null)
+            var points:ColladaSource = _points[key];
+            if (points == null)
             {
-                var first:int = _vertices.length / 3;
-                var reading:ColladaSource = new ColladaSource(_document, source, _vertices);
-                work.add(reading);
-                _positions[key] = new ColladaPointRange(first, reading.count);
-                _isUsed.length = first + reading.count;
+                points = _points[key] = new ColladaSource(_document, source, _vertices);
+                work.add(points).call(function():void
+                    {
+                        _isUsed.length = _vertices.length / 3;
+                    });
             }
-            return _positions[key];
+            return points;
+        }
+
+        private function dropUnused():Steps
+        {
+            _hasSurfaces = _isUsed.indexOf(1) >= 0;
+            return _hasSurfaces ? new VertexFilter(_vertices, _triangles, _isUsed) : null;
         }
 
         private function conclude():void
         {
-            _hasSurfaces = _isUsed.indexOf(1) >= 0;
-            if (_hasSurfaces)
-            {
-                VertexFilter.keepUsed(_vertices, _triangles, _isUsed);
-            }
             _isUsed.length = 0;
+            _points = null;
             _isRead = true;
         }
     }

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -8,6 +10,7 @@ package starlogo.models
     internal final class ColladaPrimitive implements Steps
     {
         private static const CORNERS_PER_STEP:int = 1500;
+        private static const SIZES_PER_STEP:int = 5000;
         private static const MAX_OFFSET:int = 255;
         private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
 
@@ -24,22 +27,30 @@ package starlogo.models
         private var _offset:int;
 
         // the lists of corners (p or ph), and how far they and the present one are read
-        private var _lists:Array = [];
+        private var _lists:Vector.<ColladaElement>;
         private var _list:int = 0;
+        private var _text:ColladaWords = null;
         private var _words:Array = [];
         private var _word:int = 0;
+
+        // of a polylist: how many corners each polygon has
+        private var _vcount:ColladaElement;
+        private var _sizeText:ColladaWords = null;
         private var _sizes:Array = null;
         private var _size:int = 0;
+        private var _sum:Number = 0;
+
+        private var _work:StepSequence = new StepSequence();
 
         /**
          * @param document the document
          * @param element the primitive
-         * @param positions where among the mesh's points its own begin, and how many there are
+         * @param positions its points, which are read
          * @param isUsed a number for each point of the mesh; set to 1 where a corner is
          * @param triangles where the triangles go
          * @param triangulator cuts the polygons, into the same triangles
          */
-        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaPointRange,
+        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
                 isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
         {
             _document = document;
@@ -49,12 +60,9 @@ package starlogo.models
             _isUsed = isUsed;
             _triangles = triangles;
             _triangulator = triangulator;
+            _lists = element.childrenNamed("p");
             readInputs();
-            for each (var list:ColladaElement in element.childrenNamed("p"))
-            {
-                _lists.push(list);
-            }
-            checkLists();
+            plan();
         }
 
         /** Whether an element is a primitive with surfaces; some programs write empty ones, without inputs. */
@@ -92,26 +100,7 @@ package starlogo.models
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_triangulator.isCutting)
-            {
-                _triangulator.cutSome();
-                return _triangulator.isCutting || hasMore;
-            }
-            switch (_element.name)
-            {
-                case "triangles":
-                    return readTriangles();
-                case "polylist":
-                    readPolylist();
-                    return _triangulator.isCutting || hasMore;
-                case "polygons":
-                    readPolygons();
-                    return _triangulator.isCutting || hasMore;
-                case "tristrips":
-                    return readStrips(false);
-                default:
-                    return readStrips(true);
-            }
+            return _work.step();
         }
 
         private function readInputs():void
@@ -129,74 +118,99 @@ package starlogo.models
             _offset = _document.integer(positionInput(_document, _element), "offset", 0);
         }
 
-        private function checkLists():void
+        private function plan():void
         {
             switch (_element.name)
             {
                 case "triangles":
-                    _words = allWords();
-                    if (cornersIn(_words) % 3 != 0)
-                    {
-                        throw _document.error(_element, "expected three corners for each triangle, but found " +
-                                cornersIn(_words));
-                    }
-                    _document.checkCount(_element, cornersIn(_words) / 3, "triangles");
+                    _text = new ColladaWords(_lists);
+                    _work.add(_text).call(checkTriangles).repeat(readTriangles);
                     break;
                 case "polylist":
-                    _words = allWords();
-                    readSizes();
+                    _text = new ColladaWords(_lists);
+                    _vcount = _element.child("vcount");
+                    _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
+                    _work.add(_text).add(_sizeText).begin(checkSizes).call(checkSum).repeat(function():Boolean
+                        {
+                            return cutOr(readPolylist);
+                        });
                     break;
                 case "polygons":
-                    for each (var polygon:ColladaElement in _element.childrenNamed("ph"))
-                    {
-                        _lists.push(polygon);
-                    }
+                    _lists = _lists.concat(_element.childrenNamed("ph"));
                     _document.checkCount(_element, _lists.length, "polygons");
+                    _work.repeat(function():Boolean
+                        {
+                            return cutOr(readPolygons);
+                        });
                     break;
                 default:
                     _document.checkCount(_element, _lists.length, "lists of corners <p>");
+                    _work.repeat(readStrips);
                     break;
             }
         }
 
-        private function readSizes():void
+        private function checkTriangles():void
         {
-            var vcount:ColladaElement = _element.child("vcount");
-            _sizes = vcount == null ? [] : vcount.words;
-            _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
-            var sum:Number = 0;
-            for each (var word:String in _sizes)
+            takeWords();
+            if (cornersIn(_words) % 3 != 0)
             {
-                var size:Number = Number(word);
+                throw _document.error(_element, "expected three corners for each triangle, but found " +
+                        cornersIn(_words));
+            }
+            _document.checkCount(_element, cornersIn(_words) / 3, "triangles");
+        }
+
+        private function takeWords():void
+        {
+            _words = _text.all;
+            _text = null;
+        }
+
+        private function checkSizes():Steps
+        {
+            takeWords();
+            _sizes = _sizeText.all;
+            _sizeText = null;
+            _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
+            return new Slices(_sizes.length, SIZES_PER_STEP, addSizes);
+        }
+
+        private function addSizes(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var size:Number = Number(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
-                    throw _document.error(vcount, "expected how many corners a polygon has, but found \"" +
-                            TextTokens.shorten(word) + "\"");
+                    throw _document.error(_vcount, "expected how many corners a polygon has, but found \"" +
+                            TextTokens.shorten(_sizes[i]) + "\"");
                 }
-                sum += size;
+                _sum += size;
             }
-            if (sum != cornersIn(_words))
+        }
+
+        private function checkSum():void
+        {
+            if (_sum != cornersIn(_words))
             {
-                throw _document.error(_element, "its <vcount> adds up to " + sum + " corners, but <p> has " +
+                throw _document.error(_element, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
                         cornersIn(_words));
             }
         }
 
-        private function allWords():Array
+        // A polygon of many corners is cut in steps, before the next ones are read.
+        private function cutOr(read:Function):Boolean
         {
-            if (_lists.length == 1)
+            if (_triangulator.isCutting)
             {
-                return _lists[0].words;
+                _triangulator.cutSome();
             }
-            var words:Array = [];
-            for each (var list:ColladaElement in _lists)
+            else
             {
-                for each (var word:String in list.words)
-                {
-                    words.push(word);
-                }
+                read();
             }
-            return words;
+            return _triangulator.isCutting || hasMore;
         }
 
         private function cornersIn(words:Array):int
@@ -273,8 +287,9 @@ package starlogo.models
             }
         }
 
-        private function readStrips(isFan:Boolean):Boolean
+        private function readStrips():Boolean
         {
+            var isFan:Boolean = _element.name == "trifans";
             var read:int = 0;
             while (read < CORNERS_PER_STEP && _list < _lists.length)
             {

@@ -13,8 +13,10 @@ package starlogo.models
         private var _instance:int = 0;
         private var _meshes:Object = {};
         private var _mesh:ColladaMesh = null;
+        private var _placing:ColladaPlacing = null;
         private var _isDone:Boolean = false;
-        private var _work:StepSequence = new StepSequence().begin(measure).call(parse).begin(newScene).repeat(readInstances).call(conclude);
+        private var _work:StepSequence = new StepSequence().begin(measure).call(parse).begin(newScene).repeat(readInstances).begin(turnUp)
+            .call(conclude);
 
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _triangles:Vector.<uint> = new Vector.<uint>();
@@ -86,11 +88,13 @@ package starlogo.models
             {
                 _mesh = meshOf(instance.geometry);
             }
+            else if (_placing != null)
+            {
+                place();
+            }
             else if (!_mesh.step())
             {
-                place(_mesh, instance);
-                _mesh = null;
-                _instance++;
+                _placing = new ColladaPlacing(_document, _mesh, instance, _mesh.hasSurfaces ? _vertices : _loosePoints, _triangles);
             }
             return true;
         }
@@ -106,40 +110,17 @@ package starlogo.models
             return _meshes[key];
         }
 
-        private function place(mesh:ColladaMesh, instance:ColladaInstance):void
+        private function place():void
         {
-            var points:Vector.<Number> = mesh.hasSurfaces ? _vertices : _loosePoints;
-            var first:int = points.length / 3;
-            var vertexCount:int = first + mesh.vertices.length / 3;
-            var triangleCount:int = (_triangles.length + mesh.triangles.length) / 3;
-            if (ModelLimits.areExceeded(vertexCount, triangleCount))
+            if (!_placing.step())
             {
-                throw _document.error(instance.element, ModelLimits.PROBLEM);
-            }
-            if (!instance.transform.addPoints(mesh.vertices, points))
-            {
-                throw _document.error(instance.element, "its transformed coordinates are too large to be finite numbers");
-            }
-            addTriangles(mesh.triangles, first, instance.transform.isMirror);
-        }
-
-        private function addTriangles(triangles:Vector.<uint>, first:int, isMirrored:Boolean):void
-        {
-            var length:int = triangles.length;
-            var at:int = _triangles.length;
-            _triangles.length += length;
-            var second:int = isMirrored ? 2 : 1;
-            var third:int = isMirrored ? 1 : 2;
-            for (var i:int = 0; i < length; i += 3)
-            {
-                _triangles[at] = triangles[i] + first;
-                _triangles[int(at + second)] = triangles[int(i + 1)] + first;
-                _triangles[int(at + third)] = triangles[int(i + 2)] + first;
-                at += 3;
+                _placing = null;
+                _mesh = null;
+                _instance++;
             }
         }
 
-        private function conclude():void
+        private function turnUp():Steps
         {
             if (_vertices.length == 0)
             {
@@ -149,7 +130,11 @@ package starlogo.models
             {
                 throw new ModelError(_name, "", "no vertices: expected a scene or a library with a geometry in it");
             }
-            UpAxis.turn(_vertices, upAxis());
+            return UpAxis.turning(_vertices, upAxis());
+        }
+
+        private function conclude():void
+        {
             _source = null;
             _document = null;
             _isDone = true;

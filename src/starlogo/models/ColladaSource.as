@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /** Reads the points of a COLLADA source, its array as its accessor sees it, in small steps. */
@@ -8,14 +10,17 @@ package starlogo.models
         private static const POINTS_PER_STEP:int = 2000;
 
         private var _document:ColladaDocument;
+        private var _accessor:ColladaElement;
         private var _array:ColladaElement;
+        private var _text:ColladaWords;
         private var _words:Array;
         private var _columns:Vector.<int>;
         private var _stride:int;
         private var _word:int;
+        private var _first:int;
         private var _count:int;
         private var _points:Vector.<Number>;
-        private var _at:int;
+        private var _work:StepSequence = new StepSequence();
 
         /**
          * @param document the document
@@ -26,17 +31,19 @@ package starlogo.models
         {
             _document = document;
             _points = points;
-            var accessor:ColladaElement = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
-            _array = document.target(accessor, "source", ["float_array", "int_array"], source);
-            _words = _array.words;
-            document.checkCount(_array, _words.length, "numbers");
-            readAccessor(accessor);
-            document.countPoints(accessor, _count + _words.length / 3);
-            _at = points.length;
-            points.length += 3 * _count;
+            _accessor = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
+            _array = document.target(_accessor, "source", ["float_array", "int_array"], source);
+            _text = new ColladaWords(new <ColladaElement>[_array]);
+            _work.add(_text).begin(readPoints).call(letGo);
         }
 
-        /** How many points it has. */
+        /** The index of the first of its points, when no step is left. */
+        public function get first():int
+        {
+            return _first;
+        }
+
+        /** How many points it has, when no step is left. */
         public function get count():int
         {
             return _count;
@@ -45,18 +52,39 @@ package starlogo.models
         /** @inheritDoc */
         public function step():Boolean
         {
+            return _work.step();
+        }
+
+        private function readPoints():Steps
+        {
+            _words = _text.all;
+            _text = null;
+            _document.checkCount(_array, _words.length, "numbers");
+            readAccessor();
+            _document.countPoints(_accessor, _count + _words.length / 3);
+            _first = _points.length / 3;
+            _points.length += 3 * _count;
+            return new Slices(_count, POINTS_PER_STEP, readSome);
+        }
+
+        private function readSome(first:int, end:int):void
+        {
             var x:int = _columns[0];
             var y:int = _columns[1];
             var z:int = _columns[2];
-            var end:int = Math.min(_points.length, _at + 3 * POINTS_PER_STEP);
-            while (_at < end)
+            var at:int = 3 * (_first + first);
+            for (var i:int = first; i < end; i++)
             {
-                _points[_at++] = numberAt(_word + x);
-                _points[_at++] = numberAt(_word + y);
-                _points[_at++] = numberAt(_word + z);
+                _points[at++] = numberAt(_word + x);
+                _points[at++] = numberAt(_word + y);
+                _points[at++] = numberAt(_word + z);
                 _word += _stride;
             }
-            return _at < _points.length;
+        }
+
+        private function letGo():void
+        {
+            _words = null;
         }
 
         private function numberAt(word:int):Number
@@ -65,17 +93,17 @@ package starlogo.models
             return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
         }
 
-        private function readAccessor(accessor:ColladaElement):void
+        private function readAccessor():void
         {
             var length:int = _words.length;
-            var stride:Number = _document.integer(accessor, "stride", 1);
-            var offset:Number = _document.integer(accessor, "offset", 0);
-            _columns = columnsOf(accessor, stride);
-            var wanted:Number = _document.integer(accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
+            var stride:Number = _document.integer(_accessor, "stride", 1);
+            var offset:Number = _document.integer(_accessor, "offset", 0);
+            _columns = columnsOf(_accessor, stride);
+            var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
             var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
             if (wanted > 0 && last >= length)
             {
-                throw _document.error(accessor, "its count of " + wanted + " with a stride of " + stride +
+                throw _document.error(_accessor, "its count of " + wanted + " with a stride of " + stride +
                         " reaches beyond the " +
                         length + " numbers of its array");
             }

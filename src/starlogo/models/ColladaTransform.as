@@ -67,11 +67,16 @@ package starlogo.models
         }
 
         /**
-         * Adds transformed points to a list.
+         * Transforms some points.
          *
+         * @param points x, y, z each
+         * @param first the first of them
+         * @param end the one behind the last
+         * @param out where they go; long enough
+         * @param to where in it the first one goes
          * @return whether all their coordinates are finite
          */
-        public function addPoints(points:Vector.<Number>, out:Vector.<Number>):Boolean
+        public function place(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
         {
             var m00:Number = _m[0];
             var m01:Number = _m[1];
@@ -85,11 +90,9 @@ package starlogo.models
             var m21:Number = _m[9];
             var m22:Number = _m[10];
             var m23:Number = _m[11];
-            var length:int = points.length;
-            var at:int = out.length;
+            var at:int = 3 * to;
             var differences:Number = 0;
-            out.length += length;
-            for (var i:int = 0; i < length; i += 3)
+            for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;

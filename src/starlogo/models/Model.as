@@ -1,7 +1,7 @@
 package starlogo.models
 {
     import starlogo.engine;
-    import starlogo.geometry.VertexData;
+    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -18,8 +18,7 @@ package starlogo.models
      */
     public class Model
     {
-        // below this ratio to z, extents in x and y are rounding errors of whatever placed the vertices
-        private static const LINE_RATIO:Number = 1e-6;
+        private static const ORIGIN:Vector.<Number> = new <Number>[0, 0, 0];
 
         /**
          * Where the model's origin was in what the model was made of.
@@ -65,18 +64,21 @@ package starlogo.models
          */
         public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null)
         {
-            _name = name;
-            checkName();
-            checkVertices(vertices);
-            _vertices = vertices.slice();
-            normalise();
-            _vertices.fixed = true;
-            if (triangles != null && triangles.length > 0)
-            {
-                check(VertexData.triangleProblem(triangles, _vertices.length / 3));
-                _triangles = triangles.slice();
-                _triangles.fixed = true;
-            }
+            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles);
+            finish(shape);
+            take(shape);
+        }
+
+        /**
+         * A model of a shape that no step is left of.
+         *
+         * @private
+         */
+        internal static function of(shape:NormalisedShape):Model
+        {
+            var model:Model = new Model(shape.name, ORIGIN);
+            model.take(shape);
+            return model;
         }
 
         /** What agents call the shape. */
@@ -100,107 +102,20 @@ package starlogo.models
             return _triangles;
         }
 
-        private function checkName():void
+        private function take(shape:NormalisedShape):void
         {
-            if (_name == null || _name == "")
+            _name = shape.name;
+            _vertices = shape.vertices;
+            _vertices.fixed = true;
+            _triangles = shape.triangles;
+            if (_triangles != null)
             {
-                throw new ModelError(_name || "", "", "a model needs a name, one that is not empty");
+                _triangles.fixed = true;
             }
-        }
-
-        private function checkVertices(vertices:Vector.<Number>):void
-        {
-            if (vertices == null || vertices.length == 0)
-            {
-                throw new ModelError(_name, "", "no vertices: a model needs at least one");
-            }
-            check(VertexData.vertexProblem(vertices));
-        }
-
-        private function check(problem:String):void
-        {
-            if (problem != null)
-            {
-                throw new ModelError(_name, "", problem);
-            }
-        }
-
-        private function normalise():void
-        {
-            var minX:Number = Number.POSITIVE_INFINITY;
-            var minY:Number = Number.POSITIVE_INFINITY;
-            var minZ:Number = Number.POSITIVE_INFINITY;
-            var maxX:Number = Number.NEGATIVE_INFINITY;
-            var maxY:Number = Number.NEGATIVE_INFINITY;
-            var maxZ:Number = Number.NEGATIVE_INFINITY;
-            var length:int = _vertices.length;
-            for (var i:int = 0; i < length; i += 3)
-            {
-                var x:Number = _vertices[i];
-                var y:Number = _vertices[int(i + 1)];
-                var z:Number = _vertices[int(i + 2)];
-                if (x < minX)
-                {
-                    minX = x;
-                }
-                if (x > maxX)
-                {
-                    maxX = x;
-                }
-                if (y < minY)
-                {
-                    minY = y;
-                }
-                if (y > maxY)
-                {
-                    maxY = y;
-                }
-                if (z < minZ)
-                {
-                    minZ = z;
-                }
-                if (z > maxZ)
-                {
-                    maxZ = z;
-                }
-            }
-            sourceUnit = scaleOf(maxX - minX, maxY - minY, maxZ - minZ);
-            sourceX = minX + (maxX - minX) / 2;
-            sourceY = minY + (maxY - minY) / 2;
-            sourceZ = minZ;
-            moveAndDivide(minX, minY, minZ, (maxX - minX) / 2, (maxY - minY) / 2, sourceUnit);
-        }
-
-        /** What coordinates are divided by. */
-        private function scaleOf(extentX:Number, extentY:Number, extentZ:Number):Number
-        {
-            if (extentX + extentY + extentZ == Number.POSITIVE_INFINITY)
-            {
-                throw new ModelError(_name, "",
-                        "the coordinates are too large: the model's extent is not a finite number");
-            }
-            var width:Number = Math.max(extentX, extentY);
-            if (width <= extentZ * LINE_RATIO)
-            {
-                return extentZ > 0 ? extentZ : 1;
-            }
-            return width;
-        }
-
-        // Differences first, division last: that makes the bounds exact, and works for the smallest and largest
-        // numbers.
-        private function moveAndDivide(minX:Number, minY:Number, minZ:Number, halfX:Number, halfY:Number,
-                divisor:Number):void
-        {
-            var length:int = _vertices.length;
-            for (var i:int = 0; i < length; i += 3)
-            {
-                var j:int = i + 1;
-                var k:int = i + 2;
-                _vertices[i] = (_vertices[i] - minX - halfX) / divisor;
-                _vertices[j] = (_vertices[j] - minY - halfY) / divisor;
-                _vertices[k] = (_vertices[k] - minZ) / divisor;
-            }
+            sourceX = shape.originX;
+            sourceY = shape.originY;
+            sourceZ = shape.originZ;
+            sourceUnit = shape.unit;
         }
     }
 }

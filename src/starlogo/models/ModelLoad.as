@@ -31,8 +31,9 @@ package starlogo.models
         private var _text:String = null;
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
+        private var _shape:NormalisedShape = null;
         private var _model:Model = null;
-        private var _work:StepSequence = new StepSequence().begin(unpack).begin(read).call(normalise).begin(receive);
+        private var _work:StepSequence = new StepSequence().begin(unpack).begin(read).begin(normalise).call(takeShape).begin(receive);
 
         /**
          * @param name the model's name
@@ -193,9 +194,16 @@ package starlogo.models
             return _reader;
         }
 
-        private function normalise():void
+        private function normalise():Steps
         {
-            _model = new Model(_name, _reader.vertices, _reader.triangles);
+            _shape = new NormalisedShape(_name, _reader.vertices, _reader.triangles);
+            return _shape;
+        }
+
+        private function takeShape():void
+        {
+            _model = Model.of(_shape);
+            _shape = null;
             _reader = null;
             _readTime = getTimer();
         }

@@ -1,6 +1,8 @@
 package starlogo.models
 {
+    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     /** Reads the statements of Wavefront OBJ text; ObjModel says which. */
     internal final class ObjReader implements ModelReader
@@ -8,13 +10,16 @@ package starlogo.models
         private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
         private static const CORNERS_PER_STEP:int = 1500;
+        private static const MARKS_PER_STEP:int = 20000;
 
         private var _name:String;
         private var _upAxis:String;
         private var _tokens:ObjTokens;
         private var _polygon:int = 0;
         private var _isDone:Boolean = false;
-        private var _work:StepSequence = new StepSequence().repeat(readSome).repeat(cutPolygons).call(conclude);
+        private var _isUsed:Vector.<uint> = null;
+        private var _work:StepSequence = new StepSequence().repeat(readSome).repeat(cutPolygons).begin(markUsed).begin(dropUnused)
+            .begin(turnUp).call(conclude);
 
         private var _vertices:Vector.<Number> = new Vector.<Number>();
         private var _vertexCount:int = 0;
@@ -270,33 +275,51 @@ package starlogo.models
             return _triangulator.isCutting || _polygon < _polygons.length;
         }
 
-        private function conclude():void
+        /** Where there are faces, only what they use is part of the model's surface. */
+        private function markUsed():Steps
         {
-            if (_highestIndex >= 0)
+            if (_highestIndex < 0)
             {
-                dropUnusedVertices();
+                return null;
             }
-            UpAxis.turn(_vertices, _upAxis);
-            _isDone = true;
+            _isUsed = new Vector.<uint>(_vertexCount);
+            return new StepSequence().add(new Slices(_polygons.length, POLYGONS_PER_STEP, markPolygons))
+                .add(new Slices(_triangles.length, MARKS_PER_STEP, markTriangles));
         }
 
-        /** Where there are faces, only what they use is part of the model's surface. */
-        private function dropUnusedVertices():void
+        private function markPolygons(first:int, end:int):void
         {
-            var isUsed:Vector.<uint> = new Vector.<uint>(_vertexCount);
-            for each (var polygon:Vector.<uint> in _polygons)
+            for (var i:int = first; i < end; i++)
             {
-                for each (var corner:uint in polygon)
+                for each (var corner:uint in _polygons[i])
                 {
-                    isUsed[corner] = 1;
+                    _isUsed[corner] = 1;
                 }
             }
-            var indexCount:int = _triangles.length;
-            for (var i:int = 0; i < indexCount; i++)
+        }
+
+        private function markTriangles(first:int, end:int):void
+        {
+            var isUsed:Vector.<uint> = _isUsed;
+            for (var i:int = first; i < end; i++)
             {
                 isUsed[_triangles[i]] = 1;
             }
-            VertexFilter.keepUsed(_vertices, _triangles, isUsed);
+        }
+
+        private function dropUnused():Steps
+        {
+            return _isUsed == null ? null : new VertexFilter(_vertices, _triangles, _isUsed);
+        }
+
+        private function turnUp():Steps
+        {
+            return UpAxis.turning(_vertices, _upAxis);
+        }
+
+        private function conclude():void
+        {
+            _isDone = true;
         }
 
         private function error(problem:String, line:int):ModelError

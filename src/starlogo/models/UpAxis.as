@@ -1,5 +1,8 @@
 package starlogo.models
 {
+    import starlogo.steps.Slices;
+    import starlogo.steps.Steps;
+
     /** The axis that points up in a file: turns what has x or y up to z up. */
     internal final class UpAxis
     {
@@ -11,6 +14,8 @@ package starlogo.models
 
         /** @copy #X */
         internal static const Z:String = "z";
+
+        private static const VERTICES_PER_STEP:int = 4000;
 
         /** All is static. */
         public function UpAxis()
@@ -24,18 +29,27 @@ package starlogo.models
         }
 
         /**
-         * Turns vertices in place. With y up, -z of the file becomes y; with x up, -y becomes x and -z becomes y (the
+         * The work of turning vertices in place. With y up, -z of the file becomes y; with x up, -y becomes x and -z becomes y (the
          * right and inward axes of the COLLADA specification's table for up_axis).
+         *
+         * @return null if z is up
          */
-        internal static function turn(vertices:Vector.<Number>, axis:String):void
+        internal static function turning(vertices:Vector.<Number>, axis:String):Steps
         {
             if (axis == Z)
             {
-                return;
+                return null;
             }
             var isX:Boolean = axis == X;
-            var length:int = vertices.length;
-            for (var i:int = 0; i < length; i += 3)
+            return new Slices(vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    turn(vertices, isX, first, end);
+                });
+        }
+
+        private static function turn(vertices:Vector.<Number>, isX:Boolean, first:int, end:int):void
+        {
+            for (var i:int = 3 * first; i < 3 * end; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;

@@ -1,43 +1,74 @@
 package starlogo.models
 {
-    /** Leaves out the vertices that no surface uses. */
-    internal final class VertexFilter
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /** Leaves out the vertices that no surface uses, and closes the gaps, in steps. */
+    internal final class VertexFilter implements Steps
     {
-        /** All is static. */
-        public function VertexFilter()
-        {
-        }
+        private static const VERTICES_PER_STEP:int = 4000;
+        private static const CORNERS_PER_STEP:int = 20000;
+
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
+        private var _isUsed:Vector.<uint>;
+        private var _newIndices:Vector.<uint>;
+        private var _count:int = 0;
+        private var _work:StepSequence = new StepSequence();
 
         /**
-         * Closes the gaps, in place.
-         *
-         * @param vertices x, y, z, ...
+         * @param vertices x, y, z, ...; changed in place
          * @param triangles indices of used vertices; changed to where these are then
          * @param isUsed a number for each vertex, 0 for those to leave out
          */
-        internal static function keepUsed(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>):void
+        public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
         {
-            if (isUsed.indexOf(0) < 0)
+            _vertices = vertices;
+            _triangles = triangles;
+            _isUsed = isUsed;
+            if (isUsed.indexOf(0) >= 0)
             {
-                return;
+                _newIndices = new Vector.<uint>(isUsed.length);
+                _work.add(new Slices(isUsed.length, VERTICES_PER_STEP, moveVertices)).call(cutOff);
+                _work.add(new Slices(triangles.length, CORNERS_PER_STEP, renumber));
             }
-            var newIndices:Vector.<uint> = new Vector.<uint>(isUsed.length);
-            var count:int = 0;
-            for (var i:int = 0; i < isUsed.length; i++)
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            return _work.step();
+        }
+
+        private function moveVertices(first:int, end:int):void
+        {
+            var vertices:Vector.<Number> = _vertices;
+            for (var i:int = first; i < end; i++)
             {
-                if (isUsed[i] != 0)
+                if (_isUsed[i] != 0)
                 {
-                    newIndices[i] = count;
-                    vertices[3 * count] = vertices[3 * i];
-                    vertices[3 * count + 1] = vertices[3 * i + 1];
-                    vertices[3 * count + 2] = vertices[3 * i + 2];
-                    count++;
+                    var from:int = 3 * i;
+                    var to:int = 3 * _count;
+                    vertices[to] = vertices[from];
+                    vertices[int(to + 1)] = vertices[int(from + 1)];
+                    vertices[int(to + 2)] = vertices[int(from + 2)];
+                    _newIndices[i] = _count++;
                 }
             }
-            vertices.length = 3 * count;
-            for (i = 0; i < triangles.length; i++)
+        }
+
+        private function cutOff():void
+        {
+            _vertices.length = 3 * _count;
+        }
+
+        private function renumber(first:int, end:int):void
+        {
+            var triangles:Vector.<uint> = _triangles;
+            for (var i:int = first; i < end; i++)
             {
-                triangles[i] = newIndices[triangles[i]];
+                triangles[i] = _newIndices[triangles[i]];
             }
         }
     }

@@ -213,6 +213,50 @@ package starlogo.geometry
             assertNull(surface.isTurned);
         }
 
+        [Test]
+        public function aLargeOneIsAsASmallOne():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            addTorus(90, 60, vertices, triangles);
+            var random:SeededRandom = new SeededRandom(5);
+            var isTurned:Vector.<Boolean> = new Vector.<Boolean>(triangles.length / 3);
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                isTurned[i / 3] = random.next() < 0.3;
+                if (isTurned[i / 3])
+                {
+                    swap(triangles, i);
+                }
+            }
+            var surface:Surface = Surface.of(vertices, triangles);
+            assertTrue(surface.isClosed && surface.isOriented);
+            assertEquals(1, surface.pieceCount);
+            assertEquals(isTurned.join(), surface.isTurned.join());
+            assertFalse(Surface.of(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            // a wall from one vertex to the next: three triangles at its edges
+            surface = Surface.of(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
+            assertTrue(surface.isClosed);
+        }
+
+        // Of so many columns and rows of squares, each of two triangles.
+        private static function addTorus(columns:int, rows:int, vertices:Vector.<Number>, triangles:Vector.<uint>):void
+        {
+            for (var i:int = 0; i < columns; i++)
+            {
+                var around:Number = 2 * Math.PI * i / columns;
+                for (var k:int = 0; k < rows; k++)
+                {
+                    var across:Number = 2 * Math.PI * k / rows;
+                    var radius:Number = 3 + Math.cos(across);
+                    vertices.push(radius * Math.cos(around), radius * Math.sin(around), Math.sin(across));
+                    var right:int = (i + 1) % columns * rows;
+                    var above:int = (k + 1) % rows;
+                    triangles.push(i * rows + k, right + k, right + above, i * rows + k, right + above, i * rows + above);
+                }
+            }
+        }
+
         private static function swap(triangles:Vector.<uint>, at:int):void
         {
             var corner:uint = triangles[at];

@@ -89,10 +89,16 @@ package starlogo.models
             return null;
         }
 
-        /** The words of its own text, which comments and elements may divide. */
+        /** The words of its own text. For one that may be long there is ColladaWords. */
         public function get words():Array
         {
-            return TextTokens.of(_node.texts.join(" "));
+            return TextTokens.of(text);
+        }
+
+        /** Its own text, which comments and elements may divide. */
+        public function get text():String
+        {
+            return _node.texts.join(" ");
         }
 
         /** The elements with ids anywhere in it, in the document's order. */

@@ -122,7 +122,8 @@ package starlogo.geometry
             var highY:Number = _box[4];
             var highZ:Number = _box[5];
             var sum:Number = _sum;
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 var x:Number = _vertices[i];
                 var y:Number = _vertices[i + 1];

@@ -68,6 +68,7 @@ import {
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
 	SharedFitStorage,
+	Slices,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
@@ -184,7 +185,8 @@ export function fitAll(vertices: Float64Array): number[] {
 	log.push(`${library.tightestFit("cloud").volume}, ${hierarchies.has("cloud")}, ${hull.dimension}`);
 	const session = new FitSession(vertices);
 	const fit: Fit = new NaiveSphereFitter().begin(session);
-	const work: Steps = new StepSequence().add(fit);
+	const counting = new Slices(7, 3, (first: number, end: number) => log.push(`${first} to ${end}`));
+	const work: Steps = new StepSequence().add(fit).add(counting);
 	finish(work);
 	return fitters.map((fitter) => fitter.fit(vertices).volume);
 }

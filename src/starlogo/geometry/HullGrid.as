@@ -106,7 +106,8 @@ package starlogo.geometry
             var low:Number = _low;
             var high:Number = _high;
             var to:int = dimensions * first + _axis;
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 var t:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ;
                 places[to] = t;

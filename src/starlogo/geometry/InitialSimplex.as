@@ -23,8 +23,7 @@ package starlogo.geometry
 
         // The pass under way: the next vertex, and the one farthest from the corners so far.
         private var _next:int = 0;
-        private var _farthest:int = 0;
-        private var _most:Number = -1;
+        private var _farthest:FarthestVertex;
 
         private var _extent:Number = 0;
         private var _flat:Number;
@@ -57,11 +56,11 @@ package starlogo.geometry
             _next = end;
             if (_isMeasured)
             {
-                look(3 * first, 3 * end);
+                look(first, end);
             }
             else
             {
-                measureBox(3 * first, 3 * end);
+                measureBox(first, end);
             }
             return end < _vertices.length / 3 || finishPass();
         }
@@ -114,7 +113,7 @@ package starlogo.geometry
             _box = new <Number>[_vertices[0], _vertices[1], _vertices[2], _vertices[0], _vertices[1], _vertices[2]];
         }
 
-        private function measureBox(from:int, to:int):void
+        private function measureBox(first:int, end:int):void
         {
             var lowX:Number = _box[0];
             var lowY:Number = _box[1];
@@ -123,7 +122,8 @@ package starlogo.geometry
             var highY:Number = _box[4];
             var highZ:Number = _box[5];
             var sum:Number = _sum;
-            for (var i:int = from; i < to; i += 3)
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 var x:Number = _vertices[i];
                 var y:Number = _vertices[i + 1];
@@ -174,11 +174,11 @@ package starlogo.geometry
             }
             else
             {
-                _corners.push(_farthest);
-                isHigher = _corners.length == 1 || span(_corners[0], _farthest);
+                _corners.push(_farthest.index);
+                isHigher = _corners.length == 1 || span(_corners[0], _farthest.index);
             }
-            _next = _farthest = 0;
-            _most = -1;
+            _next = 0;
+            _farthest = new FarthestVertex(_vertices);
             return isHigher && _dimension < 3;
         }
 
@@ -230,90 +230,27 @@ package starlogo.geometry
         }
 
         // For what is farthest from the box's middle, then from the first corner, from the line and from the plane.
-        private function look(from:int, to:int):void
+        private function look(first:int, end:int):void
         {
+            var box:Vector.<Number> = _box;
+            var corner:int = _corners.length == 0 ? 0 : 3 * _corners[0];
+            var x:Number = _vertices[corner];
+            var y:Number = _vertices[corner + 1];
+            var z:Number = _vertices[corner + 2];
             switch (_corners.length)
             {
                 case 0:
-                    lookFromPoint((_box[0] + _box[3]) / 2, (_box[1] + _box[4]) / 2, (_box[2] + _box[5]) / 2, from, to);
+                    _farthest.lookFromPoint((box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2, first, end);
                     break;
                 case 1:
-                    lookFromPoint(_vertices[3 * _corners[0]], _vertices[3 * _corners[0] + 1], _vertices[3 * _corners[0] + 2], from, to);
+                    _farthest.lookFromPoint(x, y, z, first, end);
                     break;
                 case 2:
-                    lookFromLine(_corners[0], from, to);
+                    _farthest.lookFromLine(x, y, z, _axes[0], _axes[1], _axes[2], first, end);
                     break;
                 default:
-                    lookFromPlane(_corners[0], from, to);
+                    _farthest.lookFromPlane(_axes[6], _axes[7], _axes[8], along(2, _corners[0]), first, end);
             }
-        }
-
-        private function lookFromPoint(x:Number, y:Number, z:Number, from:int, to:int):void
-        {
-            var most:Number = _most;
-            for (var i:int = from; i < to; i += 3)
-            {
-                var toX:Number = _vertices[i] - x;
-                var toY:Number = _vertices[i + 1] - y;
-                var toZ:Number = _vertices[i + 2] - z;
-                var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > most)
-                {
-                    most = square;
-                    _farthest = i / 3;
-                }
-            }
-            _most = most;
-        }
-
-        private function lookFromLine(corner:int, from:int, to:int):void
-        {
-            var x:Number = _vertices[3 * corner];
-            var y:Number = _vertices[3 * corner + 1];
-            var z:Number = _vertices[3 * corner + 2];
-            var axisX:Number = _axes[0];
-            var axisY:Number = _axes[1];
-            var axisZ:Number = _axes[2];
-            var most:Number = _most;
-            for (var i:int = from; i < to; i += 3)
-            {
-                var toX:Number = _vertices[i] - x;
-                var toY:Number = _vertices[i + 1] - y;
-                var toZ:Number = _vertices[i + 2] - z;
-                var crossX:Number = toY * axisZ - toZ * axisY;
-                var crossY:Number = toZ * axisX - toX * axisZ;
-                var crossZ:Number = toX * axisY - toY * axisX;
-                var square:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
-                if (square > most)
-                {
-                    most = square;
-                    _farthest = i / 3;
-                }
-            }
-            _most = most;
-        }
-
-        private function lookFromPlane(corner:int, from:int, to:int):void
-        {
-            var axisX:Number = _axes[6];
-            var axisY:Number = _axes[7];
-            var axisZ:Number = _axes[8];
-            var offset:Number = along(2, corner);
-            var most:Number = _most;
-            for (var i:int = from; i < to; i += 3)
-            {
-                var distance:Number = _vertices[i] * axisX + _vertices[i + 1] * axisY + _vertices[i + 2] * axisZ - offset;
-                if (distance < 0)
-                {
-                    distance = -distance;
-                }
-                if (distance > most)
-                {
-                    most = distance;
-                    _farthest = i / 3;
-                }
-            }
-            _most = most;
         }
 
         private function along(axis:int, vertex:int):Number

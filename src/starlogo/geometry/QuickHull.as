@@ -19,9 +19,6 @@ package starlogo.geometry
         /** The largest coordinate of the grid: with it a normal stays below 2^51, and its halves' products below 2^53. */
         public static const GRID:Number = 33554432;
 
-        private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
-        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
-
         // About how much a step does: points put on lists, points looked at per new face; and how many looks making a face
         // takes as long as.
         private static const POINTS_A_STEP:int = 500;
@@ -43,19 +40,11 @@ package starlogo.geometry
         private var _nextPoint:int;
         private var _last:HullFace;
         private var _walk:FaceWalk;
-        private var _nextOutside:Vector.<int>;
+        private var _outside:OutsidePoints;
         private var _faceFrom:Vector.<HullFace>;
-        private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
         private var _horizon:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
-
-        // The vertex that was added last; whether points are still to be looked at again: the next one, or -1, and the next of
-        // the faces seen.
-        private var _eye:int;
-        private var _isMoving:Boolean = false;
-        private var _point:int;
-        private var _seenNext:int;
 
         /**
          * @param points x, y, z of every point: whole numbers from 0 to GRID
@@ -103,9 +92,8 @@ package starlogo.geometry
         private function start(a:int, b:int, c:int, d:int, among:Vector.<int>):void
         {
             var count:int = _points.length / 3;
-            _nextOutside = new Vector.<int>(count);
+            _outside = new OutsidePoints(_points);
             _faceFrom = new Vector.<HullFace>(count);
-            _pending.length = 0;
             _created = HullFace.tetrahedron(_points, a, b, c, d);
             _last = _created[0];
             _among = among;
@@ -122,14 +110,14 @@ package starlogo.geometry
             {
                 for (i = _nextPoint; i < end; i++)
                 {
-                    assign(i);
+                    _outside.assign(i, _created);
                 }
             }
             else
             {
                 for (i = _nextPoint; i < end; i++)
                 {
-                    assign(_among[i]);
+                    _outside.assign(_among[i], _created);
                 }
             }
             _nextPoint = end;
@@ -178,68 +166,31 @@ package starlogo.geometry
             var looks:int = 0;
             while (looks <= LOOKS_A_STEP)
             {
-                if (_isMoving)
+                if (_outside.isDealing)
                 {
-                    looks += moveSome((LOOKS_A_STEP - looks) / _created.length + 1) * _created.length;
+                    var most:int = (LOOKS_A_STEP - looks) / _created.length + 1;
+                    looks += _outside.dealSome(_created, most) * _created.length;
                     continue;
                 }
-                if (_pending.length == 0)
+                var face:HullFace = _outside.takeFace();
+                if (face == null)
                 {
                     // a second hull is of corners only
                     _walk = new FaceWalk(_points, _last, _among == null);
                     _phase = WALKING;
                     return;
                 }
-                var face:HullFace = _pending.pop();
-                if (!face.isBuried && face.farthest >= 0)
-                {
-                    addVertex(face.farthest, face);
-                    looks += LOOKS_A_FACE * _created.length;
-                }
+                addVertex(face.farthest, face);
+                looks += LOOKS_A_FACE * _created.length;
             }
         }
 
-        // What the faces that the vertex sees had outside is left to be looked at again.
         private function addVertex(eye:int, face:HullFace):void
         {
             findHorizon(eye, face);
             buildCone(eye);
+            _outside.beginDealing(_seen, eye);
             _last = _created[0];
-            _isMoving = true;
-            _eye = eye;
-            _seenNext = 0;
-            _point = -1;
-        }
-
-        // Returns how many points were looked at, the vertex being one of them.
-        private function moveSome(most:int):int
-        {
-            var moved:int = 0;
-            var point:int = _point;
-            while (moved < most)
-            {
-                if (point >= 0)
-                {
-                    var next:int = _nextOutside[point];
-                    if (point != _eye)
-                    {
-                        assign(point);
-                    }
-                    moved++;
-                    point = next;
-                }
-                else if (_seenNext < _seen.length)
-                {
-                    point = _seen[_seenNext++].firstOutside;
-                }
-                else
-                {
-                    _isMoving = false;
-                    break;
-                }
-            }
-            _point = point;
-            return moved;
         }
 
         // Fills _seen with the faces that the eye sees, and _horizon with pairs: a seen face, its unseen neighbour.
@@ -309,69 +260,6 @@ package starlogo.geometry
                 created.acrossBC = next;
                 next.acrossCA = created;
             }
-        }
-
-        // Puts the point on the list of a new face that it lies beyond; one that lies beyond none is inside for good.
-        private function assign(point:int):void
-        {
-            var x:Number = _points[3 * point];
-            var y:Number = _points[3 * point + 1];
-            var z:Number = _points[3 * point + 2];
-            var count:int = _created.length;
-            var nearFace:HullFace = null;
-            var near:Number = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var face:HullFace = _created[i];
-                var distance:Number = face.normalX * x + face.normalY * y + face.normalZ * z - face.offset;
-                if (distance > COPLANAR)
-                {
-                    put(point, face, distance);
-                    return;
-                }
-                if (distance > CERTAIN)
-                {
-                    if (face.isAbove(_points, x, y, z))
-                    {
-                        return;
-                    }
-                    nearFace = face;
-                    near = distance;
-                }
-            }
-            if (nearFace != null)
-            {
-                put(point, nearFace, near);
-            }
-        }
-
-        private function put(point:int, face:HullFace, distance:Number):void
-        {
-            if (face.firstOutside < 0)
-            {
-                _pending.push(face);
-            }
-            _nextOutside[point] = face.firstOutside;
-            face.firstOutside = point;
-            if (distance > face.farthestDistance + CERTAIN)
-            {
-                face.farthestDistance = distance;
-                face.farthest = point;
-            }
-            else if (distance >= face.farthestDistance - CERTAIN && outness(point) > outness(face.farthest))
-            {
-                // of points on a side parallel to the face, one at its rim
-                face.farthest = point;
-            }
-        }
-
-        // The squared distance from the grid's middle.
-        private function outness(point:int):Number
-        {
-            var x:Number = _points[3 * point] - GRID / 2;
-            var y:Number = _points[3 * point + 1] - GRID / 2;
-            var z:Number = _points[3 * point + 2] - GRID / 2;
-            return x * x + y * y + z * z;
         }
     }
 }

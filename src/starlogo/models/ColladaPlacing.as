@@ -73,7 +73,8 @@ package starlogo.models
             var at:int = _firstCorner + 3 * first;
             var second:int = _isMirror ? 2 : 1;
             var third:int = _isMirror ? 1 : 2;
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 to[at] = from[i] + firstVertex;
                 to[int(at + second)] = from[int(i + 1)] + firstVertex;

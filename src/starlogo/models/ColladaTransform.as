@@ -92,7 +92,8 @@ package starlogo.models
             var m23:Number = _m[11];
             var at:int = 3 * to;
             var differences:Number = 0;
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;

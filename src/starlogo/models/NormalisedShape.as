@@ -82,6 +82,8 @@ package starlogo.models
 
         private function measure(first:int, end:int):void
         {
+            var shape:Vector.<Number> = vertices;
+            var last:int = 3 * end;
             var differences:Number = 0;
             var minX:Number = _minX;
             var minY:Number = _minY;
@@ -89,11 +91,11 @@ package starlogo.models
             var maxX:Number = _maxX;
             var maxY:Number = _maxY;
             var maxZ:Number = _maxZ;
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            for (var i:int = 3 * first; i < last; i += 3)
             {
-                var x:Number = vertices[i];
-                var y:Number = vertices[int(i + 1)];
-                var z:Number = vertices[int(i + 2)];
+                var x:Number = shape[i];
+                var y:Number = shape[int(i + 1)];
+                var z:Number = shape[int(i + 2)];
                 // infinity minus itself is NaN
                 differences += x - x + y - y + z - z;
                 if (x < minX)
@@ -155,13 +157,14 @@ package starlogo.models
         private function place(first:int, end:int):void
         {
             var placed:Vector.<Number> = vertices;
+            var last:int = 3 * end;
             var minX:Number = _minX;
             var minY:Number = _minY;
             var minZ:Number = _minZ;
             var halfX:Number = (_maxX - minX) / 2;
             var halfY:Number = (_maxY - minY) / 2;
             var divisor:Number = unit;
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;

@@ -49,7 +49,8 @@ package starlogo.models
 
         private static function turn(vertices:Vector.<Number>, isX:Boolean, first:int, end:int):void
         {
-            for (var i:int = 3 * first; i < 3 * end; i += 3)
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;

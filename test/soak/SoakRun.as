@@ -16,8 +16,8 @@ package soak
         private static const SAMPLES:int = 200;
         private static const REPORTS:int = 10;
 
-        // below this the memory is still that of a program that begins
-        private static const FEWEST_FRAMES_FOR_MEMORY:int = 5000;
+        // below this a quarter of the frames leaves the memory that of a program that begins
+        private static const FEWEST_FRAMES_FOR_MEMORY:int = 20000;
 
         // what the memory may grow by after the warm-up, in bytes: less than one agent in ten that are removed takes
         private static const MOST_GROWTH:Number = 2097152;

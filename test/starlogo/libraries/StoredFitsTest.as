@@ -298,7 +298,7 @@ package starlogo.libraries
             var random:SeededRandom = new SeededRandom(16);
             var taken:int = 0;
             var refused:int = 0;
-            for (var i:int = 0; i < Effort.choose(60, 2000); i++)
+            for (var i:int = 0; i < Effort.choose(60, 400); i++)
             {
                 var fits:ModelFits = fitsOf(model);
                 if (random.chance(0.5))

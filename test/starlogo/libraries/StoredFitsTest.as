@@ -22,9 +22,12 @@ package starlogo.libraries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.finish;
     import support.Effort;
     import support.Fixtures;
+    import support.FrameByFrame;
     import support.LibraryContents;
     import support.Mutations;
     import support.SteppedModels;
@@ -173,42 +176,53 @@ package starlogo.libraries
             assertTrue(isTaken(other, _greatLand.bake(bear()), true));
         }
 
-        [Test]
+        [Test(async, timeout="900000")]
         public function damagedFitsAreComputedAgain():void
         {
             var models:Vector.<Model> = new <Model>[BuiltInModel.cube(), tetrahedron(), points()];
             var expected:Vector.<String> = new Vector.<String>();
             var baked:Vector.<ByteArray> = new Vector.<ByteArray>();
-            var index:int;
-            for (index = 0; index < models.length; index++)
+            for each (var model:Model in models)
             {
-                _greatLand.addModel(models[index]);
-                expected.push(contentsOf(_greatLand, models[index]));
-                baked.push(_greatLand.bake(models[index]));
+                _greatLand.addModel(model);
+                expected.push(contentsOf(_greatLand, model));
+                baked.push(_greatLand.bake(model));
             }
             var random:SeededRandom = new SeededRandom(15);
             var count:int = Effort.choose(600, 10000);
+            var i:int = 0;
             var unchanged:int = 0;
-            for (var i:int = 0; i < count + unchanged; i++)
+            var damaging:StepSequence = new StepSequence().repeat(function():Boolean
+                {
+                    var index:int = i % models.length;
+                    var damaged:ByteArray = damage(baked, index, random);
+                    if (areSame(damaged, baked[index]))
+                    {
+                        unchanged++;
+                    }
+                    else
+                    {
+                        assertComputedAgain(models[index], damaged, i % 10 < models.length ? expected[index] : null);
+                    }
+                    return ++i < count + unchanged;
+                });
+            FrameByFrame.run(this, damaging, 20, function():void
+                {
+                    trace("  " + count + " files damaged, each computed again; " + unchanged + " came out as they were");
+                    assertTrue(unchanged < count / 50);
+                });
+        }
+
+        private function assertComputedAgain(model:Model, damaged:ByteArray, expected:String):void
+        {
+            var build:ModelBuild = newBuild(model, damaged);
+            assertFalse("structures are computed", build.areStructuresTaken);
+            assertFalse("so is the hierarchy", build.hierarchy.isTaken);
+            if (expected != null)
             {
-                index = i % models.length;
-                var damaged:ByteArray = damage(baked, index, random);
-                if (areSame(damaged, baked[index]))
-                {
-                    unchanged++;
-                    continue;
-                }
-                var build:ModelBuild = newBuild(models[index], damaged);
-                assertFalse("structures are computed, " + i, build.areStructuresTaken);
-                assertFalse("so is the hierarchy, " + i, build.hierarchy.isTaken);
-                if (i % 10 < models.length)
-                {
-                    finish(_greatLand.receiveWithFits(models[index], damaged));
-                    assertEquals(expected[index], contentsOf(_greatLand, models[index]));
-                }
+                finish(_greatLand.receiveWithFits(model, damaged));
+                assertEquals(expected, contentsOf(_greatLand, model));
             }
-            trace("  " + count + " files damaged, each computed again; " + unchanged + " came out as they were");
-            assertTrue(unchanged < count / 50);
         }
 
         [Test]
@@ -289,7 +303,7 @@ package starlogo.libraries
             }
         }
 
-        [Test]
+        [Test(async, timeout="900000")]
         public function aForgedHierarchyIsComputedAgainOrEnclosesTheModel():void
         {
             var model:Model = bear();
@@ -298,32 +312,41 @@ package starlogo.libraries
             var random:SeededRandom = new SeededRandom(16);
             var taken:int = 0;
             var refused:int = 0;
-            for (var i:int = 0; i < Effort.choose(60, 400); i++)
+            var forging:Slices = new Slices(Effort.choose(60, 2000), 1, function(first:int, end:int):void
+                {
+                    var land:GreatLand = landWithForged(model, random);
+                    if (LibraryContents.of(land, "bear") == expected)
+                    {
+                        refused++;
+                        return;
+                    }
+                    taken++;
+                    assertEncloses(land.hierarchies.root("bear"), model);
+                });
+            FrameByFrame.run(this, forging, 5, function():void
+                {
+                    trace("  " + refused + " forged hierarchies computed again, " + taken + " that divide the triangles another way");
+                    assertTrue(refused > 15 && taken > 15);
+                });
+        }
+
+        private function landWithForged(model:Model, random:SeededRandom):GreatLand
+        {
+            var fits:ModelFits = fitsOf(model);
+            if (random.chance(0.5))
             {
-                var fits:ModelFits = fitsOf(model);
-                if (random.chance(0.5))
-                {
-                    fits.tree = Mutations.ofBytes(fits.tree, random);
-                }
-                else
-                {
-                    swapTwo(fits.tree, model.triangles.length / 3, random);
-                }
-                fits.tree.endian = FitsWriter.ENDIAN;
-                fits.tree.position = 0;
-                var land:GreatLand = new GreatLand();
-                finish(land.receiveWithFits(model, bytesOf(fits, model)));
-                land.hierarchies.root("bear");
-                if (LibraryContents.of(land, "bear") == expected)
-                {
-                    refused++;
-                    continue;
-                }
-                taken++;
-                assertEncloses(land.hierarchies.root("bear"), model);
+                fits.tree = Mutations.ofBytes(fits.tree, random);
             }
-            trace("  " + refused + " forged hierarchies computed again, " + taken + " that divide the triangles another way");
-            assertTrue(refused > 15 && taken > 15);
+            else
+            {
+                swapTwo(fits.tree, model.triangles.length / 3, random);
+            }
+            fits.tree.endian = FitsWriter.ENDIAN;
+            fits.tree.position = 0;
+            var land:GreatLand = new GreatLand();
+            finish(land.receiveWithFits(model, bytesOf(fits, model)));
+            land.hierarchies.root("bear");
+            return land;
         }
 
         [Test]

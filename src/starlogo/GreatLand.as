@@ -7,6 +7,7 @@ package starlogo
     import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.ModelBuild;
+    import starlogo.libraries.Revisions;
     import starlogo.libraries.ShapeStructures;
     import starlogo.models.Model;
     import starlogo.models.FitsReceiver;
@@ -47,7 +48,8 @@ package starlogo
          */
         public var fitStore:FitStore = null;
 
-        private var _revision:int = 0;
+        // the libraries' too
+        private var _revisions:Revisions = new Revisions();
         private var _models:Object = {};
 
         // how many models of a name are on their way
@@ -58,6 +60,7 @@ package starlogo
         /** A game without models. */
         public function GreatLand()
         {
+            _boundingStructures.revisions = _hierarchies.revisions = _revisions;
         }
 
         /** The tightest fitting structure of each model. */
@@ -248,7 +251,7 @@ package starlogo
             delete _models[PREFIX + name];
             _hierarchies.remove(name);
             _boundingStructures.remove(name);
-            _revision++;
+            _revisions.note(name);
             return true;
         }
 
@@ -259,7 +262,17 @@ package starlogo
          */
         engine function get revision():int
         {
-            return _revision + _boundingStructures.revision + _hierarchies.revision;
+            return _revisions.total;
+        }
+
+        /**
+         * The same of one name alone.
+         *
+         * @private
+         */
+        engine function revisionOf(name:String):int
+        {
+            return _revisions.of(name);
         }
 
         /**
@@ -291,7 +304,7 @@ package starlogo
             _boundingStructures.store(model.name, structures);
             if (hasModel(model.name))
             {
-                _revision++;
+                _revisions.note(model.name);
             }
             _models[PREFIX + model.name] = model;
         }

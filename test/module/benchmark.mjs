@@ -1,36 +1,25 @@
 #!/usr/bin/env node
 /**
- * Times the ES module in Node, beside a floor of flat typed arrays and beside other engines.
+ * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, exact, peers, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, peers, fits
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
  */
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import * as engine from "../../bin/module/starlogo-collision.min.js";
-import { FlatCells } from "./flat-cells.mjs";
+import { AgentCells } from "./agent-cells.mjs";
+import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
-const root = fileURLToPath(new URL("../..", import.meta.url));
-const { Agent, BinCollider, BuiltInModel, ColladaModel, CombinationCollider, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, BinCollider, BuiltInModel, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
-const HALF_WIDTH = 50;
 const COUNTS = [1000, 5000, 10000];
-const MODELS = ["sphere", "cube", "cylinder", "bear"];
 
 const parts = process.argv.slice(2);
-const asset = (file) => readFileSync(`${root}/assets/${file}`, "utf8");
-const greatLand = new GreatLand();
-for (const model of [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), new ObjModel("bear", asset("bear.obj"))]) greatLand.addModel(model);
-
-/** Numbers from 0 to 1, the same on every run. */
-function randomNumbers(seed) {
-	let state = seed;
-	return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 4294967296;
-}
+const greatLand = makeGreatLand();
 
 function fastTenth(values) {
 	const sorted = [...values].sort((a, b) => a - b);
@@ -52,52 +41,47 @@ function measure(tasks, rounds) {
 	return times.map(fastTenth);
 }
 
-function scatter(count, names, seed = 20150601) {
-	const random = randomNumbers(seed);
-	const between = (low, high) => low + (high - low) * random();
-	const agents = Array.from({ length: count }, (_, i) => {
-		const agent = new Agent(names[i % names.length]);
-		agent.moveTo(between(-HALF_WIDTH, HALF_WIDTH), between(-HALF_WIDTH, HALF_WIDTH), 0);
-		agent.heading = between(0, 360);
-		return agent;
-	});
-	const wrap = (x) => (x > HALF_WIDTH ? x - 2 * HALF_WIDTH : x < -HALF_WIDTH ? x + 2 * HALF_WIDTH : x);
-	const walk = (agent) => {
-		const angle = agent.heading * Math.PI / 180;
-		agent.moveTo(wrap(agent.x + 0.3 * Math.cos(angle)), wrap(agent.y + 0.3 * Math.sin(angle)), 0);
-	};
-	const step = () => {
-		for (const agent of agents) {
-			agent.heading += between(-10, 10);
-			walk(agent);
-		}
-	};
-	return { agents, step, walk: () => agents.forEach(walk) };
-}
-
 function print(title, head, rows) {
 	const cells = [head, ...rows.map((row) => row.map((cell) => (typeof cell === "number" ? cell.toPrecision(3) : String(cell))))];
 	const widths = head.map((_, column) => Math.max(...cells.map((row) => row[column].length)));
 	console.log(`\n${title}\n${cells.map((row) => `  ${row.map((cell, i) => (i === 0 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join("  ")}`).join("\n")}`);
 }
 
-/** BinCollider beside flat typed arrays, written for these spheres alone. */
+/** Each pair by its agents' ids, the smaller first, in order: searches have their own. */
+function namesOf(pairs) {
+	const names = Array.from({ length: pairs.length / 2 }, (_, i) => [pairs[2 * i].id, pairs[2 * i + 1].id].sort((a, b) => a - b).join());
+	return names.sort().join(";");
+}
+
+/** BinCollider beside the fastest that could be written for these spheres alone; what moves the agents is part of either's frame. */
 function floor() {
-	const rows = COUNTS.map((count) => {
-		const { agents, walk } = scatter(count, ["sphere"]);
+	const grounds = [
+		["10,000 agents", 10000, HALF_WIDTH, 100],
+		["30,000 agents", 30000, HALF_WIDTH, 30],
+		["100,000 as dense as 10,000", 100000, HALF_WIDTH * Math.sqrt(10), 20],
+	];
+	const rows = grounds.flatMap(([name, count, halfWidth, rounds]) => {
+		const game = scatter(count, ["sphere"], { halfWidth });
+		const { agents } = game;
+		const move = rehearse(game);
 		const collider = new BinCollider(greatLand);
-		const flat = new FlatCells(HALF_WIDTH + 1, 1, count);
-		const out = [];
-		const [bins, least] = measure([
-			{ prepare: walk, run: () => collider.findCollisions(agents, out) },
-			{ prepare: () => flat.take(agents), run: () => flat.find() },
-		], 150);
-		return [`${count} agents, all moving`, bins, least, bins / least, out.length === flat.length ? out.length / 2 : "DIFFER"];
+		const cells = new AgentCells(halfWidth, count);
+		const [found, foundByFloor] = [[], []];
+		const find = () => collider.findCollisions(agents, found);
+		const findByFloor = () => cells.find(agents, foundByFloor);
+		const movesAnd = (search) => () => {
+			move();
+			search();
+		};
+		return [["all moving", movesAnd], ["none moving", (search) => search]].map(([how, frame]) => {
+			const [bins, least] = measure([{ run: frame(find) }, { run: frame(findByFloor) }], rounds);
+			find();
+			findByFloor();
+			return [`${name}, ${how}`, bins, least, bins / least, namesOf(found) === namesOf(foundByFloor) ? String(found.length / 2) : "DIFFER"];
+		});
 	});
 	print("BinCollider beside the floor, ms a frame", ["", "bins", "floor", "times", "pairs"], rows);
 }
-
-const SYSTEMS = { bins: BinCollider, "tightest fit": TightestFitCollider, hierarchical: HierarchicalCollider, combination: CombinationCollider };
 
 /** Milliseconds a frame that 100 bears in one place take, which march together. */
 function crowdOfBears(system) {
@@ -120,6 +104,32 @@ function scenes() {
 	exact.exact = true;
 	rows.push(["exact", "", crowdOfBears(exact)]);
 	print("Games, ms a frame", ["", "10,000 scattered, all moving", "100 bears in one place"], rows);
+}
+
+/** What a measure of fresh.mjs comes to in a process of its own. */
+function fresh(measure, system, ...flags) {
+	const file = fileURLToPath(new URL("fresh.mjs", import.meta.url));
+	return Number(execFileSync(process.execPath, [...flags, file, measure, system], { encoding: "utf8" }));
+}
+
+/** What colliders keep, and what their frames leave for the collector, with room for all of that. */
+function memory() {
+	const room = ["--min-semi-space-size=256", "--max-semi-space-size=256"];
+	const rows = Object.keys(SYSTEMS).map((system) => [
+		system,
+		String(Math.round(fresh("kept", system, "--expose-gc"))),
+		String(Math.round(fresh("garbage", system, "--expose-gc", ...room))),
+	]);
+	print("10,000 scattered, all moving, bytes", ["", "kept for an agent", "garbage of a frame"], rows);
+}
+
+/** The first frame of a game, nothing compiled: each in a process of its own. */
+function cold() {
+	const rows = Object.keys(SYSTEMS).map((system) => {
+		const times = Array.from({ length: 5 }, () => fresh("first", system)).sort((a, b) => a - b);
+		return [system, times[2], times[0], times[4]];
+	});
+	print("The first frame of 10,000 new agents, ms", ["", "median of 5", "least", "most"], rows);
 }
 
 /** The same pairs of dragons for the exact test and for three-mesh-bvh. */
@@ -151,7 +161,7 @@ async function exact() {
 	const rows = [true, false].map((wanted) => {
 		const chosen = pairs.filter((_, i) => isHit[i] === wanted && meets[i] === wanted);
 		const [own, other] = measure([
-			{ prepare: () => chosen.forEach(({ b }) => b.moveTo(b.x, b.y, b.z)), run: () => chosen.forEach(({ a, b }) => collider.areColliding(a, b)) },
+			{ prepare: () => chosen.forEach(({ b }) => b.jumpTo(b.x, b.y, b.z)), run: () => chosen.forEach(({ a, b }) => collider.areColliding(a, b)) },
 			{ run: () => chosen.forEach(({ matrix }) => bvh.intersectsGeometry(geometry, matrix)) },
 		], 15);
 		return [wanted ? "touching" : "not touching", chosen.length, 1000 * own / chosen.length, 1000 * other / chosen.length, other / own];
@@ -235,4 +245,4 @@ function fits() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, exact, peers, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, peers, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -7,7 +7,7 @@ package soak
     /** The soak in short: all that happens in it, and its checks. */
     public class SoakTest
     {
-        private static const FRAMES:int = 600;
+        private static const FRAMES:int = 1200;
         private static const CHECK_EVERY:int = 20;
 
         [Test(async, timeout="120000")]

@@ -6,10 +6,13 @@ package support
     import starlogo.collision.CollisionSystem;
 
     /**
-     * One number for the ordered collisions of a scene over some frames: FNV-1a over the agents' places in the list.
+     * One number for the ordered collisions of a scene over some frames: FNV-1a over the agents' places in the list, pair by pair in the
+     * order of the first one's place, then of the second's.
      */
     public final class CollisionHash
     {
+        private static const PLACES:int = 65536;
+
         private var _hash:uint = 2166136261;
         private var _collisions:int = 0;
 
@@ -31,9 +34,16 @@ package support
                 var found:Vector.<Agent> = collider.findCollisions(scene.agents);
                 _collisions += found.length / 2;
                 add(found.length);
-                for (i = 0; i < found.length; i++)
+                var pairs:Array = [];
+                for (i = 0; i < found.length; i += 2)
                 {
-                    add(places[found[i]]);
+                    pairs.push(places[found[i]] * PLACES + places[found[i + 1]]);
+                }
+                pairs.sort(Array.NUMERIC);
+                for each (var pair:Number in pairs)
+                {
+                    add(pair / PLACES);
+                    add(pair % PLACES);
                 }
             }
         }

@@ -55,6 +55,13 @@ package starlogo.agents
         engine static var haveSwept:Boolean = false;
 
         /**
+         * Counts the changes of breeds, of all agents: while it stays, what was found for breeds is right.
+         *
+         * @private
+         */
+        engine static var breedChanges:int = 0;
+
+        /**
          * In place of a kind of structure: the tightest.
          *
          * @private
@@ -73,11 +80,32 @@ package starlogo.agents
         engine var placement:Placement = new Placement();
 
         /**
-         * Counts the changes of what decides the agent's world shape.
+         * What <code>id</code> says, without a call.
+         *
+         * @private
+         */
+        engine var serial:int;
+
+        /**
+         * Counts the changes of where and how the agent is in the world.
          *
          * @private
          */
         engine var revision:int = 0;
+
+        /**
+         * Counts the changes of what stands for the agent: of its shape, and of how it collides.
+         *
+         * @private
+         */
+        engine var shapeRevision:int = 0;
+
+        /**
+         * What <code>traversalDepth</code> says, without a call.
+         *
+         * @private
+         */
+        engine var depthLimit:int = 0;
 
         /**
          * The revision of the last jump: no way led there.
@@ -87,31 +115,25 @@ package starlogo.agents
         engine var jumpRevision:int = -1;
 
         /**
+         * What <code>sweeps</code> says, without a call.
+         *
+         * @private
+         */
+        engine var isSweeping:Boolean = false;
+
+        /**
          * The kind of structure that stands for the agent, ANY_KIND for the tightest.
          *
          * @private
          */
         engine var structureKind:int = ANY_KIND;
 
-        /**
-         * What the users of the agent keep with it, one record each.
-         *
-         * @private
-         */
-        engine var records:AgentRecord = null;
-
         /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
         public var color:Number = 0;
 
-        private var _id:int;
         private var _shape:String;
         private var _breed:String;
-        private var _heading:Number = 0;
-        private var _pitch:Number = 0;
-        private var _roll:Number = 0;
         private var _hierarchical:Boolean = false;
-        private var _traversalDepth:int = 0;
-        private var _sweeps:Boolean = false;
         private var _rotationIsStale:Boolean = false;
         private var _transform:Matrix3D;
         private var _transformRevision:int = -1;
@@ -128,7 +150,7 @@ package starlogo.agents
         {
             requireName("shape", shape);
             requireName("breed", breed);
-            _id = ++sCreated;
+            serial = ++sCreated;
             _shape = shape;
             _breed = breed;
         }
@@ -136,7 +158,7 @@ package starlogo.agents
         /** A number that no other agent of this run has; the first is 1. */
         public function get id():int
         {
-            return _id;
+            return serial;
         }
 
         /** The name of the agent's model. */
@@ -151,6 +173,7 @@ package starlogo.agents
             if (value != _shape)
             {
                 _shape = value;
+                shapeRevision++;
                 extentsChanged();
             }
         }
@@ -167,10 +190,7 @@ package starlogo.agents
             if (value != _breed)
             {
                 _breed = value;
-                for (var record:AgentRecord = records; record != null; record = record.next)
-                {
-                    record.breedToken = null;
-                }
+                breedChanges++;
             }
         }
 
@@ -228,15 +248,15 @@ package starlogo.agents
         /** The turn about the z axis, counter-clockwise seen from above, in degrees, finite. */
         public function get heading():Number
         {
-            return _heading;
+            return placement.heading;
         }
 
         public function set heading(value:Number):void
         {
             requireFinite("heading", value);
-            if (value != _heading)
+            if (value != placement.heading)
             {
-                _heading = value;
+                placement.heading = value;
                 rotationChanged();
             }
         }
@@ -244,15 +264,15 @@ package starlogo.agents
         /** The turn about the world's y axis, before the heading, in degrees, finite. */
         public function get pitch():Number
         {
-            return _pitch;
+            return placement.pitch;
         }
 
         public function set pitch(value:Number):void
         {
             requireFinite("pitch", value);
-            if (value != _pitch)
+            if (value != placement.pitch)
             {
-                _pitch = value;
+                placement.pitch = value;
                 rotationChanged();
             }
         }
@@ -260,15 +280,15 @@ package starlogo.agents
         /** The turn about the world's x axis, before the pitch, in degrees, finite. */
         public function get roll():Number
         {
-            return _roll;
+            return placement.roll;
         }
 
         public function set roll(value:Number):void
         {
             requireFinite("roll", value);
-            if (value != _roll)
+            if (value != placement.roll)
             {
-                _roll = value;
+                placement.roll = value;
                 rotationChanged();
             }
         }
@@ -310,6 +330,7 @@ package starlogo.agents
             if (value != _hierarchical)
             {
                 _hierarchical = value;
+                shapeRevision++;
                 extentsChanged();
             }
         }
@@ -322,7 +343,7 @@ package starlogo.agents
          */
         public function get traversalDepth():int
         {
-            return _traversalDepth;
+            return depthLimit;
         }
 
         public function set traversalDepth(value:int):void
@@ -331,9 +352,9 @@ package starlogo.agents
             {
                 throw new RangeError(this + ": traversalDepth must not be negative, but was " + value);
             }
-            if (value != _traversalDepth)
+            if (value != depthLimit)
             {
-                _traversalDepth = value;
+                depthLimit = value;
                 extentsChanged();
             }
         }
@@ -367,6 +388,7 @@ package starlogo.agents
             if (kind != structureKind)
             {
                 structureKind = kind;
+                shapeRevision++;
                 extentsChanged();
             }
         }
@@ -377,17 +399,17 @@ package starlogo.agents
          *
          * <p>The way is the straight line from where the collider saw it in its last frame to where it is, both ends included. The other agent's own
          * motion counts, whether that sweeps or not: the two are looked at as they move. What turns or grows is looked at as it
-         * is now. An agent has no way in the first frame that a collider sees it in, after a change of its shape, and after
-         * <code>jumpTo()</code>: in that frame it is where it is.</p>
+         * is now. An agent has no way in the first frame that a collider sees it in, after a change of its shape, after
+         * <code>jumpTo()</code>, after a frame whose list did not have it, and while its model was loading: in that frame it is where it is.</p>
          */
         public function get sweeps():Boolean
         {
-            return _sweeps;
+            return isSweeping;
         }
 
         public function set sweeps(value:Boolean):void
         {
-            _sweeps = value;
+            isSweeping = value;
             haveSwept = haveSwept || value;
         }
 
@@ -401,12 +423,15 @@ package starlogo.agents
          */
         public function jumpTo(x:Number, y:Number, z:Number):void
         {
+            var before:int = revision;
             moveTo(x, y, z);
+            // a jump counts even to where it is
+            revision = before + 1;
             jumpRevision = revision;
         }
 
         /**
-         * Moves the agent: one call instead of three.
+         * Moves the agent: one call instead of three. To where it is already is no move.
          *
          * @param x patches, at most LARGEST_COORDINATE either way
          * @param y patches, likewise
@@ -422,9 +447,14 @@ package starlogo.agents
                 requireCoordinate("y", y);
                 requireCoordinate("z", z);
             }
-            placement.x = x;
-            placement.y = y;
-            placement.z = z;
+            var place:Placement = placement;
+            if (x == place.x && y == place.y && z == place.z)
+            {
+                return;
+            }
+            place.x = x;
+            place.y = y;
+            place.z = z;
             revision++;
         }
 
@@ -455,7 +485,7 @@ package starlogo.agents
             {
                 return "a new agent";
             }
-            return "agent " + _id + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
+            return "agent " + serial + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
         }
 
         /**
@@ -467,32 +497,10 @@ package starlogo.agents
         {
             if (_rotationIsStale)
             {
-                placement.setRotation(_heading, _pitch, _roll);
+                placement.setRotation(placement.heading, placement.pitch, placement.roll);
                 _rotationIsStale = false;
             }
             return placement;
-        }
-
-        /**
-         * Adds a user's record to the chain, and drops those of users that are gone.
-         *
-         * @private
-         */
-        engine function addRecord(record:AgentRecord):void
-        {
-            var previous:AgentRecord = record;
-            var next:AgentRecord = records;
-            while (next != null)
-            {
-                if (!next.cacheToken.isStale)
-                {
-                    previous.next = next;
-                    previous = next;
-                }
-                next = next.next;
-            }
-            previous.next = null;
-            records = record;
         }
 
         private function rotationChanged():void

@@ -128,6 +128,18 @@ package starlogo.bounding
         }
 
         /**
+         * Makes the structure wider on all sides: by as much as touching asks for where it stands.
+         *
+         * @param by a length, not negative
+         *
+         * @private
+         */
+        engine function widen(by:Number):void
+        {
+            throw missing("widen");
+        }
+
+        /**
          * Writes the extents along the axes of the structure's space: minX, maxX, minY, maxY, minZ, maxZ. They are the
          * tightest, widened by a rounding error (Tolerances.ROUNDING), so that the extents of structures that touch
          * always overlap or touch. Allocates nothing.

@@ -14,6 +14,8 @@ package starlogo.bounding
      *
      * <p>The axes are unit vectors at right angles, of either handedness. The tests rely on it: whoever changes an
      * axis directly has to keep it so.</p>
+     *
+     * <p>This file is long because a box has three axes to check, turn and place.</p>
      */
     public final class Box extends BoundingStructure
     {
@@ -233,6 +235,18 @@ package starlogo.bounding
             reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
             out[int(offset + 4)] = z - reach;
             out[int(offset + 5)] = z + reach;
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @private
+         */
+        override engine function widen(by:Number):void
+        {
+            halfX += by;
+            halfY += by;
+            halfZ += by;
         }
 
         /** @private */

@@ -161,6 +161,16 @@ package starlogo.bounding
             out[int(offset + 5)] = maxZ + reach;
         }
 
+        /**
+         * @inheritDoc
+         *
+         * @private
+         */
+        override engine function widen(by:Number):void
+        {
+            radius += by;
+        }
+
         /** @private */
         override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {

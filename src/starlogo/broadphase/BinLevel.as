@@ -1,136 +1,80 @@
 package starlogo.broadphase
 {
-    /**
-     * The bins of one width: a hash table of lists, one list a bin or, now and then, a few bins.
-     *
-     * @private
-     */
-    public final class BinLevel
+    /** The cells of one width: squares of the ground, numbered by a hash of their column and row. */
+    internal final class BinLevel
     {
-        /** How far out a level reaches, in bins. */
-        public static const REACH:Number = 1 << 28;
+        // How far out a level reaches, in widths. There a position is rounded by 2^-29 of a width, and shapes touch across 2^-20 of one.
+        private static const REACH:Number = 1 << 24;
 
-        // At the reach a position is rounded by 2^-25 of a bin.
-        private static const PADDING:Number = 1 / (1 << 20);
+        private static const SLACK:Number = 1 / (1 << 18);
 
-        /** The width of a bin, a power of two, in patches. */
+        /** Extents that fit the level have this number. */
+        public var number:int;
+
+        /** A power of two, in patches: as wide as the level's widest members, and less than twice as wide as any. */
         public var width:Number;
 
-        /** Bins in a patch. */
-        public var perWidth:Number;
+        /** Cells in a patch. They are a little wider than the members, so that two that touch are in cells side by side, or in one. */
+        public var perCell:Number;
 
-        /** Its proxies are at most this large: half the larger side of the rectangle, a quarter of a bin. */
+        /** Its members are at most this large: half the larger side of their ground rectangles. */
         public var largestHalf:Number;
 
-        /** Its proxies are larger than this. */
+        /** Its members are larger than this, unless they are too far out for a finer level. */
         public var tooSmallHalf:Number;
 
-        /**
-         * How far out the level reaches: the square of the distance from the world's origin. Farther out a bin's
-         * number would not fit an int, and rounding would be coarse beside a bin, in a height too.
-         */
+        /** How far out the level reaches: the square of the distance from the world's origin. */
         public var reachSquared:Number;
 
-        /**
-         * How much wider a proxy's extents are made on each side, in patches: more than rounding comes to anywhere in
-         * the level's reach, so that proxies that just touch share a bin. More makes more entries and candidates.
-         */
-        public var padding:Number;
+        /** How far apart two extents may be, in patches, and still be a pair: more than rounding comes to anywhere in reach. */
+        public var slack:Number;
 
-        /** The first entry of each list, or null. */
-        internal var heads:Vector.<BinEntry> = new Vector.<BinEntry>();
+        /** How many members it has in this search. */
+        public var count:int;
 
-        /** The bin at a column and row has its list at row times stride plus column, of which these bits count. */
+        /** The number of its first cell's counter. */
+        public var base:int;
+
+        /** The cell at a column and row has the number row times stride plus column, of which these bits count. */
         public var mask:int;
 
         /** @copy #mask */
         public var stride:int;
 
-        /** The proxies of this level. */
-        public var proxies:Vector.<AgentProxy> = new Vector.<AgentProxy>();
-
-        /** How many of them there are in this search. */
-        public var count:int = 0;
-
-        /** The proxies of the search before, unless they were released. */
-        internal var previous:Vector.<AgentProxy> = new Vector.<AgentProxy>();
-
         /**
+         * @param number another one than any other level's
          * @param width a power of two
          */
-        public function BinLevel(width:Number)
+        public function BinLevel(number:int, width:Number)
         {
+            this.number = number;
             this.width = width;
-            perWidth = 1 / width;
-            largestHalf = width / 4;
-            tooSmallHalf = width / 8;
-            padding = width * PADDING;
+            perCell = 1 / (width + 4 * width * SLACK);
+            largestHalf = width / 2;
+            tooSmallHalf = width / 4;
             reachSquared = width * width * REACH * REACH;
+            slack = width * SLACK;
         }
 
-        /** Begins a search without proxies. */
-        internal function clear():void
+        /**
+         * Makes room for the members.
+         *
+         * @param base the number of counters that others have
+         * @return that number with its own
+         */
+        public function makeRoom(base:int):int
         {
-            var other:Vector.<AgentProxy> = previous;
-            previous = proxies;
-            proxies = other;
-            count = 0;
-        }
-
-        /** Releases the proxies of the search before. */
-        internal function releasePrevious():void
-        {
-            release(previous);
-        }
-
-        /** Releases all proxies, those of a search that was not finished among them. */
-        internal function releaseAll():void
-        {
-            release(previous);
-            release(proxies);
-            heads.length = 0;
-            count = 0;
-        }
-
-        /** Empties the bins, with room for the proxies. */
-        internal function clearBins():void
-        {
-            // those of other searches
-            proxies.length = count;
-            heads.length = 0;
-            if (count == 0)
-            {
-                return;
-            }
-            // at least 64 lists, so that bins near each other never share one
-            var bits:int = 6;
-            while ((1 << bits) < 2 * count)
+            // at least 32 cells, so that those near each other never share a number
+            var bits:int = 5;
+            while ((1 << bits) < count)
             {
                 bits++;
             }
             mask = (1 << bits) - 1;
-            // odd, and about the square root: bins side by side, and a whole compact world, get lists of their own
+            // odd, and about the square root: cells side by side, and a whole compact world, get numbers of their own
             stride = (1 << ((bits + 1) >> 1)) + 1;
-            // the player clears a vector that shrinks and grows natively
-            heads.length = 1 << bits;
-        }
-
-        // Takes proxies out of each other's lists: one that comes to no further search would keep those alive that it was in a
-        // bin with.
-        private static function release(proxies:Vector.<AgentProxy>):void
-        {
-            for (var i:int = proxies.length - 1; i >= 0; i--)
-            {
-                var first:BinEntry = proxies[i].entry;
-                var entry:BinEntry = first;
-                do
-                {
-                    entry.next = null;
-                    entry = entry.sibling;
-                }
-                while (entry !== first);
-            }
-            proxies.length = 0;
+            this.base = base;
+            return base + mask + 1 + Bins.COPIED;
         }
     }
 }

@@ -1,170 +1,166 @@
 package starlogo.broadphase
 {
     /**
-     * The bins of the ground plane: finds the pairs of proxies whose ground rectangles overlap (thesis §3.7).
+     * The bins of the ground plane: finds the pairs of rows of a table whose circles on the ground overlap (thesis §3.7).
      *
-     * <p>A proxy is entered in every bin that its rectangle touches. Bins come in levels (a hierarchical grid: Ericson,
-     * Real-Time Collision Detection, §7.2): those of a level are squares, their borders at the multiples of their
-     * width, a power of two that is at least twice as wide as the level's widest proxies and less than four times. So a
-     * proxy is in at most four bins of its own level, whatever its size. A unit sphere's bins are 2 wide: one at (1, 1)
-     * is in one bin, one at the origin in four (§6.1). A proxy also looks into the bins of the coarser levels, where the
-     * larger proxies are.</p>
+     * <p>A member is in one cell, that of its middle, and cells are as wide as their members: so two that overlap are in one cell or
+     * in two side by side. The members are put into the order of their cells by counting, with copies of what the search reads: who
+     * is near on the ground is near in memory. Of each cell, the members meet those after them in it and in its right neighbour,
+     * which are one run, and those in the three cells of the next row, which are another: each pair comes from one cell.</p>
      *
-     * <p>A pair that shares several bins is reported in just one: that of the later of the two columns, and the later of
-     * the two rows, where their rectangles begin (Tsitsigkos, Lampropoulos, Bouros, Mamoulis and Terrovitis, "A two-layer
-     * partitioning for non-point spatial data", ICDE 2021). The bins are lists in a hash table, whose size goes with the
-     * number of proxies and not with that of the world. Bins far from each other may fall into one list, which only costs
-     * time; bins that one pair can reach never do.</p>
+     * <p>Members of different sizes are in levels (a hierarchical grid: Ericson, Real-Time Collision Detection, §7.2), whose widths
+     * are powers of two; a member also looks into the cells of the coarser levels, where the larger ones are. Cells are numbered by a
+     * hash, whose size goes with the number of members and not with that of the world. Cells far from each other may share a
+     * number, which only costs time; cells that one pair can reach never do.</p>
      *
-     * <p>Bins know nothing of what their user does with the pairs. A search is: <code>clear()</code>, <code>add()</code> for
-     * each proxy, which <code>fit()</code> has seen since its extents changed, <code>findPairs()</code>. It takes time in
-     * proportion to the proxies and the pairs that overlap, memory in proportion to the proxies, and allocates nothing once
-     * it has run.</p>
+     * <p>Bins know nothing of what their user does with the pairs, and keep nothing from search to search but room. A search takes time
+     * in proportion to the members and the pairs that overlap, memory in proportion to the members, and allocates nothing once it has
+     * run.</p>
+     *
+     * <p>This file is long because its loops are written out: they are those of every frame.</p>
      *
      * @private
      */
     public final class Bins
     {
+        /** The first cells of a level stand once more behind its last, so that neighbours are one run there too. */
+        internal static const COPIED:int = 2;
+
+        // Makes the number of any cell positive, where cutting off the decimals is the floor: even, and beyond a level's reach.
+        private static const BIAS:Number = 1 << 26;
+
         // A point at the origin asks for no width at all.
         private static const MIN_WIDTH:Number = 1e-300;
+
+        /** By place: the number of the member, which is its index in the list of rows that was searched. */
+        public var memberAt:Vector.<int> = new Vector.<int>();
+
+        /** By place: the member's row. */
+        public var rowAt:Vector.<int> = new Vector.<int>();
+
+        /** By place: the middle of its extents. */
+        public var x:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        public var y:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        public var z:Vector.<Number> = new Vector.<Number>();
+
+        /** By place: the radius of its circle. */
+        public var radius:Vector.<Number> = new Vector.<Number>();
+
+        /** By how much pairs that are handed over may miss each other, at the time of the call: more than rounding comes to. */
+        public var slack:Number;
 
         /** Pairs that were handed over, in the last search. */
         public var pairCount:int = 0;
 
-        /** Entries in bins, in the last search. */
+        /**
+         * Entries of members in the thesis's bins, in the last search: squares twice as wide as a level's cells, of which a member may reach
+         * into four. A unit sphere's bins are 2 wide: one at (1, 1) is in one bin, one at the origin in four (§6.1).
+         */
         public var entryCount:int = 0;
 
-        // Whether the last search came to its end.
-        private var _isFinished:Boolean = true;
+        // By number: extents remember their level's. And from the coarsest to the finest.
+        private var _levels:Vector.<BinLevel> = new <BinLevel>[null];
+        private var _byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
-        // Those that the proxy at hand may meet.
-        private var _candidates:Vector.<AgentProxy> = new Vector.<AgentProxy>();
+        // By member: the number of its cell's counter.
+        private var _cells:Vector.<int> = new Vector.<int>();
 
-        // From the coarsest to the finest. They stay, since proxies remember theirs.
-        private var _levels:Vector.<BinLevel> = new Vector.<BinLevel>();
+        // By counter: how many members, 0 between searches; and, one further on, the place after the cell's last member.
+        private var _counts:Vector.<int> = new Vector.<int>();
+        private var _ends:Vector.<int> = new Vector.<int>();
+
+        // The places of those that the member at hand may meet.
+        private var _candidates:Vector.<int> = new Vector.<int>();
 
         /** No bins yet. */
         public function Bins()
         {
         }
 
-        /** Begins a search: no proxy is added yet. */
-        public function clear():void
+        /**
+         * Finds the level that a row's extents and their distance from the world's origin ask for.
+         *
+         * @return whether it is the distance that asks for it
+         */
+        public function fit(extents:Extents, row:int):Boolean
         {
-            for (var i:int = 0; i < _levels.length; i++)
+            var half:Number = extents.halfX[row];
+            var other:Number = extents.halfY[row];
+            if (other > half)
             {
-                if (!_isFinished)
+                half = other;
+            }
+            var level:BinLevel = _levels[extents.level[row]];
+            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf)
+            {
+                level = levelFor(Math.max(2 * half, MIN_WIDTH));
+                extents.level[row] = level.number;
+            }
+            var middleX:Number = extents.x[row];
+            var middleY:Number = extents.y[row];
+            var middleZ:Number = extents.z[row];
+            var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
+            var isFar:Boolean = distanceSquared >= level.reachSquared;
+            if (isFar)
+            {
+                while (distanceSquared >= level.reachSquared)
                 {
-                    _levels[i].releaseAll();
+                    level = levelFor(2 * level.width);
                 }
-                _levels[i].clear();
+                extents.level[row] = level.number;
             }
-            _isFinished = false;
+            return isFar;
         }
 
         /**
-         * Begins a search with the proxies of the last one, none of which has got another level since.
-         *
-         * @return false if the last one did not come to its end: then nothing has begun
+         * The square of the distance up to which all levels reach: rows that are farther out are to be fitted anew. Those without members
+         * count: rows that take no part have levels too, and a search of motions has others.
          */
-        public function repeat():Boolean
+        public function get reachSquared():Number
         {
-            if (!_isFinished)
-            {
-                return false;
-            }
-            _isFinished = false;
-            return true;
-        }
-
-        /** Adds a proxy to this search. */
-        public function add(proxy:AgentProxy):void
-        {
-            var level:BinLevel = proxy.level;
-            level.proxies[level.count] = proxy;
-            level.count++;
+            return _byWidth.length == 0 ? Infinity : _byWidth[_byWidth.length - 1].reachSquared;
         }
 
         /**
-         * Gives a proxy the level that its extents and its distance from the world's origin ask for, and puts its rectangle
-         * around its middle.
-         */
-        public function fit(proxy:AgentProxy):void
-        {
-            var half:Number = proxy.halfX;
-            if (proxy.halfY > half)
-            {
-                half = proxy.halfY;
-            }
-            var level:BinLevel = proxy.level;
-            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf || isBeyondReach(proxy))
-            {
-                var distance:Number = Math.abs(proxy.x) + Math.abs(proxy.y) + Math.abs(proxy.z);
-                // two by two: Math.max of three makes an Array
-                level = levelFor(Math.max(Math.max(4 * half, 2 * distance / BinLevel.REACH), MIN_WIDTH));
-                proxy.level = level;
-            }
-            var padding:Number = level.padding;
-            proxy.reachX = proxy.halfX + padding;
-            proxy.reachY = proxy.halfY + padding;
-            proxy.reachZ = proxy.halfZ + padding;
-            proxy.minX = proxy.x - proxy.reachX;
-            proxy.maxX = proxy.x + proxy.reachX;
-            proxy.minY = proxy.y - proxy.reachY;
-            proxy.maxY = proxy.y + proxy.reachY;
-        }
-
-        /** Whether a proxy that has a level has moved farther out than the level reaches. */
-        public function isBeyondReach(proxy:AgentProxy):Boolean
-        {
-            return proxy.x * proxy.x + proxy.y * proxy.y + proxy.z * proxy.z >= proxy.level.reachSquared;
-        }
-
-        /**
-         * Finds the pairs whose rectangles overlap and hands each to the sink once.
+         * Finds the pairs whose circles on the ground overlap, or nearly so, and hands each to the sink once.
          *
+         * @param extents fitted since they have changed
+         * @param rows of the members: those of the extents that take part
+         * @param count how many of the rows, from the beginning
          * @param sink takes the pairs
-         * @param somebodyLeft whether a proxy of the search before may not be in this one; false spares the work of letting go of it
          */
-        public function findPairs(sink:PairSink, somebodyLeft:Boolean = true):void
+        public function findPairs(extents:Extents, rows:Vector.<int>, count:int, sink:PairSink):void
         {
             pairCount = 0;
-            entryCount = 0;
-            if (somebodyLeft)
+            var counters:int = layOut(extents, rows, count);
+            countCells(extents, rows, count);
+            var places:int = sumUp(counters);
+            makePlaces(places);
+            sortByCells(count);
+            gather(extents, rows, places);
+            for (var i:int = 0; i < _byWidth.length; i++)
             {
-                releasePrevious();
-            }
-            for (var i:int = 0; i < _levels.length; i++)
-            {
-                var level:BinLevel = _levels[i];
-                level.clearBins();
+                var level:BinLevel = _byWidth[i];
                 if (level.count == 0)
                 {
                     continue;
                 }
                 for (var coarser:int = 0; coarser < i; coarser++)
                 {
-                    if (_levels[coarser].count > 0)
+                    if (_byWidth[coarser].count > 0)
                     {
-                        collidePairs(level, _levels[coarser], sink);
+                        collideLevels(level, _byWidth[coarser], sink);
                     }
                 }
-                collidePairs(level, level, sink);
-            }
-            _candidates.length = 0;
-            _isFinished = true;
-        }
-
-        // Before any is entered: one may have come from another level.
-        private function releasePrevious():void
-        {
-            for (var i:int = 0; i < _levels.length; i++)
-            {
-                _levels[i].releasePrevious();
+                collideLevel(level, sink);
             }
         }
 
-        // The level whose bins are wide enough, and no wider than they must.
+        // The level of a width, or the next power of two above it.
         private function levelFor(width:Number):BinLevel
         {
             var powerOfTwo:Number = Math.pow(2, Math.ceil(Math.log(width) * Math.LOG2E));
@@ -178,136 +174,326 @@ package starlogo.broadphase
                 powerOfTwo *= 0.5;
             }
             var place:int = 0;
-            while (place < _levels.length && _levels[place].width > powerOfTwo)
+            while (place < _byWidth.length && _byWidth[place].width > powerOfTwo)
             {
                 place++;
             }
-            if (place == _levels.length || _levels[place].width != powerOfTwo)
+            if (place == _byWidth.length || _byWidth[place].width != powerOfTwo)
             {
-                _levels.splice(place, 0, new BinLevel(powerOfTwo));
+                var level:BinLevel = new BinLevel(_levels.length, powerOfTwo);
+                _byWidth.splice(place, 0, level);
+                _levels.push(level);
             }
-            return _levels[place];
+            return _byWidth[place];
         }
 
-        // Finds the pairs of a level's proxies with those that are in the bins, which are its own or a coarser level's. In its
-        // own, a proxy is entered as it looks for those before it. All is in locals, comparisons are one an if, and nothing is
-        // called but the sink: this is the inner loop of every frame.
-        private function collidePairs(level:BinLevel, bins:BinLevel, sink:PairSink):void
+        // How many members each level has, and where its counters are. Returns how many counters there are.
+        private function layOut(extents:Extents, rows:Vector.<int>, count:int):int
         {
-            var enters:Boolean = bins === level;
-            var proxies:Vector.<AgentProxy> = level.proxies;
-            var heads:Vector.<BinEntry> = bins.heads;
-            var perWidth:Number = bins.perWidth;
-            var mask:int = bins.mask;
-            var stride:int = bins.stride;
-            var candidates:Vector.<AgentProxy> = _candidates;
-            var count:int = level.count;
+            var levels:Vector.<BinLevel> = _levels;
+            var numbers:Vector.<int> = extents.level;
+            for (var i:int = 1; i < levels.length; i++)
+            {
+                levels[i].count = 0;
+            }
+            // mostly members have the level of the one before
+            var number:int = 0;
+            var members:int = 0;
+            for (i = 0; i < count; i++)
+            {
+                var next:int = numbers[rows[i]];
+                if (next != number)
+                {
+                    if (number > 0)
+                    {
+                        levels[number].count += members;
+                    }
+                    number = next;
+                    members = 0;
+                }
+                members++;
+            }
+            if (number > 0)
+            {
+                levels[number].count += members;
+            }
+            var counters:int = 0;
+            for (i = 0; i < _byWidth.length; i++)
+            {
+                if (_byWidth[i].count > 0)
+                {
+                    counters = _byWidth[i].makeRoom(counters);
+                }
+            }
+            if (counters > _counts.length)
+            {
+                _counts.length = counters;
+                _ends.length = counters + 1;
+            }
+            if (count > _cells.length)
+            {
+                _cells.length = count;
+            }
+            return counters;
+        }
+
+        // Finds each member's cell, and counts the members of the cells and the entries in the thesis's bins.
+        private function countCells(extents:Extents, rows:Vector.<int>, count:int):void
+        {
+            var xs:Vector.<Number> = extents.x;
+            var ys:Vector.<Number> = extents.y;
+            var halfXs:Vector.<Number> = extents.halfX;
+            var halfYs:Vector.<Number> = extents.halfY;
+            var numbers:Vector.<int> = extents.level;
+            var cells:Vector.<int> = _cells;
+            var counts:Vector.<int> = _counts;
+            var number:int = 0;
+            var perCell:Number = 0;
+            var mask:int = 0;
+            var stride:int = 0;
+            var base:int = 0;
             var entries:int = 0;
-            var pairs:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var proxy:AgentProxy = proxies[i];
-                var minX:Number = proxy.minX;
-                var maxX:Number = proxy.maxX;
-                var minY:Number = proxy.minY;
-                var maxY:Number = proxy.maxY;
-                var entry:BinEntry = proxy.entry;
-
-                // the floor, without a call
-                var position:Number = minX * perWidth;
+                var row:int = rows[i];
+                if (numbers[row] != number)
+                {
+                    number = numbers[row];
+                    var level:BinLevel = _levels[number];
+                    perCell = level.perCell;
+                    mask = level.mask;
+                    stride = level.stride;
+                    base = level.base;
+                }
+                var position:Number = xs[row] * perCell + BIAS;
                 var column:int = position;
-                if (column > position)
+                // odd columns end a bin: how far in from the border of one the middle is, and whether the rectangle reaches as far
+                var odd:int = column & 1;
+                position -= column;
+                var crossed:int = halfXs[row] * perCell - position + odd * (2 * position - 1) + 1;
+                position = ys[row] * perCell + BIAS;
+                var line:int = position;
+                odd = line & 1;
+                position -= line;
+                var crossedLines:int = halfYs[row] * perCell - position + odd * (2 * position - 1) + 1;
+                entries += (1 + crossed) * (1 + crossedLines);
+                var cell:int = ((line & mask) * stride + column) & mask;
+                if (cell < COPIED)
                 {
-                    column--;
+                    counts[base + mask + 1 + cell]++;
                 }
-                position = minY * perWidth;
-                var row:int = position;
-                if (row > position)
+                cell += base;
+                cells[i] = cell;
+                counts[cell]++;
+            }
+            entryCount = entries;
+        }
+
+        // Finds the places where the cells begin: one further on, those are where the cells end once they are filled. Returns how many
+        // places there are.
+        private function sumUp(counters:int):int
+        {
+            var counts:Vector.<int> = _counts;
+            var ends:Vector.<int> = _ends;
+            var sum:int = 0;
+            for (var i:int = 0; i < counters; i++)
+            {
+                var members:int = counts[i];
+                counts[i] = 0;
+                ends[i + 1] = sum;
+                sum += members;
+            }
+            return sum;
+        }
+
+        private function makePlaces(count:int):void
+        {
+            if (count > rowAt.length)
+            {
+                memberAt.length = rowAt.length = count;
+                x.length = y.length = z.length = radius.length = count;
+            }
+        }
+
+        private function sortByCells(count:int):void
+        {
+            var members:Vector.<int> = memberAt;
+            var cells:Vector.<int> = _cells;
+            var ends:Vector.<int> = _ends;
+            for (var i:int = 0; i < count; i++)
+            {
+                var next:int = cells[i] + 1;
+                var place:int = ends[next];
+                members[place] = i;
+                ends[next] = place + 1;
+            }
+            for (i = 0; i < _byWidth.length; i++)
+            {
+                if (_byWidth[i].count > 0)
                 {
-                    row--;
+                    copyFirstCells(_byWidth[i]);
                 }
-                // over one border at most: bit 0 for the next column, bit 1 for the next row
-                var reaches:int = 0;
-                if (column + 1 <= maxX * perWidth)
+            }
+        }
+
+        private function copyFirstCells(level:BinLevel):void
+        {
+            var from:int = _ends[level.base];
+            var copies:int = level.base + level.mask + 1;
+            var to:int = _ends[copies];
+            for (var i:int = 1; i <= COPIED; i++)
+            {
+                _ends[copies + i] = to + _ends[level.base + i] - from;
+            }
+            for (var place:int = to; place < _ends[copies + COPIED]; place++)
+            {
+                memberAt[place] = memberAt[from + place - to];
+            }
+        }
+
+        // Reads what is far apart in memory and writes it side by side: the other way round takes longer.
+        private function gather(extents:Extents, rows:Vector.<int>, places:int):void
+        {
+            var fromX:Vector.<Number> = extents.x;
+            var fromY:Vector.<Number> = extents.y;
+            var fromZ:Vector.<Number> = extents.z;
+            var fromRadius:Vector.<Number> = extents.radius;
+            var members:Vector.<int> = memberAt;
+            var toRow:Vector.<int> = rowAt;
+            var toX:Vector.<Number> = x;
+            var toY:Vector.<Number> = y;
+            var toZ:Vector.<Number> = z;
+            var toRadius:Vector.<Number> = radius;
+            for (var place:int = 0; place < places; place++)
+            {
+                var row:int = rows[members[place]];
+                toRow[place] = row;
+                toX[place] = fromX[row];
+                toY[place] = fromY[row];
+                toZ[place] = fromZ[row];
+                toRadius[place] = fromRadius[row];
+            }
+        }
+
+        // The pairs of members of one level. All is in locals, comparisons are one an if, and nothing is called but the sink: this and
+        // the next are the inner loops of every frame.
+        private function collideLevel(level:BinLevel, sink:PairSink):void
+        {
+            var xs:Vector.<Number> = x;
+            var ys:Vector.<Number> = y;
+            var radii:Vector.<Number> = radius;
+            var ends:Vector.<int> = _ends;
+            var candidates:Vector.<int> = _candidates;
+            var margin:Number = level.slack;
+            var farthest:Number = level.width + margin;
+            var base:int = level.base;
+            var mask:int = level.mask;
+            var toNextLine:int = level.stride - 1 - base;
+            var pairs:int = 0;
+            slack = margin;
+            var end:int = ends[base];
+            for (var cell:int = base; cell <= base + mask; cell++)
+            {
+                var place:int = end;
+                end = ends[cell + 1];
+                if (place == end)
                 {
-                    reaches = 1;
+                    continue;
                 }
-                if (row + 1 <= maxY * perWidth)
+                // the cell with its right neighbour is one run, the three of the next line are another
+                var runEnd:int = ends[cell + 2];
+                var below:int = ((cell + toNextLine) & mask) + base;
+                var nextLine:int = ends[below];
+                var nextLineEnd:int = ends[below + 3];
+                for (; place < end; place++)
                 {
-                    reaches |= 2;
+                    var middleX:Number = xs[place];
+                    var middleY:Number = ys[place];
+                    var ownReach:Number = radii[place] + margin;
+                    var found:int = 0;
+                    for (var other:int = place + 1; other < runEnd; other++)
+                    {
+                        var distanceX:Number = xs[other] - middleX;
+                        if (distanceX <= farthest)
+                        {
+                            var distanceY:Number = ys[other] - middleY;
+                            var reach:Number = ownReach + radii[other];
+                            if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
+                            {
+                                candidates[found] = other;
+                                found++;
+                            }
+                        }
+                    }
+                    for (other = nextLine; other < nextLineEnd; other++)
+                    {
+                        distanceX = xs[other] - middleX;
+                        distanceY = ys[other] - middleY;
+                        reach = ownReach + radii[other];
+                        if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
+                        {
+                            candidates[found] = other;
+                            found++;
+                        }
+                    }
+                    if (found > 0)
+                    {
+                        pairs += found;
+                        sink.onCandidates(place, candidates, found);
+                    }
                 }
-                var first:int = row * stride + column;
-                var bin:int = first;
-                var beginsEarlier:int = 0;
+            }
+            pairCount += pairs;
+        }
+
+        // The pairs of members of one level with those of a coarser one: of at most three lines of its cells, at most three cells each.
+        private function collideLevels(level:BinLevel, coarser:BinLevel, sink:PairSink):void
+        {
+            var xs:Vector.<Number> = x;
+            var ys:Vector.<Number> = y;
+            var radii:Vector.<Number> = radius;
+            var ends:Vector.<int> = _ends;
+            var candidates:Vector.<int> = _candidates;
+            var margin:Number = coarser.slack;
+            var perCell:Number = coarser.perCell;
+            var mask:int = coarser.mask;
+            var stride:int = coarser.stride;
+            var base:int = coarser.base;
+            var last:int = ends[level.base + level.mask + 1];
+            var pairs:int = 0;
+            slack = margin;
+            for (var place:int = ends[level.base]; place < last; place++)
+            {
+                var middleX:Number = xs[place];
+                var middleY:Number = ys[place];
+                var ownReach:Number = radii[place] + margin;
+                var wide:Number = level.largestHalf + coarser.largestHalf + margin;
+                var column:int = (middleX - wide) * perCell + BIAS;
+                var columns:int = int((middleX + wide) * perCell + BIAS) - column + 1;
+                var line:int = (middleY - wide) * perCell + BIAS;
+                var lastLine:int = (middleY + wide) * perCell + BIAS;
                 var found:int = 0;
-                while (true)
+                for (; line <= lastLine; line++)
                 {
-                    var head:int = bin & mask;
-                    var link:BinEntry = heads[head];
-                    if (enters)
+                    var cell:int = (((line & mask) * stride + column) & mask) + base;
+                    var end:int = ends[cell + columns];
+                    for (var other:int = ends[cell]; other < end; other++)
                     {
-                        entry.next = link;
-                        heads[head] = entry;
-                    }
-                    while (link != null)
-                    {
-                        var other:AgentProxy = link.proxy;
-                        // where both began in an earlier column, or row, they have met there
-                        var haveMet:int = link.beginsEarlier & beginsEarlier;
-                        link = link.next;
-                        if (haveMet != 0)
+                        var distanceX:Number = xs[other] - middleX;
+                        var distanceY:Number = ys[other] - middleY;
+                        var reach:Number = ownReach + radii[other];
+                        if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                         {
-                            continue;
+                            candidates[found] = other;
+                            found++;
                         }
-                        if (other.minX > maxX)
-                        {
-                            continue;
-                        }
-                        if (other.maxX < minX)
-                        {
-                            continue;
-                        }
-                        if (other.minY > maxY)
-                        {
-                            continue;
-                        }
-                        if (other.maxY < minY)
-                        {
-                            continue;
-                        }
-                        candidates[found] = other;
-                        found++;
-                    }
-                    if (beginsEarlier == reaches)
-                    {
-                        break;
-                    }
-                    // the next of 0, 1, 2, 3 that has no other bits
-                    entries++;
-                    beginsEarlier++;
-                    entry = entry.sibling;
-                    bin++;
-                    if (beginsEarlier == 2)
-                    {
-                        bin = first + stride;
-                    }
-                    else if (reaches == 2)
-                    {
-                        beginsEarlier = 2;
-                        entry = entry.sibling;
-                        bin = first + stride;
                     }
                 }
                 if (found > 0)
                 {
                     pairs += found;
-                    sink.onCandidates(proxy, candidates, found);
+                    sink.onCandidates(place, candidates, found);
                 }
-            }
-            if (enters)
-            {
-                // each is in a bin, and some in others
-                entryCount += count + entries;
             }
             pairCount += pairs;
         }

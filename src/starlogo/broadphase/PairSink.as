@@ -16,14 +16,14 @@ package starlogo.broadphase
         }
 
         /**
-         * Takes the pairs of a proxy with others whose ground rectangles overlap its own. All at once: a call for each pair
+         * Takes the pairs of a member with others whose circles on the ground overlap its own. All at once: a call for each pair
          * would cost as much as its test.
          *
-         * @param proxy a proxy that was added
-         * @param others so many at the beginning are those that it may meet; no pair comes twice, in either order
+         * @param place the member's place in the bins, see Bins.memberAt
+         * @param others so many at the beginning are the places of those that it may meet; no pair comes twice, in either order
          * @param count how many
          */
-        public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
+        public function onCandidates(place:int, others:Vector.<int>, count:int):void
         {
             throw new IllegalOperationError(this + " does not implement onCandidates");
         }

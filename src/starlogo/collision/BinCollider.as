@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
+    import starlogo.search.UnitSphereStrategy;
 
     /**
      * The client's first collision system (thesis §2.2): every agent is a sphere, whatever its model.

@@ -1,16 +1,28 @@
 package starlogo.collision
 {
+    import flash.utils.getTimer;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.agents.AgentRecord;
+    import starlogo.engine;
+    import starlogo.motion.Touch;
+    import starlogo.search.BreedPairs;
+    import starlogo.search.CollisionSearch;
+    import starlogo.search.FoundPairs;
+    import starlogo.search.ShapeStrategy;
+
+    use namespace engine;
 
     /**
      * A collision system of the engine's: the common face of its four colliders.
      *
-     * <p>Only agents that share a bin of the ground plane are tested (thesis §3.7), each pair once. A frame costs time in
+     * <p>Only agents that are near each other on the ground plane are tested (thesis §3.7), each pair once. A frame costs time in
      * proportion to the agents and to the pairs that overlap on the ground plane, memory in proportion to the agents, and allocates
-     * nothing once it has run. What stands for an agent is computed when the agent has changed, and kept with the agent; any number
-     * of colliders may share agents.</p>
+     * nothing once it has run. What stands for an agent is found anew when the agent has changed; any number of colliders may share
+     * agents.</p>
+     *
+     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of their touches. The order
+     * depends on the agents that take part, their order in the list, where they are and how far they reach, and on nothing else. Of a
+     * pair the agent that comes first in the list comes first.</p>
      *
      * <p>An agent whose model a ModelLoader is still loading collides with nothing, and is counted in the statistics. Models
      * may be replaced and removed at any time.</p>
@@ -18,6 +30,8 @@ package starlogo.collision
     public class Collider implements ContactSystem
     {
         private var _search:CollisionSearch;
+        private var _statistics:CollisionStatistics = new CollisionStatistics();
+        private var _touch:Touch = new Touch();
 
         /**
          * For the engine's colliders only.
@@ -34,49 +48,81 @@ package starlogo.collision
         /** @inheritDoc */
         public function get statistics():CollisionStatistics
         {
-            return _search.statistics;
+            return _statistics;
         }
 
         /** @inheritDoc */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
+            requireTwo(a, b);
             return _search.areColliding(a, b);
         }
 
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _search.find(agents, null, out || new Vector.<Agent>());
+            return find(agents, null, out || new Vector.<Agent>());
         }
 
         /** @inheritDoc */
         public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
-            return _search.find(agents, interests, out);
+            if (out == null)
+            {
+                throw new ArgumentError("out must not be null");
+            }
+            return find(agents, interests == null ? null : interests.breedPairs, out);
         }
 
         /** @inheritDoc */
         public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
-            if (collider == null || collidee == null || collider === collidee)
-            {
-                throw new ArgumentError("two agents are needed, not " + collider + " and " + collidee);
-            }
+            requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            _search.findContact(collider, collidee, contact);
+            var touch:Touch = _touch;
+            contact.time = _search.findTouch(collider, collidee, touch);
+            contact.depth = touch.depth;
+            contact.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
+            contact.point.setTo(touch.x, touch.y, touch.z);
             return contact;
         }
 
-        /** As contactOf, of two records that findRecordsAmong gave. */
-        internal function findContactOf(collider:AgentRecord, collidee:AgentRecord, out:Contact):void
+        /** As findCollisionsAmong, with the agents' places in the list and their breeds' numbers. */
+        internal function findPairsAmong(agents:Vector.<Agent>, breeds:BreedPairs, out:FoundPairs):void
         {
-            _search.findContactOf(collider, collidee, out);
+            requireList(agents);
+            var start:int = getTimer();
+            _search.findPairs(agents, breeds, out);
+            _statistics.takeCounts(_search.counts, getTimer() - start);
         }
 
-        /** As findCollisionsAmong, but gives the collider's records of the agents. */
-        internal function findRecordsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<AgentRecord>):void
+        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):Vector.<Agent>
         {
-            _search.findRecords(agents, interests, out);
+            requireList(agents);
+            var start:int = getTimer();
+            _search.find(agents, breeds, out);
+            _statistics.takeCounts(_search.counts, getTimer() - start);
+            return out;
+        }
+
+        private static function requireList(agents:Vector.<Agent>):void
+        {
+            if (agents == null)
+            {
+                throw new ArgumentError("agents must not be null");
+            }
+        }
+
+        private static function requireTwo(a:Agent, b:Agent):void
+        {
+            if (a == null || b == null)
+            {
+                throw new ArgumentError("two agents are needed, not " + a + " and " + b);
+            }
+            if (a === b)
+            {
+                throw new ArgumentError("two agents are needed: " + a + " is no pair with itself");
+            }
         }
     }
 }

@@ -4,6 +4,9 @@ package starlogo.collision
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.handlers.CollisionHandler;
+    import starlogo.handlers.HandlerCalls;
+    import starlogo.handlers.HandlerTable;
 
     use namespace engine;
 
@@ -36,11 +39,13 @@ package starlogo.collision
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _table:HandlerTable = new HandlerTable(new Vector.<CollisionHandler>());
-        private var _tableIsStale:Boolean = false;
-        private var _calls:HandlerCalls = new HandlerCalls();
+        private var _interests:BreedInterests = null;
+        private var _table:HandlerTable = null;
+        private var _tableIsStale:Boolean = true;
+        private var _contacts:FrameContacts = new FrameContacts();
+        private var _calls:HandlerCalls = new HandlerCalls(_contacts);
         private var _isUpdating:Boolean = false;
-        private var _pairs:Vector.<Agent> = new Vector.<Agent>();
+        private var _found:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * Collisions without handlers.
@@ -163,7 +168,8 @@ package starlogo.collision
         /**
          * Runs one frame: finds every pair that a handler cares about, then calls the handlers.
          *
-         * @param agents the agents of the game; a handler may change the list
+         * @param agents the agents of the game; a handler may change the list, in place: agents that are not in another one which it puts into the
+         *     client's variable, as <code>agents = agents.filter(...)</code> does, are missed from the next frame on
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; no handler has then run
          * @throws IllegalOperationError if called from one of its own handlers
          * @throws Error the first error that a handler threw, after all handlers have run
@@ -182,19 +188,22 @@ package starlogo.collision
             _handlerErrors.length = 0;
             if (_tableIsStale)
             {
-                _table = new HandlerTable(_handlers);
+                _interests = new BreedInterests();
+                _table = new HandlerTable(_handlers, _interests.breedPairs);
                 _tableIsStale = false;
             }
             var system:CollisionSystem = _collisionSystem;
             findPairs(system, agents);
+            _contacts.system = system;
             _isUpdating = true;
             try
             {
-                _calls.make(_table, agents, _handlerErrors, system);
+                _calls.make(_table, agents, _handlerErrors);
             }
             finally
             {
                 _isUpdating = false;
+                _contacts.system = null;
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
@@ -211,16 +220,16 @@ package starlogo.collision
             var selective:SelectiveCollisionSystem = system as SelectiveCollisionSystem;
             if (collider != null)
             {
-                collider.findRecordsAmong(agents, _table.interests, _calls.pairs);
+                collider.findPairsAmong(agents, _interests.breedPairs, _calls.pairs);
             }
             else if (selective != null)
             {
-                _calls.takePairs(selective.findCollisionsAmong(agents, _table.interests, _pairs), agents);
+                _calls.takePairs(selective.findCollisionsAmong(agents, _interests, _found), agents, _interests.breedPairs);
             }
             else
             {
                 // a client's system may return a vector of its own
-                _calls.takePairs(system.findCollisions(agents, _pairs), agents);
+                _calls.takePairs(system.findCollisions(agents, _found), agents, _interests.breedPairs);
             }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;

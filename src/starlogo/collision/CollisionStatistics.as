@@ -1,5 +1,11 @@
 package starlogo.collision
 {
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.search.SearchCounts;
+
+    use namespace engine;
+
     /**
      * What one frame of collision detection did and cost. Whoever fills it overwrites it with the next frame; copy the
      * numbers to keep them.
@@ -15,10 +21,10 @@ package starlogo.collision
         /** Agents whose models are still loading: they collide with nothing yet. */
         public var agentsLoading:int;
 
-        /** Entries of agents in bins: an agent that reaches into four bins counts four times. */
+        /** Entries of agents in the thesis's bins: an agent that reaches into four of them counts four times. */
         public var binEntries:int;
 
-        /** Pairs of agents that share a bin and overlap on the ground plane. */
+        /** Pairs of agents whose circles on the ground overlap. */
         public var candidatePairs:int;
 
         /** Pairs of which one agent sweeps, and that came near each other on their ways: each was tested along them. */
@@ -82,6 +88,33 @@ package starlogo.collision
             capsuleCapsuleTests = capsuleBoxTests = boxBoxTests = 0;
             hierarchyTests = nodeVisits = triangleTests = 0;
             collisions = handlerCalls = findMs = frameMs = 0;
+        }
+
+        /**
+         * Takes over what a search did.
+         *
+         * @private
+         */
+        engine function takeCounts(counts:SearchCounts, milliseconds:int):void
+        {
+            handlerCalls = frameMs = 0;
+            agents = counts.agents;
+            agentsSkipped = counts.agentsSkipped;
+            agentsLoading = counts.agentsLoading;
+            binEntries = counts.binEntries;
+            candidatePairs = counts.candidatePairs;
+            sweptPairs = counts.sweptPairs;
+            sphereSphereTests = counts.testsOf(BoundingStructure.SPHERE, BoundingStructure.SPHERE);
+            sphereCapsuleTests = counts.testsOf(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
+            sphereBoxTests = counts.testsOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
+            capsuleCapsuleTests = counts.testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
+            capsuleBoxTests = counts.testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
+            boxBoxTests = counts.testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
+            hierarchyTests = counts.hierarchyTests;
+            nodeVisits = counts.nodeVisits;
+            triangleTests = counts.triangleTests;
+            collisions = counts.collisions;
+            findMs = milliseconds;
         }
 
         /** Takes over every number of another frame. */

@@ -1,6 +1,9 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
+    import starlogo.search.CombinationStrategy;
+    import starlogo.search.HierarchyStrategy;
+    import starlogo.search.TightestFitStrategy;
 
     /**
      * Takes the agents that are hierarchical for the hierarchies of their models, and all others for their tightest fits
@@ -15,7 +18,7 @@ package starlogo.collision
      */
     public class CombinationCollider extends PreciseCollider
     {
-        private var _tightestFit:TightestFitStrategy;
+        private var _structureTests:StructureTests;
 
         /**
          * A collider for the agents of a game.
@@ -26,14 +29,15 @@ package starlogo.collision
         public function CombinationCollider(greatLand:GreatLand)
         {
             var hierarchy:HierarchyStrategy = new HierarchyStrategy(greatLand);
-            _tightestFit = new TightestFitStrategy(greatLand);
-            super(greatLand, new CombinationStrategy(_tightestFit, hierarchy), hierarchy);
+            var tightestFit:TightestFitStrategy = new TightestFitStrategy(greatLand);
+            _structureTests = new StructureTests(tightestFit);
+            super(greatLand, new CombinationStrategy(tightestFit, hierarchy), hierarchy);
         }
 
         /** How the structures of two agents are tested that are not hierarchical. */
         public function get structureTests():StructureTests
         {
-            return _tightestFit.tests;
+            return _structureTests;
         }
     }
 }

@@ -6,7 +6,8 @@ package starlogo.collision
     public interface ContactSystem extends SelectiveCollisionSystem
     {
         /**
-         * How two agents touch that the last frame found: where they were then, wherever they have gone since.
+         * How two agents touch that the last frame found: where they were then, whatever has become of them since. Of two
+         * that the last search has not both seen: where they are now.
          *
          * @param collider the normal points to it
          * @param collidee another agent

@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
+    import starlogo.search.HierarchyStrategy;
 
     /**
      * Takes every agent for the hierarchy of bounding structures of its model (thesis §4), or, if it is exact, for its

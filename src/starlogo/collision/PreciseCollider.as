@@ -1,6 +1,8 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
+    import starlogo.search.HierarchyStrategy;
+    import starlogo.search.ShapeStrategy;
 
     /** What the HierarchicalCollider and the CombinationCollider have in common: how deep they look into hierarchies. */
     public class PreciseCollider extends Collider

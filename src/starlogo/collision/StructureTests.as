@@ -1,34 +1,67 @@
 package starlogo.collision
 {
+    import starlogo.search.TightestFitStrategy;
+
     /**
      * How a collider tests the structures of two agents: by the exact test of their kinds (thesis §3.6), after cheaper ones if
      * those are wanted. May be changed at any time; what is found changes with <code>boxFacesOnly</code> alone.
      */
     public final class StructureTests
     {
+        private var _strategy:TightestFitStrategy;
+
+        /**
+         * For the engine's colliders only: the exact tests, with spheres first where they are at hand.
+         *
+         * @param strategy makes the tests
+         */
+        public function StructureTests(strategy:TightestFitStrategy)
+        {
+            _strategy = strategy;
+        }
+
         /**
          * Whether two structures that are not both spheres are tested only if spheres around them meet (thesis §7.5). Counts for
          * models that were added with loadAllBoundingStructures.
          */
-        public var spheresFirst:Boolean = true;
+        public function get spheresFirst():Boolean
+        {
+            return _strategy.spheresFirst;
+        }
+
+        public function set spheresFirst(value:Boolean):void
+        {
+            _strategy.spheresFirst = value;
+        }
 
         /**
          * Whether a box and another box or a capsule are tested only if capsules around them meet (thesis §7.5), after the
          * spheres. It pays where many boxes are long, thin and near each other. Counts for models that were added with
          * loadAllBoundingStructures.
          */
-        public var capsulesFirst:Boolean = false;
+        public function get capsulesFirst():Boolean
+        {
+            return _strategy.capsulesFirst;
+        }
+
+        public function set capsulesFirst(value:Boolean):void
+        {
+            _strategy.capsulesFirst = value;
+        }
 
         /**
          * Whether two boxes are taken to collide if none of their faces separates them (thesis §3.6.4). This is conservative: no
          * collision is missed, but boxes that pass each other edge to edge are said to collide, by the thesis's estimate in 7.5 % of
          * the tests. It saves about a third of the time of boxes that meet.
          */
-        public var boxFacesOnly:Boolean = false;
-
-        /** The exact tests, with spheres first where they are at hand. */
-        public function StructureTests()
+        public function get boxFacesOnly():Boolean
         {
+            return _strategy.boxFacesOnly;
+        }
+
+        public function set boxFacesOnly(value:Boolean):void
+        {
+            _strategy.boxFacesOnly = value;
         }
     }
 }

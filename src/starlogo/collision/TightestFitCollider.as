@@ -1,6 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
+    import starlogo.search.TightestFitStrategy;
 
     /**
      * Takes every agent for the tightest fitting sphere, box or capsule of its model (thesis §3), put through the agent's
@@ -12,7 +13,7 @@ package starlogo.collision
      */
     public class TightestFitCollider extends Collider
     {
-        private var _strategy:TightestFitStrategy;
+        private var _structureTests:StructureTests;
 
         /**
          * A collider for the agents of a game.
@@ -22,14 +23,15 @@ package starlogo.collision
          */
         public function TightestFitCollider(greatLand:GreatLand)
         {
-            _strategy = new TightestFitStrategy(greatLand);
-            super(greatLand, _strategy);
+            var strategy:TightestFitStrategy = new TightestFitStrategy(greatLand);
+            _structureTests = new StructureTests(strategy);
+            super(greatLand, strategy);
         }
 
         /** How two structures are tested. */
         public function get structureTests():StructureTests
         {
-            return _strategy.tests;
+            return _structureTests;
         }
     }
 }

@@ -25,6 +25,15 @@ package starlogo.geometry
         /** For who keeps what depends on more than the position: counts the changes of that. */
         public var extentsRevision:int = 0;
 
+        /** The turn about z that the rotation is made of, in degrees; see setRotation. */
+        public var heading:Number = 0;
+
+        /** The turn about y. */
+        public var pitch:Number = 0;
+
+        /** The turn about x. */
+        public var roll:Number = 0;
+
         /** Whether the rotation is the identity. */
         public var isIdentity:Boolean = true;
 
@@ -67,6 +76,9 @@ package starlogo.geometry
             y = other.y;
             z = other.z;
             size = other.size;
+            heading = other.heading;
+            pitch = other.pitch;
+            roll = other.roll;
             isIdentity = other.isIdentity;
             r00 = other.r00;
             r01 = other.r01;
@@ -89,6 +101,9 @@ package starlogo.geometry
          */
         public function setRotation(heading:Number, pitch:Number, roll:Number):void
         {
+            this.heading = heading;
+            this.pitch = pitch;
+            this.roll = roll;
             isIdentity = heading == 0 && pitch == 0 && roll == 0;
             var cosHeading:Number = cosine(heading);
             var sinHeading:Number = sine(heading);

@@ -37,9 +37,16 @@ package starlogo.geometry
         public static const SINGLE_PRECISION:Number = 1e-5;
 
         /**
+         * How far apart shapes may be, as a fraction of the coordinates of where they are, and still touch: see touchingMargin. Below
+         * 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
+         * Larger: far out, shapes with a gap between them collide.
+         */
+        public static const PLACES:Number = 6e-16;
+
+        /**
          * A factor on the distance at which structures touch: the rounding error that a test through several steps may
          * make, 1e-14 relative, and what SURFACES asks for. 1: structures that touch may, turned, be told apart by the last
-         * bit. Larger: structures with a gap between them collide. Two spheres are compared directly and do not need it.
+         * bit. Larger: structures with a gap between them collide. sphereSphere compares directly; agents that are spheres are given it.
          */
         public static const TOUCHING:Number = 1 + 4e-14;
 

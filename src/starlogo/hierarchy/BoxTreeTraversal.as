@@ -73,6 +73,7 @@ package starlogo.hierarchy
             var abs21:Number = m21 < 0 ? widened - m21 : widened + m21;
             var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
             var scaleSquared:Number = scale * scale;
+            var touching:Number = _pose.gap;
             var edgesAreReady:Boolean = false;
             var stack:Vector.<HierarchyNode> = _stack;
             var top:int = 0;
@@ -90,9 +91,9 @@ package starlogo.hierarchy
                 var z:Number = m20 * bX + m21 * bY + m22 * bZ + moveZ - a.z;
 
                 // how far b's middle is outside of a, against the spheres around b and inside of it
-                var halfX:Number = a.halfX;
-                var halfY:Number = a.halfY;
-                var halfZ:Number = a.halfZ;
+                var halfX:Number = a.halfX + touching;
+                var halfY:Number = a.halfY + touching;
+                var halfZ:Number = a.halfZ + touching;
                 var gapSquared:Number = 0;
                 var gap:Number = x < 0 ? -x : x;
                 gap -= halfX;
@@ -180,7 +181,7 @@ package starlogo.hierarchy
                             if (!edgesAreReady)
                             {
                                 edgesAreReady = true;
-                                _edges.prepare(relative);
+                                _edges.prepare(_pose);
                             }
                             if (!_edges.separate(a, b, x, y, z))
                             {

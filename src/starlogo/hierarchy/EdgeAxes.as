@@ -37,6 +37,7 @@ package starlogo.hierarchy
         private var _abs20:Number;
         private var _abs21:Number;
         private var _abs22:Number;
+        private var _gap:Number;
 
         /** Without axes, until prepare is called. */
         public function EdgeAxes()
@@ -46,10 +47,12 @@ package starlogo.hierarchy
         /**
          * Takes over how the second model is turned and scaled.
          *
-         * @param relative takes the second model into the space of the first
+         * @param pose takes the second model into the space of the first
          */
-        public function prepare(relative:Placement):void
+        public function prepare(pose:RelativePose):void
         {
+            var relative:Placement = pose.placement;
+            _gap = pose.gap;
             var scale:Number = relative.size;
             _scale = scale;
             var widened:Number = Tolerances.ROUNDING * scale;
@@ -85,9 +88,9 @@ package starlogo.hierarchy
         public function separate(a:HierarchyNode, b:HierarchyNode, x:Number, y:Number, z:Number):Boolean
         {
             var scale:Number = _scale;
-            var aX:Number = a.halfX;
-            var aY:Number = a.halfY;
-            var aZ:Number = a.halfZ;
+            var aX:Number = a.halfX + _gap;
+            var aY:Number = a.halfY + _gap;
+            var aZ:Number = a.halfZ + _gap;
             var bX:Number = b.halfX * scale;
             var bY:Number = b.halfY * scale;
             var bZ:Number = b.halfZ * scale;

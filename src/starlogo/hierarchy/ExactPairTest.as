@@ -51,7 +51,7 @@ package starlogo.hierarchy
             }
             _solidA = a.solid;
             _solidB = b.solid;
-            _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _pose.placement.size);
+            _touching = _pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * _pose.placement.size);
             return true;
         }
 

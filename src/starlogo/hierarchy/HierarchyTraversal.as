@@ -168,7 +168,7 @@ package starlogo.hierarchy
             _pose.relate(placementB, placementA);
             var relative:Placement = _pose.placement;
             _point.center.setTo(relative.x, relative.y, relative.z);
-            _point.radius = relative.size * root.radius;
+            _point.radius = relative.size * root.radius + _pose.gap;
             return intersects(_point, structure);
         }
 

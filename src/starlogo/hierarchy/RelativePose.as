@@ -3,6 +3,7 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.touchingMargin;
 
     /**
      * Where one agent's model is in the space of another's: what all the nodes of their hierarchies share, so that only the
@@ -12,6 +13,9 @@ package starlogo.hierarchy
     {
         /** Takes the second model into the space of the first. Its own isIdentity is always false. */
         public var placement:Placement = new Placement();
+
+        /** How far apart the two may be, in the space of the first, and still touch: what rounding makes of where they stand. */
+        public var gap:Number = 0;
 
         /** Whether both models are turned about z at most, as almost always. */
         public var isYawOnly:Boolean;
@@ -44,6 +48,7 @@ package starlogo.hierarchy
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = placement;
             relative.size = scale;
+            gap = (touchingMargin(a.x, a.y, a.z) + touchingMargin(b.x, b.y, b.z)) / a.size;
             isYawOnly = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
             if (isYawOnly)
             {

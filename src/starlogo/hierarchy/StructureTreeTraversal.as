@@ -82,6 +82,7 @@ package starlogo.hierarchy
                     structureB = b.bounds;
                 }
                 var moved:BoundingStructure = structureB.place(relative, _moved[structureB.kind]);
+                moved.widen(_pose.gap);
                 if (intersects(structureA, moved))
                 {
                     var aEnds:Boolean = a.cutoffLevel >= depthA;
@@ -130,6 +131,7 @@ package starlogo.hierarchy
         public function structureOverlaps(root:HierarchyNode, depth:int, structure:BoundingStructure):Boolean
         {
             var moved:BoundingStructure = structure.place(_pose.placement, _moved[structure.kind]);
+            moved.widen(_pose.gap);
             var stack:Vector.<HierarchyNode> = _stack;
             var node:HierarchyNode = root;
             var top:int = 0;

@@ -62,7 +62,7 @@ package starlogo.hierarchy
             _sweep.turn(relative.r00, relative.r01, relative.r02, relative.r10, relative.r11, relative.r12, relative.r20, relative.r21,
                     relative.r22);
             _sweep.move(x, y, z);
-            _rounding = Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z) + Math.abs(x)
+            _rounding = _pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z) + Math.abs(x)
                     + Math.abs(y) + Math.abs(z));
             firstA = firstB = null;
             _top = 0;

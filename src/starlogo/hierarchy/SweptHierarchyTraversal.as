@@ -285,7 +285,7 @@ package starlogo.hierarchy
             relate(placementB, placementA, _way);
             var relative:Placement = _pose.placement;
             _point.center.setTo(relative.x, relative.y, relative.z);
-            _point.radius = relative.size * root.radius;
+            _point.radius = relative.size * root.radius + _pose.gap;
             _way.startX = _way.startY = _way.startZ = 0;
             _way.x = _wayX;
             _way.y = _wayY;

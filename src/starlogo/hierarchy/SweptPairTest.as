@@ -63,7 +63,7 @@ package starlogo.hierarchy
             _wayX = x;
             _wayY = y;
             _wayZ = z;
-            _touching = Tolerances.SURFACES * (a.root.radius + b.root.radius * _pose.placement.size);
+            _touching = _pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * _pose.placement.size);
             return true;
         }
 

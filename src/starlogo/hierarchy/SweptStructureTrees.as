@@ -94,6 +94,7 @@ package starlogo.hierarchy
                     structureB = b.cover;
                 }
                 var moved:BoundingStructure = structureB.place(_pose.placement, _moved[structureB.kind]);
+                moved.widen(_pose.gap);
                 from = firstIn(moved, structureA, from, to);
                 if (from >= earliest)
                 {
@@ -150,6 +151,7 @@ package starlogo.hierarchy
         {
             begin(x, y, z);
             var moved:BoundingStructure = structure.place(_pose.placement, _moved[structure.kind]);
+            moved.widen(_pose.gap);
             var earliest:Number = Way.NEVER;
             push(root, null, 0, 1);
             while (_top > 0)

@@ -54,6 +54,7 @@ package starlogo.hierarchy
             var absCos:Number = cos < 0 ? widened - cos : widened + cos;
             var absSin:Number = sin < 0 ? widened - sin : widened + sin;
             var scaleSquared:Number = scale * scale;
+            var touching:Number = _pose.gap;
             var stack:Vector.<HierarchyNode> = _stack;
             var top:int = 0;
             var visits:int = 0;
@@ -62,7 +63,7 @@ package starlogo.hierarchy
                 visits++;
                 var overlap:Boolean = false;
                 var z:Number = scale * b.z + moveZ - a.z;
-                var reach:Number = a.halfZ + scale * b.halfZ;
+                var reach:Number = a.halfZ + touching + scale * b.halfZ;
                 if (z <= reach)
                 {
                     if (z >= -reach)
@@ -71,8 +72,8 @@ package starlogo.hierarchy
                         var bY:Number = b.y;
                         var x:Number = cos * bX - sin * bY + moveX - a.x;
                         var y:Number = sin * bX + cos * bY + moveY - a.y;
-                        var halfX:Number = a.halfX;
-                        var halfY:Number = a.halfY;
+                        var halfX:Number = a.halfX + touching;
+                        var halfY:Number = a.halfY + touching;
                         var distanceX:Number = x < 0 ? -x : x;
                         var distanceY:Number = y < 0 ? -y : y;
                         var isDeep:Boolean = false;

@@ -41,11 +41,11 @@ package starlogo.libraries
         public var keepAll:Boolean = false;
 
         /**
-         * Another number whenever the structures under a name have been replaced or removed.
+         * Counts what was replaced or removed.
          *
          * @private
          */
-        engine var revision:int = 0;
+        engine var revisions:Revisions = new Revisions();
 
         private var _cheaperTestsFactor:Number = 1;
         private var _orientedBoxFitter:OrientedBoxFitter;
@@ -241,7 +241,7 @@ package starlogo.libraries
                 return false;
             }
             delete _shapes[PREFIX + name];
-            revision++;
+            revisions.note(name);
             return true;
         }
 

@@ -55,11 +55,11 @@ package starlogo.libraries
         public var prepareExact:Boolean = false;
 
         /**
-         * Changes whenever what is stored under a name is replaced or removed: what was kept of it is void.
+         * Counts what was replaced or removed.
          *
          * @private
          */
-        engine var revision:int = 0;
+        engine var revisions:Revisions = new Revisions();
 
         private var _hierarchies:Object = {};
 
@@ -166,7 +166,7 @@ package starlogo.libraries
                 return false;
             }
             delete _hierarchies[PREFIX + name];
-            revision++;
+            revisions.note(name);
             return true;
         }
 

@@ -1,6 +1,5 @@
 package starlogo.motion
 {
-    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -79,16 +78,10 @@ package starlogo.motion
             return TURNED;
         }
 
-        /**
-         * The gap that is nothing but rounding between structures on this way (Tolerances.ROUNDING).
-         *
-         * @param a a point of the one that moves
-         * @param b a point of the other
-         */
-        internal function rounding(a:Vector3D, b:Vector3D):Number
+        /** How far apart structures may be on this way, beyond what standing ones may, and still touch: what its own rounding makes of it. */
+        internal function rounding():Number
         {
-            return Tolerances.ROUNDING * (Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + Math.abs(b.x) + Math.abs(b.y) + Math.abs(b.z)
-                    + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));
+            return Tolerances.ROUNDING * (Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));
         }
     }
 }

@@ -48,7 +48,7 @@ package starlogo.motion
         var tX:Number = aXx * fromX + aXy * fromY + aXz * fromZ;
         var tY:Number = aYx * fromX + aYy * fromY + aYz * fromZ;
         var tZ:Number = aZx * fromX + aZy * fromY + aZz * fromZ;
-        var gap:Number = way.rounding(centerA, centerB);
+        var gap:Number = way.rounding();
         var time:Number = sweep.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
         if (time == Way.NEVER || faceAxesOnly)
         {

@@ -34,7 +34,7 @@ package starlogo.motion
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
         var radius:Number = capsule.radius;
-        var reach:Number = radius * Tolerances.TOUCHING + way.rounding(capsule.start, box.center);
+        var reach:Number = radius * Tolerances.TOUCHING + way.rounding();
         reach *= reach;
         var time:Number = 0;
         for (var step:int = 0; step < Newton.MOST_STEPS; step++)

@@ -25,7 +25,7 @@ package starlogo.motion
         var wayY:Number = way.y;
         var wayZ:Number = way.z;
         var radii:Number = a.radius + b.radius;
-        var reach:Number = radii * Tolerances.TOUCHING + way.rounding(a.start, b.start);
+        var reach:Number = radii * Tolerances.TOUCHING + way.rounding();
         reach *= reach;
         var time:Number = 0;
         for (var step:int = 0; step < Newton.MOST_STEPS; step++)

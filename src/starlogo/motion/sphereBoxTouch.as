@@ -49,7 +49,7 @@ package starlogo.motion
         var halfY:Number = box.halfY;
         var halfZ:Number = box.halfZ;
         var radius:Number = sphere.radius;
-        var reach:Number = radius * Tolerances.TOUCHING + way.rounding(center, middle);
+        var reach:Number = radius * Tolerances.TOUCHING + way.rounding();
         reach *= reach;
         var time:Number = 0;
         for (var step:int = 0; step < Newton.MOST_STEPS; step++)

@@ -175,25 +175,59 @@ package starlogo.agents
             {
                 agent[trait] = values[trait];
             }
-            var record:AgentRecord = new AgentRecord(agent, new CacheToken());
-            record.breedToken = record;
-            agent.addRecord(record);
+            var breedChanges:int = Agent.breedChanges;
             var revisions:String = agent.revision + " " + agent.placement.extentsRevision;
             for (trait in values)
             {
                 agent[trait] = values[trait];
                 assertEquals(trait, revisions, agent.revision + " " + agent.placement.extentsRevision);
             }
-            assertTrue("breed", record.breedToken === record);
+            assertEquals("breed", breedChanges, Agent.breedChanges);
+        }
+
+        [Test]
+        public function movingToWhereItIsChangesNothing():void
+        {
+            var agent:Agent = new Agent("bear");
+            var revision:int = agent.revision;
+            agent.moveTo(0, 0, 0);
+            agent.moveTo(-0, -0, -0);
+            assertEquals("at the origin", revision, agent.revision);
+            agent.moveTo(1, 2, 3);
+            assertEquals(revision + 1, agent.revision);
+            agent.moveTo(1, 2, 3);
+            assertEquals("where it is", revision + 1, agent.revision);
+            assertThrows(RangeError, /y must be.*NaN/, agent.moveTo, 1, NaN, 3);
+            assertEquals("nowhere", revision + 1, agent.revision);
+            // one coordinate is enough
+            agent.moveTo(1, 2, 4);
+            agent.moveTo(1, 3, 4);
+            agent.moveTo(2, 3, 4);
+            assertEquals(revision + 4, agent.revision);
+            assertEquals("2 3 4", [agent.x, agent.y, agent.z].join(" "));
+        }
+
+        [Test]
+        public function jumpingToWhereItIsCounts():void
+        {
+            // no way leads there, so that a motion ends
+            var agent:Agent = new Agent("bear");
+            agent.moveTo(1, 2, 3);
+            var revision:int = agent.revision;
+            agent.jumpTo(1, 2, 3);
+            agent.jumpTo(1, 2, 3);
+            assertTrue("twice", agent.revision == revision + 2);
+            assertThrows(RangeError, /z must be.*Infinity/, agent.jumpTo, 1, 2, Infinity);
+            assertEquals("nowhere", revision + 2, agent.revision);
+            agent.moveTo(1, 2, 3);
+            assertEquals("moved to where it jumped", revision + 2, agent.revision);
         }
 
         [Test]
         public function everyChangeIsCounted():void
         {
             var agent:Agent = new Agent("bear", "bears");
-            var record:AgentRecord = new AgentRecord(agent, new CacheToken());
-            record.breedToken = record;
-            agent.addRecord(record);
+            var breedChanges:int = Agent.breedChanges;
             var moves:Object = {x: 1, y: 2, z: 3};
             var others:Object = {shape: "ball", heading: 4, pitch: 5, roll: 6, size: 7, hierarchical: true, traversalDepth: 8};
             for (var trait:String in moves)
@@ -204,8 +238,12 @@ package starlogo.agents
                 assertEquals(trait, revision + 1, agent.revision);
                 assertEquals(trait, extentsRevision, agent.placement.extentsRevision);
             }
+            revision = agent.revision;
             agent.moveTo(1, 2, 4);
-            assertEquals("moveTo", revision + 2, agent.revision);
+            assertEquals("moveTo", revision + 1, agent.revision);
+            agent.jumpTo(1, 2, 5);
+            assertEquals("jumpTo", revision + 2, agent.revision);
+            assertEquals("moves", extentsRevision, agent.placement.extentsRevision);
             for (trait in others)
             {
                 revision = agent.revision;
@@ -214,42 +252,9 @@ package starlogo.agents
                 assertEquals(trait, revision + 1, agent.revision);
                 assertEquals(trait, extentsRevision + 1, agent.placement.extentsRevision);
             }
-            assertTrue(record.breedToken === record);
+            assertEquals(breedChanges, Agent.breedChanges);
             agent.breed = "balls";
-            assertEquals("looked up anew", null, record.breedToken);
-        }
-
-        [Test]
-        public function recordsOfUsersThatAreGoneAreDropped():void
-        {
-            var agent:Agent = new Agent("bear");
-            var kept:CacheToken = new CacheToken();
-            var gone:CacheToken = new CacheToken();
-            var revoked:CacheToken = new CacheToken();
-            agent.addRecord(new AgentRecord(agent, kept));
-            agent.addRecord(new AgentRecord(agent, gone));
-            agent.addRecord(new AgentRecord(agent, revoked));
-            assertEquals(3, countRecords(agent));
-            revoked.revoke();
-            for (var i:int = 0; i < 3000; i++)
-            {
-                kept.noteUse();
-            }
-            assertFalse(kept.isStale);
-            assertTrue(gone.isStale && revoked.isStale);
-            agent.addRecord(new AgentRecord(agent, new CacheToken()));
-            assertEquals("the kept and the new", 2, countRecords(agent));
-            assertTrue(agent.records.next.cacheToken === kept);
-        }
-
-        private static function countRecords(agent:Agent):int
-        {
-            var count:int = 0;
-            for (var record:AgentRecord = agent.records; record != null; record = record.next)
-            {
-                count++;
-            }
-            return count;
+            assertEquals("breed", breedChanges + 1, Agent.breedChanges);
         }
 
         private static function set (agent:Agent, trait:String, value:*):void

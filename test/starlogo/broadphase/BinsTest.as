@@ -1,255 +1,258 @@
 package starlogo.broadphase
 {
-    import flash.utils.Dictionary;
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
-    import evaluation.pairs.SeededRandom;
-    import starlogo.agents.Agent;
-    import starlogo.agents.CacheToken;
 
-    /** The bins alone, with rectangles that come from no agent. */
+    /** The bins alone, with extents that come from no agent. */
     public class BinsTest
     {
         private var _bins:Bins;
         private var _sink:PairList;
-        private var _token:CacheToken;
+        private var _extents:Extents;
+        private var _rows:Vector.<int>;
 
         [Before]
         public function makeBins():void
         {
             _bins = new Bins();
-            _sink = new PairList();
-            _token = new CacheToken();
+            _sink = new PairList(_bins);
+            _extents = new Extents();
+            _rows = new Vector.<int>();
         }
 
         [Test]
-        public function findsThePairsWhoseRectanglesOverlapOnce():void
+        public function findsThePairsWhoseCirclesOverlapOnce():void
         {
             var random:SeededRandom = new SeededRandom(501);
             var overlapping:int = 0;
             for (var world:int = 0; world < 60; world++)
             {
-                var proxies:Vector.<AgentProxy> = new Vector.<AgentProxy>();
+                clear();
                 var spread:Number = random.logBetween(1, 1000);
                 for (var i:int = 0; i < 60; i++)
                 {
-                    proxies.push(proxyAt(random.between(-spread, spread), random.between(-spread, spread),
-                                random.logBetween(0.01, 30), random.logBetween(0.01, 30)));
+                    add(random.between(-spread, spread), random.between(-spread, spread), random.logBetween(0.01, 30), random.logBetween(0.01, 30));
                 }
-                overlapping += assertLikeBruteForce("world " + world, proxies);
+                overlapping += assertLikeBruteForce("world " + world);
             }
             assertTrue(overlapping + " overlap", overlapping > 1000 && overlapping < 60 * 60 * 59 / 4);
         }
 
         [Test]
-        public function rectanglesThatTouchByRoundingShareABin():void
+        public function cellsThatShareANumberMixNobodyUp():void
         {
-            // sums of tenths: a's right side and b's left side are one number, but for rounding, on the border of two bins
+            // wider than the numbers reach, so that cells far from each other have the same ones
+            var random:SeededRandom = new SeededRandom(504);
+            var overlapping:int = 0;
+            for (var world:int = 0; world < 20; world++)
+            {
+                clear();
+                for (var i:int = 0; i < 150; i++)
+                {
+                    var x:Number = random.integer(-200, 200);
+                    var y:Number = random.integer(-200, 200);
+                    add(x, y, 0.5, 0.5);
+                    add(x + random.pick([-1, 0, 1, 0.5]), y + random.pick([-1, 0, 1, 0.5]), 0.5, random.pick([0.5, 0.5, 0.1, 3]));
+                }
+                overlapping += assertLikeBruteForce("world " + world);
+            }
+            assertTrue(overlapping + " overlap", overlapping > 1000);
+        }
+
+        [Test]
+        public function thoseThatTouchByRoundingArePairs():void
+        {
+            // sums of tenths: the right end of one and the left end of the other are one number, but for rounding, on a border of cells
             var random:SeededRandom = new SeededRandom(502);
             for (var i:int = 0; i < 3000; i++)
             {
+                clear();
                 var half:Number = random.integer(1, 40) / 10;
                 var border:Number = random.integer(-1000, 1000) * 16;
-                var a:AgentProxy = proxyAt(border - half, 0, half, half);
-                var b:AgentProxy = proxyAt(border + half, 0, half, half);
+                add(border - half, 0, half, half);
                 // one up to the border, the other beginning a last bit beyond it
-                b.x = (b.x - half) * (1 + 2e-16) + half;
-                search(new <AgentProxy>[a, b]);
+                add(border * (1 + 2e-16) + half, 0, half, half);
+                search();
                 assertEquals(half + " at " + border, 1, _sink.length);
             }
         }
 
         [Test]
-        public function whoMovesOutOfItsLevelsReachGetsAnother():void
+        public function whoIsFarOutGetsWiderCells():void
         {
-            var proxy:AgentProxy = proxyAt(0, 0, 0.5, 0.5);
-            _bins.fit(proxy);
-            var level:BinLevel = proxy.level;
-            assertFalse(_bins.isBeyondReach(proxy));
-            proxy.x = 1e12;
-            assertTrue(_bins.isBeyondReach(proxy));
-            _bins.fit(proxy);
-            assertTrue("wider bins", proxy.level !== level && proxy.level.width > level.width);
-            assertFalse(_bins.isBeyondReach(proxy));
-            // far out the columns of the old level would not fit an int
-            var other:AgentProxy = proxyAt(1e12, 0.75, 0.5, 0.5);
-            _bins.fit(other);
-            assertEquals(1, assertLikeBruteForce("far out", new <AgentProxy>[proxy, other]));
+            add(0, 0, 0.5, 0.5);
+            assertFalse(_bins.fit(_extents, 0));
+            var near:int = _extents.level[0];
+            _extents.x[0] = 1e12;
+            assertTrue("for the distance", _bins.fit(_extents, 0));
+            assertTrue(_extents.level[0] != near);
+            // far out the columns of the finer level would not fit an int
+            add(1e12, 0.75, 0.5, 0.5);
+            assertEquals(1, assertLikeBruteForce("far out"));
+            _extents.x[0] = _extents.x[1] = 0;
+            assertFalse(_bins.fit(_extents, 0));
+            assertEquals("and back", near, _extents.level[0]);
         }
 
         [Test]
-        public function levelsAreOfTheSizeOfTheirProxies():void
+        public function levelsAreOfTheSizeOfTheirMembers():void
         {
-            var proxy:AgentProxy = proxyAt(3, 4, 0.5, 0.5);
-            _bins.fit(proxy);
-            assertEquals("unit spheres", 2, proxy.level.width);
-            proxy.halfY = 0.51;
-            _bins.fit(proxy);
-            assertEquals(4, proxy.level.width);
-            proxy.halfY = 0.5;
-            _bins.fit(proxy);
-            assertEquals("and back", 2, proxy.level.width);
-            proxy.halfX = proxy.halfY = 0;
-            _bins.fit(proxy);
-            assertTrue("a point", proxy.level.width > 0 && proxy.level.width < 1e-6);
+            add(3, 4, 0.5, 0.5);
+            _bins.fit(_extents, 0);
+            var ofUnits:int = _extents.level[0];
+            _extents.halfY[0] = 0.51;
+            _bins.fit(_extents, 0);
+            assertTrue(_extents.level[0] != ofUnits);
+            _extents.halfY[0] = 0.26;
+            _bins.fit(_extents, 0);
+            assertEquals("and back", ofUnits, _extents.level[0]);
+            _extents.halfX[0] = _extents.halfY[0] = _extents.x[0] = _extents.y[0] = 0;
+            _bins.fit(_extents, 0);
+            assertTrue("a point", _extents.level[0] != ofUnits);
         }
 
         [Test]
-        public function whoHasLeftIsLetGo():void
+        public function rowsNeedNotBeInOrderNorAllOfThem():void
         {
-            var stay:AgentProxy = proxyAt(0, 0, 0.5, 0.5);
-            var aside:AgentProxy = proxyAt(0.2, 0.2, 0.5, 0.5);
-            var leave:Vector.<AgentProxy> = new Vector.<AgentProxy>();
-            for (var i:int = 0; i < 40; i++)
+            for (var i:int = 0; i < 5; i++)
             {
-                leave.push(proxyAt(i % 7 * 0.3, i % 5 * 0.3, i % 3 + 0.1, 0.4));
+                add(0.1 * i, 0, 0.5, 0.5);
             }
-            search(leave.concat(new <AgentProxy>[stay, aside]));
-            assertTrue("the last search may be held", reach(new <AgentProxy>[stay], leave));
-            search(new <AgentProxy>[stay]);
-            assertFalse("neither by who stays nor by who just isn't there", reach(new <AgentProxy>[stay, aside], leave));
-            search(new Vector.<AgentProxy>());
-            assertFalse(reach(new <AgentProxy>[leave[3]], new <AgentProxy>[stay]));
+            _rows = new <int>[4, 0, 2, 1, 3];
+            search(3);
+            assertEquals(3, _sink.length);
+            assertEquals(1, _sink.count(4, 0));
+            assertEquals(1, _sink.count(0, 2));
+            assertEquals(1, _sink.count(4, 2));
+            assertEquals("each reaches into four bins", 3 * 4, _bins.entryCount);
         }
 
         [Test]
-        public function aSearchThatWasNotFinishedHoldsNobody():void
-        {
-            var stay:AgentProxy = proxyAt(0, 0, 0.5, 0.5);
-            var leave:AgentProxy = proxyAt(0.1, 0, 0.5, 0.5);
-            search(new <AgentProxy>[leave, stay]);
-            fill(new <AgentProxy>[leave, stay]);
-            search(new <AgentProxy>[stay]);
-            assertFalse(reach(new <AgentProxy>[stay], new <AgentProxy>[leave]));
-        }
-
-        [Test]
-        public function proxiesMayChangeLevelsWhileOthersLeave():void
+        public function membersMayChangeLevelsWhileOthersLeave():void
         {
             var random:SeededRandom = new SeededRandom(503);
-            var proxies:Vector.<AgentProxy> = new Vector.<AgentProxy>();
             for (var i:int = 0; i < 50; i++)
             {
-                proxies.push(proxyAt(random.between(0, 8), random.between(0, 8), 0.5, 0.5));
+                add(random.between(0, 8), random.between(0, 8), 0.5, 0.5);
             }
             var overlapping:int = 0;
             for (var k:int = 0; k < 30; k++)
             {
-                proxies.splice(random.integer(0, proxies.length - 1), 1);
-                for each (var proxy:AgentProxy in proxies)
+                _rows.splice(random.integer(0, _rows.length - 1), 1);
+                for each (var row:int in _rows)
                 {
-                    proxy.halfX = random.pick([0.2, 0.5, 1, 3]);
+                    _extents.halfX[row] = random.pick([0.2, 0.5, 1, 3]);
+                    _extents.radius[row] = Math.sqrt(_extents.halfX[row] * _extents.halfX[row] + 0.25);
                 }
-                overlapping += assertLikeBruteForce("search " + k, proxies);
+                overlapping += assertLikeBruteForce("search " + k);
             }
             assertTrue(overlapping > 500);
         }
 
         [Test]
+        public function theOrderIsThatOfTheMembersAndTheirPlaces():void
+        {
+            var random:SeededRandom = new SeededRandom(505);
+            for (var i:int = 0; i < 80; i++)
+            {
+                add(random.between(-4, 4), random.between(-4, 4), 0.5, 0.5);
+            }
+            search();
+            var first:String = _sink.order;
+            // other bins, other rows of the same members
+            var extents:Extents = _extents;
+            _bins = new Bins();
+            _sink = new PairList(_bins);
+            _extents = new Extents();
+            for (i = 79; i >= 0; i--)
+            {
+                add(extents.x[i], extents.y[i], 0.5, 0.5);
+            }
+            _rows.length = 80;
+            _rows.reverse();
+            search();
+            assertTrue(first.length > 100);
+            assertEquals(first, _sink.order);
+        }
+
+        [Test]
         public function aSinkThatThrowsLeavesTheNextSearchAsItShouldBe():void
         {
-            var proxies:Vector.<AgentProxy> = new <AgentProxy>[proxyAt(0, 0, 1, 1), proxyAt(0.5, 0, 1, 1), proxyAt(0.5, 0.5, 4, 1)];
+            add(0, 0, 1, 1);
+            add(0.5, 0, 1, 1);
+            add(0.5, 0.5, 4, 1);
             var thrown:Boolean = false;
             try
             {
-                fill(proxies);
-                _bins.findPairs(new PairSink());
+                search();
+                _bins.findPairs(_extents, _rows, 3, new PairSink());
             }
             catch (error:Error)
             {
                 thrown = true;
             }
             assertTrue(thrown);
-            assertEquals(3, assertLikeBruteForce("afterwards", proxies));
+            assertEquals(3, assertLikeBruteForce("afterwards"));
         }
 
-        private function proxyAt(x:Number, y:Number, halfX:Number, halfY:Number):AgentProxy
+        private function clear():void
         {
-            var proxy:AgentProxy = new AgentProxy(new Agent("sphere"), _token);
-            proxy.x = x;
-            proxy.y = y;
-            proxy.halfX = halfX;
-            proxy.halfY = halfY;
-            return proxy;
+            _extents = new Extents();
+            _rows.length = 0;
         }
 
-        private function fill(proxies:Vector.<AgentProxy>):void
+        private function add(x:Number, y:Number, halfX:Number, halfY:Number):void
         {
-            _bins.clear();
-            for each (var proxy:AgentProxy in proxies)
-            {
-                _bins.fit(proxy);
-                _bins.add(proxy);
-            }
+            var row:int = _extents.x.length;
+            _extents.grow(row + 1);
+            _extents.x[row] = x;
+            _extents.y[row] = y;
+            _extents.halfX[row] = halfX;
+            _extents.halfY[row] = halfY;
+            _extents.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
+            _rows.push(row);
         }
 
-        private function search(proxies:Vector.<AgentProxy>):void
+        private function search(count:int = -1):void
         {
-            fill(proxies);
             _sink.clear();
-            _bins.findPairs(_sink);
-        }
-
-        // Whether some of the targets are reachable from the roots, through bins and lists.
-        private static function reach(roots:Vector.<AgentProxy>, targets:Vector.<AgentProxy>):Boolean
-        {
-            var todo:Vector.<AgentProxy> = roots.concat();
-            var seen:Dictionary = new Dictionary();
-            while (todo.length > 0)
+            for each (var row:int in _rows)
             {
-                var proxy:AgentProxy = todo.pop();
-                if (proxy == null || seen[proxy])
-                {
-                    continue;
-                }
-                seen[proxy] = true;
-                if (targets.indexOf(proxy) >= 0)
-                {
-                    return true;
-                }
-                if (proxy.level != null)
-                {
-                    todo = todo.concat(proxy.level.proxies, proxy.level.previous);
-                    for each (var head:BinEntry in proxy.level.heads)
-                    {
-                        todo.push(head == null ? null : head.proxy);
-                    }
-                }
-                var entry:BinEntry = proxy.entry;
-                for (var i:int = 0; i < 4; i++)
-                {
-                    todo.push(entry.next == null ? null : entry.next.proxy);
-                    entry = entry.sibling;
-                }
+                _bins.fit(_extents, row);
             }
-            return false;
+            _bins.findPairs(_extents, _rows, count < 0 ? _rows.length : count, _sink);
         }
 
         // How many overlap. A pair a hair's breadth apart may be found or not.
-        private function assertLikeBruteForce(name:String, proxies:Vector.<AgentProxy>):int
+        private function assertLikeBruteForce(name:String):int
         {
-            search(proxies);
+            search();
             assertEquals(name, _sink.length, _bins.pairCount);
             var overlapping:int = 0;
-            for (var i:int = 0; i < proxies.length; i++)
+            for (var i:int = 0; i < _rows.length; i++)
             {
-                for (var j:int = i + 1; j < proxies.length; j++)
+                for (var j:int = i + 1; j < _rows.length; j++)
                 {
-                    var a:AgentProxy = proxies[i];
-                    var b:AgentProxy = proxies[j];
-                    var gapX:Number = Math.abs(a.x - b.x) - a.halfX - b.halfX;
-                    var gapY:Number = Math.abs(a.y - b.y) - a.halfY - b.halfY;
+                    var a:int = _rows[i];
+                    var b:int = _rows[j];
+                    var x:Number = _extents.x[a] - _extents.x[b];
+                    var y:Number = _extents.y[a] - _extents.y[b];
+                    var gapX:Number = Math.abs(x) - _extents.halfX[a] - _extents.halfX[b];
+                    var gapY:Number = Math.abs(y) - _extents.halfY[a] - _extents.halfY[b];
+                    var gap:Number = Math.sqrt(x * x + y * y) - _extents.radius[a] - _extents.radius[b];
                     var found:int = _sink.count(a, b);
                     if (gapX <= 0 && gapY <= 0)
                     {
                         overlapping++;
                         assertEquals(name + ", " + i + " and " + j, 1, found);
                     }
-                    else if (gapX > 1e-3 || gapY > 1e-3)
+                    else if (gap > 1e-2)
                     {
                         assertEquals(name + ", " + i + " and " + j, 0, found);
                     }
+                    assertTrue(name + ", " + i + " and " + j + " twice", found <= 1);
                 }
             }
             return overlapping;
@@ -257,27 +260,37 @@ package starlogo.broadphase
     }
 }
 
-import starlogo.broadphase.AgentProxy;
+import starlogo.broadphase.Bins;
 import starlogo.broadphase.PairSink;
 
-/** Notes the pairs. */
+/** Notes the pairs of rows. */
 class PairList extends PairSink
 {
     public var length:int = 0;
 
+    /** The pairs as numbers of members, in the order in which they came. */
+    public var order:String = "";
+
+    private var _bins:Bins;
     private var _pairs:Object = {};
 
-    override public function onCandidates(proxy:AgentProxy, others:Vector.<AgentProxy>, count:int):void
+    public function PairList(bins:Bins)
+    {
+        _bins = bins;
+    }
+
+    override public function onCandidates(place:int, others:Vector.<int>, count:int):void
     {
         for (var i:int = 0; i < count; i++)
         {
             length++;
-            var key:String = keyOf(proxy, others[i]);
+            var key:String = keyOf(_bins.rowAt[place], _bins.rowAt[others[i]]);
             _pairs[key] = int(_pairs[key]) + 1;
+            order += _bins.memberAt[place] + "-" + _bins.memberAt[others[i]] + " ";
         }
     }
 
-    public function count(a:AgentProxy, b:AgentProxy):int
+    public function count(a:int, b:int):int
     {
         return _pairs[keyOf(a, b)];
     }
@@ -285,11 +298,12 @@ class PairList extends PairSink
     public function clear():void
     {
         length = 0;
+        order = "";
         _pairs = {};
     }
 
-    private static function keyOf(a:AgentProxy, b:AgentProxy):String
+    private static function keyOf(a:int, b:int):String
     {
-        return Math.min(a.agent.id, b.agent.id) + " " + Math.max(a.agent.id, b.agent.id);
+        return Math.min(a, b) + " " + Math.max(a, b);
     }
 }

@@ -191,6 +191,55 @@ package starlogo.collision
         }
 
         [Test]
+        public function whoTakesPartFarOutOnlyIsFoundThere():void
+        {
+            var interests:BreedInterests = new BreedInterests();
+            interests.add("bears", "bears");
+            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0, 0, 0)];
+            agents[0].size = agents[1].size = 1e-6;
+            var pairs:Vector.<Agent> = new Vector.<Agent>();
+            for (var far:Number = 1e4; far < 1e20; far *= 10)
+            {
+                agents[0].breed = agents[1].breed = "walls";
+                agents[0].moveTo(0, 0, 0);
+                agents[1].moveTo(0, 0, 0);
+                var collider:BinCollider = new BinCollider(_greatLand);
+                collider.findCollisionsAmong(agents, interests, pairs);
+                assertEquals("no bears yet", 0, pairs.length);
+                agents[0].breed = agents[1].breed = "bears";
+                agents[0].moveTo(far, 0, 0);
+                // they touch by what rounding comes to there
+                agents[1].moveTo(far, 1e-6 + 1e-15 * far, 0);
+                assertTrue(collider.areColliding(agents[0], agents[1]));
+                collider.findCollisionsAmong(agents, interests, pairs);
+                assertEquals("at " + far, 2, pairs.length);
+            }
+        }
+
+        [Test]
+        public function whoSweptFarAndStandsFarOutIsFoundThere():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0, 0, 0)];
+            agents[0].size = agents[1].size = 1e-6;
+            for (var far:Number = 1e4; far < 1e20; far *= 10)
+            {
+                var collider:BinCollider = new BinCollider(_greatLand);
+                agents[0].sweeps = true;
+                agents[0].moveTo(far, 0, 0);
+                agents[1].moveTo(far, 0, 0);
+                collider.findCollisions(agents);
+                agents[0].moveTo(0, 0, 0);
+                agents[1].moveTo(0, 0, 0);
+                collider.findCollisions(agents);
+                agents[0].sweeps = false;
+                agents[0].moveTo(far, 0, 0);
+                agents[1].moveTo(far, 1e-6 + 1e-15 * far, 0);
+                assertTrue(collider.areColliding(agents[0], agents[1]));
+                assertEquals("at " + far, 2, collider.findCollisions(agents).length);
+            }
+        }
+
+        [Test]
         public function aCrowdNeedsNoMoreMemoryThanItsPairs():void
         {
             var agents:Vector.<Agent> = new Vector.<Agent>();

@@ -197,6 +197,26 @@ package starlogo.collision
         }
 
         [Test]
+        public function aHandlerThatIsAddedMeanwhileIsCalledFromTheNextFrameOn():void
+        {
+            addAll("bears", "balls", "walls");
+            var adds:Function = function(collider:Agent, collidee:Agent):void
+            {
+                // for the pair at hand, and for the one whose turn is to come
+                _collision.onCollision("bears", "balls", note("added"));
+                _collision.onCollision("balls", "walls", note("added"));
+            };
+            _collision.onCollision("bears", "balls", adds);
+            _collision.onCollision("balls", "walls", adds);
+            _collision.update(_agents);
+            assertEquals("", names());
+            assertTrue(_collision.removeHandler("bears", "balls", adds));
+            assertTrue(_collision.removeHandler("balls", "walls", adds));
+            _collision.update(_agents);
+            assertEquals("added,added,added,added", names());
+        }
+
+        [Test]
         public function aHandlerThatAnotherTakesAwayIsNotCalledAnyMore():void
         {
             addAll("bears", "balls", "balls");
@@ -232,6 +252,26 @@ package starlogo.collision
                 });
             _collision.update(_agents);
             assertEquals(1500, count);
+        }
+
+        [Test]
+        public function aListThatIsReplacedCountsFromTheNextFrameOn():void
+        {
+            addAll("bears", "balls", "balls");
+            var given:Vector.<Agent> = _agents;
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push(["hit"]);
+                    _agents = _agents.filter(function(agent:Agent, ...ignored):Boolean
+                        {
+                            return agent === collider;
+                        });
+                });
+            _collision.update(_agents);
+            assertEquals("both balls are in the list that was given", "hit,hit", names());
+            assertEquals("which nothing has changed", 3, given.length);
+            _collision.update(_agents);
+            assertEquals("hit,hit", names());
         }
 
         // Handlers do at random what they like to a list, and every call is what the rules say, worked out by searching the list.

@@ -131,6 +131,27 @@ package starlogo.collision
         }
 
         [Test]
+        public function aTouchThatHadOneDirectionOnlyBeginsAnewInBoth():void
+        {
+            note("bears", "balls");
+            note("balls", "bears");
+            var isFirst:Boolean = true;
+            _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    if (isFirst)
+                    {
+                        _agents.length = 0;
+                        isFirst = false;
+                    }
+                });
+            assertFrame("the ball's turn does not come", 0.5, "start bears balls,stay bears balls");
+            _agents.push(_bear, _ball);
+            assertFrame("both", 0.5, "end bears balls,start bears balls,stay bears balls,start balls bears,stay balls bears");
+            assertFrame("and on", 0.5, "stay bears balls,stay balls bears");
+            assertFrame("gone", 5, "end bears balls,end balls bears");
+        }
+
+        [Test]
         public function anotherBreedIsAnotherTouch():void
         {
             note("bears", "balls");
@@ -142,6 +163,30 @@ package starlogo.collision
             assertFrame("nobody asks about trees", 0.5, "end bears walls");
             _ball.breed = "balls";
             assertFrame("a ball", 0.5, "start bears balls,stay bears balls");
+        }
+
+        [Test]
+        public function anotherBreedOfTheFirstIsAnotherTouchToo():void
+        {
+            note("bears", "balls");
+            note("walls", "balls");
+            assertFrame("first", 0.5, "start bears balls,stay bears balls");
+            _bear.breed = "walls";
+            assertFrame("a wall", 0.5, "end bears balls,start walls balls,stay walls balls");
+            assertFrame("and on", 0.5, "stay walls balls");
+        }
+
+        [Test]
+        public function aTouchBeginsAnewAfterAFrameInWhichNobodyAsked():void
+        {
+            var start:Function = noting("start");
+            _collision.onCollisionStart("bears", "balls", start);
+            assertFrame("first", 0.5, "start bears balls");
+            assertTrue(_collision.removeHandler("bears", "balls", start));
+            _collision.onCollision("bears", "balls", noting("stay"));
+            assertFrame("nobody asks when it begins", 0.5, "stay bears balls");
+            _collision.onCollisionStart("bears", "balls", start);
+            assertFrame("somebody asks again", 0.5, "start bears balls,stay bears balls");
         }
 
         [Test]

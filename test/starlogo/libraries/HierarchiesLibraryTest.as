@@ -269,24 +269,24 @@ package starlogo.libraries
         public function forgetsAndCountsWhatIsVoid():void
         {
             var vertices:Vector.<Number> = new <Number>[0, 0, 0];
-            assertEquals(0, _library.revision);
+            assertEquals(0, _library.revisions.total);
             assertFalse(_library.remove("a"));
             add("a", vertices);
             add("b", vertices);
-            assertEquals("nothing was kept of these", 0, _library.revision);
+            assertEquals("nothing was kept of these", 0, _library.revisions.total);
             add("a", vertices);
-            assertEquals(1, _library.revision);
+            assertEquals(1, _library.revisions.total);
             assertTrue(_library.remove("a"));
-            assertEquals(2, _library.revision);
+            assertEquals(2, _library.revisions.total);
             assertFalse(_library.has("a"));
             assertTrue(_library.has("b"));
             assertFalse(_library.remove("a"));
             assertFalse(_library.remove(null));
             _library.store("b", null);
             assertFalse(_library.has("b"));
-            assertEquals(3, _library.revision);
+            assertEquals(3, _library.revisions.total);
             assertThrows(ArgumentError, /finite/, _library.add, "c", new <Number>[NaN, 0, 0]);
-            assertEquals(3, _library.revision);
+            assertEquals(3, _library.revisions.total);
         }
 
         [Test]

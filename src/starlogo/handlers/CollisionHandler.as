@@ -1,0 +1,64 @@
+package starlogo.handlers
+{
+    import starlogo.agents.Agent;
+
+    /**
+     * What the agents of a breed do when they collide with those of another.
+     *
+     * @private
+     */
+    public final class CollisionHandler
+    {
+        /** Called in every frame of a touch. */
+        public static const COLLISION:int = 0;
+
+        /** Called in the first. */
+        public static const START:int = 1;
+
+        /** Called in the first frame without it. */
+        public static const END:int = 2;
+
+        /** When it is called: one of the constants. */
+        public var kind:int;
+
+        /** The breed of the collider. */
+        public var breed:String;
+
+        /** The breed of the collidee. */
+        public var otherBreed:String;
+
+        /** function(collider:Agent, collidee:Agent):void, or with a third argument, the contact. */
+        public var handler:Function;
+
+        /** Whether it takes a contact. */
+        public var takesContact:Boolean;
+
+        /** Whether it was taken away, while others ran perhaps: then it is not called any more. */
+        public var isRemoved:Boolean = false;
+
+        /** A handler of a pair of breeds. */
+        public function CollisionHandler(kind:int, breed:String, otherBreed:String, handler:Function)
+        {
+            this.kind = kind;
+            this.breed = breed;
+            this.otherBreed = otherBreed;
+            this.handler = handler;
+            takesContact = handler.length == 3;
+        }
+
+        /** Calls it, with the contact if it takes one. */
+        public function call(collider:Agent, collidee:Agent, contact:Object):void
+        {
+            // not as a method of this
+            var toCall:Function = handler;
+            if (takesContact)
+            {
+                toCall(collider, collidee, contact);
+            }
+            else
+            {
+                toCall(collider, collidee);
+            }
+        }
+    }
+}

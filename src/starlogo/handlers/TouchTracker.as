@@ -1,0 +1,156 @@
+package starlogo.handlers
+{
+    import starlogo.agents.Agent;
+
+    /**
+     * Remembers from frame to frame which agents touch, in the order in which that began; a table finds them by the agents' ids, the
+     * way IdTable does. Pairs that have ended are used again: a frame allocates nothing unless more touch than before, and memory goes
+     * with the pairs that touch.
+     *
+     * @private
+     */
+    public final class TouchTracker
+    {
+        private static const FEWEST:int = 16;
+
+        /** Counts the frames; whoever begins one counts on. */
+        public var frame:int = 0;
+
+        /** How many pairs touch. */
+        public var count:int = 0;
+
+        /** The pairs that this frame did not see any more, in the order in which they began. */
+        public var ended:Vector.<ContactPair> = new Vector.<ContactPair>();
+
+        /** So many at its beginning are. */
+        public var endedCount:int = 0;
+
+        // Those that touch, and behind them others to be used again.
+        private var _pairs:Vector.<ContactPair> = new Vector.<ContactPair>();
+        private var _table:Vector.<ContactPair> = new Vector.<ContactPair>(FEWEST);
+
+        /** No agents touch. */
+        public function TouchTracker()
+        {
+        }
+
+        /** Has the touch of two agents go on, or gives null: of other breeds, or one that has not begun both ways, it has ended. */
+        public function goOn(a:Agent, b:Agent):ContactPair
+        {
+            var pair:ContactPair = _table[placeOf(a, b)];
+            if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breed || pair.secondBreed != pair.second.breed)
+            {
+                return null;
+            }
+            pair.seenIn = frame;
+            return pair;
+        }
+
+        /** The touch of two agents, which begins if there is none. */
+        public function start(first:Agent, second:Agent):ContactPair
+        {
+            var place:int = placeOf(first, second);
+            var pair:ContactPair = _table[place];
+            if (pair == null)
+            {
+                if (count == _pairs.length)
+                {
+                    _pairs[count] = new ContactPair();
+                }
+                pair = _pairs[count];
+                pair.first = first;
+                pair.second = second;
+                pair.firstBreed = first.breed;
+                pair.secondBreed = second.breed;
+                pair.beganIn = pair.seenIn = frame;
+                pair.isBothWays = false;
+                _table[place] = pair;
+                count++;
+                if (2 * count > _table.length)
+                {
+                    fill(2 * _table.length);
+                }
+            }
+            return pair;
+        }
+
+        /** Takes out those that this frame has not seen, into <code>ended</code>. */
+        public function takeEnded():void
+        {
+            var kept:int = 0;
+            endedCount = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var pair:ContactPair = _pairs[i];
+                if (pair.seenIn == frame)
+                {
+                    _pairs[kept] = pair;
+                    kept++;
+                }
+                else
+                {
+                    ended[endedCount] = pair;
+                    endedCount++;
+                }
+            }
+            count = kept;
+            for (i = 0; i < endedCount; i++)
+            {
+                _pairs[kept + i] = ended[i];
+            }
+            if (endedCount > 0)
+            {
+                fill(_table.length > FEWEST && 16 * count < _table.length ? _table.length >> 2 : _table.length);
+            }
+        }
+
+        /** Lets go of those that have ended. */
+        public function forgetEnded():void
+        {
+            for (var i:int = 0; i < endedCount; i++)
+            {
+                ended[i].first = ended[i].second = null;
+                ended[i] = null;
+            }
+            endedCount = 0;
+            if (_pairs.length > 4 * count + FEWEST)
+            {
+                _pairs.length = 2 * count + FEWEST;
+            }
+        }
+
+        // Makes the table as long, a power of two, and enters all anew.
+        private function fill(length:int):void
+        {
+            if (_table.length != length)
+            {
+                _table = new Vector.<ContactPair>(length);
+            }
+            for (var i:int = 0; i < length; i++)
+            {
+                _table[i] = null;
+            }
+            for (i = 0; i < count; i++)
+            {
+                _table[placeOf(_pairs[i].first, _pairs[i].second)] = _pairs[i];
+            }
+        }
+
+        // Where a pair is in the table, or the free place where it belongs: the same in either order.
+        private function placeOf(a:Agent, b:Agent):int
+        {
+            var idA:int = a.id;
+            var idB:int = b.id;
+            var mixed:int = idA < idB ? idA * 8191 + idB * 131 : idB * 8191 + idA * 131;
+            var mask:int = _table.length - 1;
+            var place:int = (mixed ^ mixed >>> 11) & mask;
+            var pair:ContactPair = _table[place];
+            while (pair != null && !(pair.first === a && pair.second === b) && !(pair.first === b && pair.second === a))
+            {
+                place = (place + 1) & mask;
+                pair = _table[place];
+            }
+            return place;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /** Keeps the numbers of breeds in a table up to date: those of the pairs of breeds that are searched for. */
+    internal final class BreedNumbers
+    {
+        /** How many agents listed have a breed that takes part in no pair. */
+        public var outsiders:int = 0;
+
+        private var _breeds:BreedPairs = null;
+        private var _revision:int;
+        private var _changes:int;
+        private var _list:int;
+
+        /** No breeds yet. */
+        public function BreedNumbers()
+        {
+        }
+
+        /** Brings the numbers of a table up to date. */
+        public function update(table:AgentTable, breeds:BreedPairs):void
+        {
+            var areVoid:Boolean = breeds !== _breeds || breeds.revision != _revision || Agent.breedChanges != _changes;
+            if (!areVoid && table.listNumber == _list)
+            {
+                return;
+            }
+            _breeds = breeds;
+            _revision = breeds.revision;
+            _changes = Agent.breedChanges;
+            _list = table.listNumber;
+            outsiders = 0;
+            var numbers:Vector.<int> = table.breeds;
+            for (var i:int = 0; i < table.count; i++)
+            {
+                var row:int = table.rows[i];
+                if (areVoid || numbers[row] == AgentTable.UNKNOWN_BREED)
+                {
+                    numbers[row] = breeds.numberOf(table.agents[row].breed);
+                }
+                if (numbers[row] < 0)
+                {
+                    outsiders++;
+                }
+            }
+        }
+
+        /**
+         * Of those that a member of the bins may touch, moves the ones to the beginning whose breeds count with its own.
+         *
+         * @param others the places of those that it may touch
+         * @param count how many they are
+         * @return how many count
+         */
+        public function keepCounting(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            var numbers:Vector.<int> = table.breeds;
+            var rowAt:Vector.<int> = bins.rowAt;
+            var counting:Vector.<Boolean> = _breeds.counts;
+            var first:int = numbers[rowAt[place]] * _breeds.breedCount;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                if (counting[first + numbers[rowAt[other]]])
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+    }
+}

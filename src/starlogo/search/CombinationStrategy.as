@@ -1,0 +1,123 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.motion.Touch;
+    import starlogo.motion.Way;
+
+    /**
+     * An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5).
+     *
+     * @private
+     */
+    public final class CombinationStrategy extends ShapeStrategy
+    {
+        private var _tightestFit:TightestFitStrategy;
+        private var _hierarchy:HierarchyStrategy;
+
+        // Those of the others at hand that are hierarchical.
+        private var _hierarchical:Vector.<int> = new Vector.<int>();
+
+        /**
+         * @param tightestFit for those that are not hierarchical
+         * @param hierarchy for pairs of which one is hierarchical at least
+         */
+        public function CombinationStrategy(tightestFit:TightestFitStrategy, hierarchy:HierarchyStrategy)
+        {
+            _tightestFit = tightestFit;
+            _hierarchy = hierarchy;
+            tightestFit.counts = hierarchy.counts = counts;
+        }
+
+        /** @inheritDoc */
+        override public function kindOf(agent:Agent):int
+        {
+            return agent.hierarchical ? ModelShape.HIERARCHY : _tightestFit.kindOf(agent);
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            if (shape.kind == ModelShape.HIERARCHY)
+            {
+                _hierarchy.bind(shape, agent);
+            }
+            else
+            {
+                _tightestFit.bind(shape, agent);
+            }
+        }
+
+        /** @inheritDoc */
+        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var rowAt:Vector.<int> = bins.rowAt;
+            if (shapes[rowAt[place]].hierarchy != null)
+            {
+                return _hierarchy.keepTouching(table, bins, place, others, count);
+            }
+            var plain:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                if (shapes[rowAt[other]].hierarchy == null)
+                {
+                    others[plain] = other;
+                    plain++;
+                }
+                else
+                {
+                    _hierarchical[i - plain] = other;
+                }
+            }
+            var kept:int = _tightestFit.keepTouching(table, bins, place, others, plain);
+            if (plain < count)
+            {
+                var keptOfThem:int = _hierarchy.keepTouching(table, bins, place, _hierarchical, count - plain);
+                for (i = 0; i < keptOfThem; i++)
+                {
+                    others[kept] = _hierarchical[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            return strategyOf(table, a, b).areTouching(table, a, b);
+        }
+
+        /** @inheritDoc */
+        override public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        {
+            return strategyOf(table, a, b).timeOfTouch(table, a, b, way);
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        {
+            strategyOf(table, a, b).findTouch(table, a, b, way, time, out);
+        }
+
+        /** @inheritDoc */
+        override public function resetCounts():void
+        {
+            _hierarchy.resetCounts();
+        }
+
+        /** @inheritDoc */
+        override public function finishCounts():void
+        {
+            _hierarchy.finishCounts();
+        }
+
+        private function strategyOf(table:AgentTable, a:int, b:int):ShapeStrategy
+        {
+            var isByHierarchy:Boolean = table.shapes[a].hierarchy != null || table.shapes[b].hierarchy != null;
+            return isByHierarchy ? _hierarchy : _tightestFit;
+        }
+    }
+}

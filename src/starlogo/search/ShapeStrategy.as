@@ -1,0 +1,209 @@
+package starlogo.search
+{
+    import flash.errors.IllegalOperationError;
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.touchingMargin;
+    import starlogo.motion.Touch;
+    import starlogo.motion.Way;
+
+    use namespace engine;
+
+    /**
+     * What makes one collider differ from another: what stands for an agent's model, and which pairs of rows touch. All the rest is
+     * CollisionSearch's.
+     *
+     * @private
+     */
+    public class ShapeStrategy
+    {
+        /** Takes the numbers of the tests; of the search under way. */
+        public var counts:SearchCounts = new SearchCounts();
+
+        /** For subclasses only. */
+        public function ShapeStrategy()
+        {
+        }
+
+        /** What stands for an agent's model: a kind of BoundingStructure, Agent.ANY_KIND or ModelShape.HIERARCHY. */
+        public function kindOf(agent:Agent):int
+        {
+            return Agent.ANY_KIND;
+        }
+
+        /**
+         * Finds out what stands for a model.
+         *
+         * @param shape takes it; has the model's name and the kind
+         * @param agent has the model, which was added to the GreatLand
+         * @throws ArgumentError if what is needed was not loaded
+         */
+        public function bind(shape:ModelShape, agent:Agent):void
+        {
+            throw new IllegalOperationError(this + " does not implement bind");
+        }
+
+        /**
+         * Finds the extents of what stands for a model.
+         *
+         * @param agent has the model, and is turned and scaled; where it is does not count
+         * @param out takes x, y, z of the middle, as seen from the agent's place, and half the lengths along x, y, z
+         */
+        public function findExtents(shape:ModelShape, agent:Agent, out:Vector.<Number>):void
+        {
+            shape.structure.turnedExtentsInto(agent.worldPlacement(), out);
+        }
+
+        /**
+         * Of those that a member of the bins may touch, moves the ones that it does touch to the beginning.
+         *
+         * @param table what stands for their rows
+         * @param bins where they are
+         * @param place the member's
+         * @param others the places of those that it may touch: their circles on the ground overlap its own
+         * @param count how many they are
+         * @return how many it touches
+         */
+        public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            throw new IllegalOperationError(this + " does not implement keepTouching");
+        }
+
+        /** Whether two rows touch. */
+        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            throw new IllegalOperationError(this + " does not implement areTouching");
+        }
+
+        /**
+         * When two rows, not both spheres, touch for the first time as one moves: the first moment at which <code>areTouching()</code> would
+         * say so.
+         *
+         * @param a a row, where it is now
+         * @param b another
+         * @param way of the first, relative to the second
+         * @return from 0 to 1, or Way.NEVER
+         */
+        public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        {
+            throw new IllegalOperationError(this + " does not implement timeOfTouch");
+        }
+
+        /**
+         * How two rows touch.
+         *
+         * @param a as in timeOfTouch
+         * @param b as in timeOfTouch
+         * @param way as in timeOfTouch
+         * @param time when they do first
+         * @param out takes it, the normal pointing from b to a, with b where it is now
+         */
+        public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        {
+            throw new IllegalOperationError(this + " does not implement findTouch");
+        }
+
+        /** Begins to count the tests of a search. */
+        public function resetCounts():void
+        {
+            counts.reset();
+        }
+
+        /** Completes the counts of a search. */
+        public function finishCounts():void
+        {
+        }
+
+        /** Of those that keepTouching is asked about, moves the ones to the beginning whose extents overlap the member's, or nearly so. */
+        protected static function keepNear(extents:Extents, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            var x:Vector.<Number> = extents.x;
+            var y:Vector.<Number> = extents.y;
+            var z:Vector.<Number> = extents.z;
+            var halfX:Vector.<Number> = extents.halfX;
+            var halfY:Vector.<Number> = extents.halfY;
+            var halfZ:Vector.<Number> = extents.halfZ;
+            var rowAt:Vector.<int> = bins.rowAt;
+            var row:int = rowAt[place];
+            var atX:Number = x[row];
+            var atY:Number = y[row];
+            var atZ:Number = z[row];
+            var reachX:Number = halfX[row] + bins.slack;
+            var reachY:Number = halfY[row] + bins.slack;
+            var reachZ:Number = halfZ[row] + bins.slack;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var otherRow:int = rowAt[other];
+                var distance:Number = z[otherRow] - atZ;
+                var reach:Number = reachZ + halfZ[otherRow];
+                if (distance <= reach)
+                {
+                    if (distance >= -reach)
+                    {
+                        distance = x[otherRow] - atX;
+                        reach = reachX + halfX[otherRow];
+                        if (distance <= reach)
+                        {
+                            if (distance >= -reach)
+                            {
+                                distance = y[otherRow] - atY;
+                                reach = reachY + halfY[otherRow];
+                                if (distance <= reach)
+                                {
+                                    if (distance >= -reach)
+                                    {
+                                        others[kept] = other;
+                                        kept++;
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+            return kept;
+        }
+
+        /** Whether the extents of two rows overlap, or nearly so. */
+        public static function areNear(extents:Extents, a:int, b:int, slack:Number):Boolean
+        {
+            var distance:Number = extents.z[a] - extents.z[b];
+            var reach:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
+            if (distance > reach || distance < -reach)
+            {
+                return false;
+            }
+            distance = extents.x[a] - extents.x[b];
+            reach = extents.halfX[a] + extents.halfX[b] + slack;
+            if (distance > reach || distance < -reach)
+            {
+                return false;
+            }
+            distance = extents.y[a] - extents.y[b];
+            reach = extents.halfY[a] + extents.halfY[b] + slack;
+            return distance <= reach && distance >= -reach;
+        }
+
+        /** Whether two rows touch that are spheres, as wide as their extents. */
+        internal static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            var x:Number = table.extents.x[a] - table.extents.x[b];
+            var y:Number = table.extents.y[a] - table.extents.y[b];
+            var z:Number = table.extents.z[a] - table.extents.z[b];
+            var reach:Number = reachOfSpheres(table, a, b);
+            return x * x + y * y + z * z <= reach * reach;
+        }
+
+        /** The distance at which two rows touch that are spheres. */
+        internal static function reachOfSpheres(table:AgentTable, a:int, b:int):Number
+        {
+            return (table.extents.halfX[a] + table.extents.halfX[b]) * Tolerances.TOUCHING
+                + touchingMargin(table.x[a], table.y[a], table.z[a]) + touchingMargin(table.x[b], table.y[b], table.z[b]);
+        }
+    }
+}

@@ -1,0 +1,265 @@
+package starlogo.search
+{
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.broadphase.Bins;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.intersection.boxBox;
+    import starlogo.intersection.capsuleCapsule;
+    import starlogo.intersection.intersects;
+    import starlogo.intersection.sphereSphere;
+    import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.motion.Touch;
+    import starlogo.motion.TouchFinder;
+    import starlogo.motion.Way;
+    import starlogo.motion.boxBoxTouch;
+    import starlogo.motion.firstTouch;
+
+    use namespace engine;
+
+    /**
+     * Every agent is the tightest fitting structure of its model, or the one that it collides as (§7.3), put through the agent's whole
+     * transform (thesis §3).
+     *
+     * @private
+     */
+    public final class TightestFitStrategy extends ShapeStrategy
+    {
+        // the outer structures must not tell structures apart that touch
+        private static const OUTER:Number = 1 + 1e-12;
+
+        /** See StructureTests, whose settings these are. */
+        public var spheresFirst:Boolean = true;
+
+        /** @copy #spheresFirst */
+        public var capsulesFirst:Boolean = false;
+
+        /** @copy #spheresFirst */
+        public var boxFacesOnly:Boolean = false;
+
+        private var _greatLand:GreatLand;
+        private var _finder:TouchFinder = new TouchFinder();
+        private var _back:Way = new Way();
+
+        /**
+         * @param greatLand has the structures
+         */
+        public function TightestFitStrategy(greatLand:GreatLand)
+        {
+            _greatLand = greatLand;
+        }
+
+        /** @inheritDoc */
+        override public function kindOf(agent:Agent):int
+        {
+            return agent.structureKind;
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            var library:BoundingStructuresLibrary = _greatLand.boundingStructures;
+            var model:String = shape.model;
+            if (!library.has(model))
+            {
+                throw new ArgumentError(agent + ": its model was added while loadTightestFit was off; set it, and add the model again");
+            }
+            var isTightest:Boolean = shape.kind == Agent.ANY_KIND;
+            shape.structure = isTightest ? library.tightestFit(model) : _greatLand.structureOfKind(model, shape.kind);
+            shape.decides = true;
+            shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
+            if (isTightest && !shape.isSphere && library.hasAll(model))
+            {
+                shape.outerSphere = library.sphere(model).clone() as Sphere;
+                shape.outerSphere.radius *= OUTER;
+                shape.outerCapsule = library.capsule(model).clone() as Capsule;
+                shape.outerCapsule.radius *= OUTER;
+            }
+        }
+
+        /** @inheritDoc */
+        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            var extents:Extents = table.extents;
+            var zs:Vector.<Number> = extents.z;
+            var halfZs:Vector.<Number> = extents.halfZ;
+            var boxes:Vector.<Box> = table.boxes;
+            var placed:Vector.<int> = table.placedRevisions;
+            var revisions:Vector.<int> = table.revisions;
+            var rowAt:Vector.<int> = bins.rowAt;
+            var row:int = rowAt[place];
+            var atZ:Number = zs[row];
+            var slack:Number = bins.slack;
+            var reachZ:Number = halfZs[row] + slack;
+            var box:Box = boxes[row];
+            var facesOnly:Boolean = boxFacesOnly;
+            var boxTests:int = 0;
+            var kept:int = 0;
+            if (box != null && placed[row] != revisions[row])
+            {
+                table.place(row);
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                // boxes are their own extents but for the heights; the others' are looked at first
+                var other:int = others[i];
+                var otherRow:int = rowAt[other];
+                var distance:Number = zs[otherRow] - atZ;
+                var reach:Number = reachZ + halfZs[otherRow];
+                if (distance > reach)
+                {
+                    continue;
+                }
+                if (distance < -reach)
+                {
+                    continue;
+                }
+                var otherBox:Box = boxes[otherRow];
+                if (box != null && otherBox != null)
+                {
+                    boxTests++;
+                    if (placed[otherRow] != revisions[otherRow])
+                    {
+                        table.place(otherRow);
+                    }
+                    if (!boxBox(box, otherBox, facesOnly))
+                    {
+                        continue;
+                    }
+                }
+                else if (!areNear(table.extents, row, otherRow, slack) || !areTouching(table, row, otherRow))
+                {
+                    continue;
+                }
+                others[kept] = other;
+                kept++;
+            }
+            counts.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
+            return kept;
+        }
+
+        /** @inheritDoc */
+        override public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            if (table.shapes[a].isSphere && table.shapes[b].isSphere)
+            {
+                counts.tests[0]++;
+                return areSpheresTouching(table, a, b);
+            }
+            return areStructuresTouching(table, a, b);
+        }
+
+        /** @inheritDoc */
+        override public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        {
+            var structureA:BoundingStructure = table.structureOf(a);
+            var structureB:BoundingStructure = table.structureOf(b);
+            note(structureA, structureB);
+            if (boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            {
+                return boxBoxTouch(Box(structureA), Box(structureB), way, true);
+            }
+            var time:Number = firstTouch(structureA, structureB, way);
+            if (time != Way.NEVER && haveOuter(table, a, b))
+            {
+                time = firstTouchOfAll(table, a, b, way, time);
+            }
+            // no rounding hides what stands there
+            return time == Way.NEVER && areStructuresTouching(table, a, b) ? 1 : time;
+        }
+
+        /** @inheritDoc */
+        override public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        {
+            _finder.find(table.structureOf(a), table.structureOf(b), way.startX + time * way.x, way.startY + time * way.y,
+                    way.startZ + time * way.z, out);
+        }
+
+        // Whether the structures of two rows touch that are not both spheres.
+        private function areStructuresTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            var structureA:BoundingStructure = table.structureOf(a);
+            var structureB:BoundingStructure = table.structureOf(b);
+            if (table.shapes[a].outerSphere != null)
+            {
+                if (table.shapes[b].outerSphere != null && !areOuterTouching(table, a, b))
+                {
+                    return false;
+                }
+            }
+            note(structureA, structureB);
+            if (structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            {
+                return boxBox(Box(structureA), Box(structureB), boxFacesOnly);
+            }
+            return intersects(structureA, structureB);
+        }
+
+        private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            var outerA:OuterStructures = table.outerOf(a);
+            var outerB:OuterStructures = table.outerOf(b);
+            if (spheresFirst)
+            {
+                note(outerA.sphere, outerB.sphere);
+                if (!sphereSphere(outerA.sphere, outerB.sphere))
+                {
+                    return false;
+                }
+            }
+            if (capsulesFirst && isOneBox(table, a, b))
+            {
+                note(outerA.capsule, outerB.capsule);
+                return capsuleCapsule(outerA.capsule, outerB.capsule);
+            }
+            return true;
+        }
+
+        // When the structures that areOuterTouching looks at touch as well. Each two of them do so in one piece of the way.
+        private function firstTouchOfAll(table:AgentTable, a:int, b:int, way:Way, time:Number):Number
+        {
+            var outerA:OuterStructures = table.outerOf(a);
+            var outerB:OuterStructures = table.outerOf(b);
+            var end:Number = lastTouch(table.structureOf(a), table.structureOf(b), way);
+            if (spheresFirst)
+            {
+                note(outerA.sphere, outerB.sphere);
+                time = Math.max(time, firstTouch(outerA.sphere, outerB.sphere, way));
+                end = Math.min(end, lastTouch(outerA.sphere, outerB.sphere, way));
+            }
+            if (capsulesFirst && isOneBox(table, a, b))
+            {
+                note(outerA.capsule, outerB.capsule);
+                time = Math.max(time, firstTouch(outerA.capsule, outerB.capsule, way));
+                end = Math.min(end, lastTouch(outerA.capsule, outerB.capsule, way));
+            }
+            return time <= end ? time : Way.NEVER;
+        }
+
+        private function lastTouch(a:BoundingStructure, b:BoundingStructure, way:Way):Number
+        {
+            _back.takePart(way, 1, 0);
+            return 1 - firstTouch(a, b, _back);
+        }
+
+        private function note(a:BoundingStructure, b:BoundingStructure):void
+        {
+            counts.tests[a.kind << 2 | b.kind]++;
+        }
+
+        private static function haveOuter(table:AgentTable, a:int, b:int):Boolean
+        {
+            return table.shapes[a].outerSphere != null && table.shapes[b].outerSphere != null;
+        }
+
+        private static function isOneBox(table:AgentTable, a:int, b:int):Boolean
+        {
+            return table.shapes[a].structure.kind == BoundingStructure.BOX || table.shapes[b].structure.kind == BoundingStructure.BOX;
+        }
+    }
+}

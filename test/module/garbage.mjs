@@ -1,0 +1,79 @@
+/**
+ * Prints how many bytes a frame of 10,000 moving agents leaves to the garbage collector, as JSON.
+ *
+ *   node --expose-gc --min-semi-space-size=64 --max-semi-space-size=64 test/module/garbage.mjs
+ */
+import v8 from "node:v8";
+import * as engine from "../../bin/module/starlogo-collision.min.js";
+
+const { Agent, BinCollider, BuiltInModel, Collision, GreatLand, TightestFitCollider } = engine;
+
+const COUNT = 10000;
+const WARM = 100;
+const FRAMES = 50;
+const ROUNDS = 5;
+
+const greatLand = new GreatLand();
+greatLand.addModel(BuiltInModel.sphere());
+
+// each to and fro along a way of its own; the numbers are there before, and so make none
+const agents = [];
+const wayX = new Float64Array(COUNT);
+const wayY = new Float64Array(COUNT);
+let seed = 7;
+const random = () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 4294967296;
+for (let i = 0; i < COUNT; i++) {
+	const agent = new Agent("sphere", i % 2 === 0 ? "bears" : "balls");
+	agent.moveTo(100 * random() - 50, 100 * random() - 50, 0.2 * random());
+	agents.push(agent);
+	wayX[i] = random() - 0.5;
+	wayY[i] = random() - 0.5;
+}
+
+let time = 0;
+function move() {
+	const step = 0.3 * Math.sin(time++);
+	for (let i = 0; i < COUNT; i++) {
+		const agent = agents[i];
+		agent.moveTo(agent.x + step * wayX[i], agent.y + step * wayY[i], agent.z);
+	}
+}
+
+/** Bytes a frame: the middle one of some rounds. */
+function garbage(frame) {
+	for (let i = 0; i < WARM; i++) frame();
+	const rounds = [];
+	for (let round = 0; round < ROUNDS; round++) {
+		globalThis.gc();
+		const before = v8.getHeapStatistics().used_heap_size;
+		for (let i = 0; i < FRAMES; i++) frame();
+		rounds.push((v8.getHeapStatistics().used_heap_size - before) / FRAMES);
+	}
+	return Math.round(rounds.sort((a, b) => a - b)[ROUNDS >> 1]);
+}
+
+const kept = new Array(COUNT).fill(null);
+const result = { objects: 0, moving: 0, frames: {}, pairs: {} };
+result.objects = garbage(() => {
+	for (let i = 0; i < COUNT; i++) kept[i] = { i };
+});
+result.moving = garbage(move);
+for (const [name, System] of Object.entries({ "a BinCollider": BinCollider, "a TightestFitCollider": TightestFitCollider })) {
+	const collider = new System(greatLand);
+	const out = [];
+	result.frames[name] = garbage(() => {
+		move();
+		collider.findCollisions(agents, out);
+	}) - result.moving;
+	result.pairs[name] = out.length / 2;
+}
+const collision = new Collision(new BinCollider(greatLand));
+let calls = 0;
+collision.onCollision("bears", "balls", () => { calls++; });
+result.frames["a Collision with handlers"] = garbage(() => {
+	move();
+	calls = 0;
+	collision.update(agents);
+}) - result.moving;
+result.pairs["a Collision with handlers"] = 2 * calls;
+console.log(JSON.stringify(result));

@@ -1,0 +1,753 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.assertThrows;
+
+    /**
+     * A contact is that of the last frame: how the two touched where they were then, whatever they, their models and their list have become
+     * since.
+     *
+     * <p>Each time there are three colliders that see the same frames: one is asked at once and again after the changes, one after the changes
+     * alone, so that keeping answers is not enough, and one after the next frame alone.</p>
+     */
+    public class ContactsOfTheFrameTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "apart"];
+        private static const COUNT:int = 5;
+        private static const NEAR:Number = 1e-9;
+
+        private static var sGreatLand:GreatLand;
+
+        // whether a test has left others than those that begin() needs
+        private static var sAreModelsSpoilt:Boolean;
+
+        // worlds of each collider: nobody sweeps in every other one, and questions are asked in two of four
+        private var _rounds:int = Effort.choose(4, 40);
+        private var _random:SeededRandom;
+        private var _agents:Vector.<Agent>;
+        private var _wrong:Complaints;
+        private var _isSwept:Boolean;
+
+        // how many contacts were compared, of these with a depth, within a motion, and not like those of where the agents are now
+        private var _compared:int;
+        private var _deep:int;
+        private var _passing:int;
+        private var _different:int;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sAreModelsSpoilt = true;
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            if (sAreModelsSpoilt)
+            {
+                addModels();
+            }
+            _random = new SeededRandom(1207);
+            _wrong = new Complaints();
+            _compared = _deep = _passing = _different = 0;
+        }
+
+        [Test]
+        public function stayWhenNothingHappens():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                }, false);
+        }
+
+        [Test]
+        public function stayWhenAgentsMove():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("position", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsJump():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("jump", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsGrow():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("size", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsTurn():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("heading", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsPitch():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("pitch", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsRoll():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("roll", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsChangeTheirShape():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("shape", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsTakeAShapeThatNobodyKnows():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    for each (var agent:Agent in agents)
+                    {
+                        agent.shape = "nothing";
+                    }
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsBecomeHierarchicalOrCeaseToBe():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("hierarchical", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsCollideAsSomethingElse():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("collideAs", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenDepthsChange():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("traversalDepth", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsBeginAndCeaseToSweep():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    change("sweeps", agents);
+                    change("breed", agents);
+                }, false);
+        }
+
+        [Test]
+        public function stayWhateverAgentsDoAtOnce():void
+        {
+            for (var i:int = 0; i < 2; i++)
+            {
+                assertContactsStay(function(agents:Array):void
+                    {
+                        for (var k:int = _random.integer(2, 8); k > 0; k--)
+                        {
+                            change(_random.pick(["position", "jump", "size", "heading", "pitch", "roll", "shape", "hierarchical", "collideAs",
+                                            "traversalDepth", "sweeps", "breed"]), agents);
+                        }
+                    });
+            }
+        }
+
+        [Test]
+        public function stayWhenModelsAreReplaced():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart()])
+                    {
+                        sGreatLand.addModel(model);
+                    }
+                }, false);
+        }
+
+        [Test]
+        public function stayWhenModelsAreReplacedByOthers():void
+        {
+            // longer planks in place of all
+            assertContactsStay(function(agents:Array):void
+                {
+                    for each (var shape:String in SHAPES)
+                    {
+                        sGreatLand.addModel(plank(0.7, shape));
+                    }
+                    sAreModelsSpoilt = true;
+                });
+        }
+
+        [Test]
+        public function stayWhenModelsAreRemoved():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    for each (var shape:String in SHAPES)
+                    {
+                        assertTrue(sGreatLand.removeModel(shape));
+                    }
+                    sAreModelsSpoilt = true;
+                });
+        }
+
+        [Test]
+        public function stayWhenTheLibrariesAreChangedDirectly():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    var other:Model = plank(0.7);
+                    for each (var shape:String in SHAPES)
+                    {
+                        sGreatLand.boundingStructures.add(shape, other.vertices);
+                        sGreatLand.hierarchies.add(shape, other.vertices, other.triangles);
+                    }
+                    sAreModelsSpoilt = true;
+                });
+        }
+
+        [Test]
+        public function stayWhenAModelIsReplacedAndItsAgentsMove():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    sGreatLand.addModel(plank(0.8));
+                    sAreModelsSpoilt = true;
+                    change("position", agents);
+                    change("size", agents);
+                });
+        }
+
+        [Test]
+        public function stayWhenAgentsLeaveTheList():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    for each (var agent:Agent in agents)
+                    {
+                        _agents.splice(_agents.indexOf(agent), 1);
+                    }
+                }, false);
+        }
+
+        [Test]
+        public function stayWhenTheListIsEmptied():void
+        {
+            assertContactsStay(function(agents:Array):void
+                {
+                    _agents.length = 0;
+                    change("position", agents);
+                });
+        }
+
+        [Test]
+        public function inHandlersTheyAreThoseOfTheFrameWhateverOtherHandlersDid():void
+        {
+            var allCalls:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = round % 2 == 1;
+                    var collider:Collider = EachCollider.make(name, sGreatLand);
+                    var twin:Collider = EachCollider.make(name, sGreatLand);
+                    var collision:Collision = new Collision(collider);
+                    playFrames(collider, twin);
+                    var all:Vector.<Agent> = _agents.concat();
+                    var later:Vector.<Number> = null;
+                    var calls:int = 0;
+                    collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent, contact:Contact):void
+                        {
+                            calls++;
+                            change("position", [a, b]);
+                            change("size", [a]);
+                            collider.areColliding(a, b);
+                            later = contactsOf(collider, all);
+                        });
+                    change("position", [_agents[0]]);
+                    twin.findCollisions(_agents);
+                    var expected:Vector.<Number> = contactsOf(twin, _agents);
+                    collision.update(_agents);
+                    allCalls += calls;
+                    if (calls == 0)
+                    {
+                        continue;
+                    }
+                    compare(name + (_isSwept ? ", swept" : ""), expected, later);
+                }
+            }
+            assertTrue(allCalls + " calls", allCalls > 2 * _rounds * EachCollider.NAMES.length);
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function afterTheNextFrameTheyAreThatFrames():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = round % 2 == 1;
+                    var asked:Collider = EachCollider.make(name, sGreatLand);
+                    var silent:Collider = EachCollider.make(name, sGreatLand);
+                    playFrames(asked, silent);
+                    contactsOf(asked, _agents);
+                    change(_random.pick(["size", "shape", "heading", "hierarchical", "collideAs"]), someOf(_agents));
+                    change("position", someOf(_agents));
+                    askAll(asked, _agents);
+                    contactsOf(asked, _agents);
+                    assertSamePairs(name, silent.findCollisions(_agents), asked.findCollisions(_agents));
+                    var expected:Vector.<Number> = contactsOf(silent, _agents);
+                    compare(name + (_isSwept ? ", swept" : ""), expected, contactsOf(asked, _agents));
+                    if (!_isSwept)
+                    {
+                        // of a frame in which nobody sweeps a new collider tells the same
+                        var fresh:Collider = EachCollider.make(name, sGreatLand);
+                        fresh.findCollisions(_agents);
+                        compare(name + ", a new one", contactsOf(fresh, _agents), expected);
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function aFrameThatThrowsIsNoNextFrame():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = round % 2 == 1;
+                    var collider:Collider = EachCollider.make(name, sGreatLand);
+                    playFrames(collider, EachCollider.make(name, sGreatLand));
+                    var all:Vector.<Agent> = _agents.concat();
+                    var expected:Vector.<Number> = contactsOf(collider, all);
+                    change("position", someOf(all));
+                    change("heading", someOf(all));
+                    assertThrows(ArgumentError, /twice/, collider.findCollisions, _agents.concat(new <Agent>[_agents[0]]));
+                    assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents.concat(new <Agent>[new Agent("nothing")]));
+                    compare(name + (_isSwept ? ", swept" : ""), expected, contactsOf(collider, all));
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function ofAgentsThatNoFrameHasSeenTheyAreThoseOfNow():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                makeAgents(false);
+                for (var round:int = 0; round < 4; round++)
+                {
+                    // twice: asked for the first time, and after moving on
+                    compareWithNow(name, "before any frame", collider);
+                    change("position", someOf(_agents));
+                    change(_random.pick(["size", "shape", "pitch", "hierarchical", "collideAs"]), someOf(_agents));
+                }
+                var others:Vector.<Agent> = _agents;
+                makeAgents(true);
+                collider.findCollisions(_agents);
+                _agents = others;
+                for (round = 0; round < 4; round++)
+                {
+                    compareWithNow(name, "after a frame of others", collider);
+                    change("position", someOf(_agents));
+                    change(_random.pick(["size", "shape", "pitch", "hierarchical", "collideAs"]), someOf(_agents));
+                }
+            }
+            assertEnough(0);
+        }
+
+        [Test]
+        public function ofAgentsThatTheLastFrameDidNotSeeTheyAreThoseOfNow():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = round % 2 == 1;
+                    var collider:Collider = EachCollider.make(name, sGreatLand);
+                    playFrames(collider, EachCollider.make(name, sGreatLand));
+                    var stayed:Vector.<Agent> = _random.chance() ? new Vector.<Agent>() : new <Agent>[new Agent("cube"), new Agent("sphere")];
+                    if (stayed.length > 0)
+                    {
+                        stayed[0].sweeps = _isSwept;
+                    }
+                    collider.findCollisions(stayed);
+                    compareWithNow(name, "who left", collider);
+                    change("position", someOf(_agents));
+                    change("size", someOf(_agents));
+                    compareWithNow(name, "who left and moved", collider);
+                    askAll(collider, _agents);
+                    change("heading", someOf(_agents));
+                    compareWithNow(name, "who left and were asked about", collider);
+                }
+            }
+            assertEnough(0);
+        }
+
+        [Test]
+        public function ofOneThatTheLastFrameSawAndOneThatItDidNot():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    var collider:Collider = EachCollider.make(name, sGreatLand);
+                    makeAgents(false);
+                    collider.findCollisions(_agents);
+                    var left:Agent = _agents.pop();
+                    collider.findCollisions(_agents);
+                    // who stayed has not moved
+                    change("position", [left]);
+                    change("size", [left]);
+                    _agents.push(left);
+                    compareWithNow(name, "one who left", collider);
+                }
+            }
+            assertEnough(0);
+        }
+
+        [Test]
+        public function ofOneWhoseModelWasLoadingInTheLastFrameTheyAreThoseOfNow():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    var collider:Collider = EachCollider.make(name, sGreatLand);
+                    makeAgents(false);
+                    sGreatLand.expect("later");
+                    _agents[2].shape = "later";
+                    collider.findCollisions(_agents);
+                    assertThrows(ArgumentError, /still loading/, collider.contactOf, _agents[1], _agents[2]);
+                    assertThrows(ArgumentError, /still loading/, collider.contactOf, _agents[2], _agents[1]);
+                    var cube:Model = BuiltInModel.cube();
+                    sGreatLand.addModel(new Model("later", cube.vertices, cube.triangles));
+                    sGreatLand.expectNoMore("later");
+                    compareWithNow(name, "one that came", collider);
+                    sGreatLand.removeModel("later");
+                }
+            }
+            assertEnough(0);
+        }
+
+        // What agents do leaves the contacts of a frame as they were; with questions after it, and without.
+        private function assertContactsStay(happens:Function, makesADifference:Boolean = true):void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = round % 2 == 1;
+                    var isAsking:Boolean = round % 4 >= 2;
+                    if (sAreModelsSpoilt)
+                    {
+                        addModels();
+                    }
+                    var asked:Collider = EachCollider.make(name, sGreatLand);
+                    var silent:Collider = EachCollider.make(name, sGreatLand);
+                    playFrames(asked, silent);
+                    var all:Vector.<Agent> = _agents.concat();
+                    var expected:Vector.<Number> = contactsOf(asked, all);
+                    happens(someOf(all));
+                    if (isAsking)
+                    {
+                        assertTrue("no pairs", askAll(asked, all) >= COUNT && askAll(silent, all) >= COUNT);
+                    }
+                    var called:String = name + (_isSwept ? ", swept" : ", standing") + (isAsking ? ", with questions" : "");
+                    compare(called, expected, contactsOf(asked, all));
+                    compare(called + ", asked late", expected, contactsOf(silent, all));
+                    countDifferent(name, expected, all);
+                }
+            }
+            assertEnough(makesADifference ? _compared / 100 : 0);
+        }
+
+        private function addModels():void
+        {
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(), plank(0.3)])
+            {
+                sGreatLand.addModel(model);
+            }
+            sAreModelsSpoilt = false;
+        }
+
+        // One frame, or one and another in which some have moved and sweep.
+        private function playFrames(collider:Collider, other:Collider):void
+        {
+            makeAgents(_isSwept);
+            collider.findCollisions(_agents);
+            other.findCollisions(_agents);
+            if (_isSwept)
+            {
+                change("position", someOf(_agents));
+                assertSamePairs("swept", other.findCollisions(_agents), collider.findCollisions(_agents));
+            }
+        }
+
+        private function makeAgents(areSweeping:Boolean):void
+        {
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < COUNT; i++)
+            {
+                var agent:Agent = new Agent(_random.pick(SHAPES), _random.pick(["bears", "balls"]));
+                agent.moveTo(_random.between(-1, 1), _random.between(-1, 1), _random.between(-0.5, 0.5));
+                agent.size = _random.logBetween(0.5, 2);
+                agent.heading = _random.between(0, 360);
+                agent.pitch = _random.pick([0, _random.between(0, 360)]);
+                agent.roll = _random.pick([0, _random.between(0, 360)]);
+                agent.hierarchical = _random.chance();
+                agent.traversalDepth = _random.pick([0, 0, 2, 4]);
+                agent.sweeps = areSweeping && (i == 0 || _random.chance());
+                _agents.push(agent);
+            }
+        }
+
+        private function change(trait:String, agents:*):void
+        {
+            for each (var agent:Agent in agents)
+            {
+                switch (trait)
+                {
+                    case "position":
+                        agent.moveTo(agent.x + _random.normal(), agent.y + _random.normal(), agent.z + 0.3 * _random.normal());
+                        break;
+                    case "jump":
+                        agent.jumpTo(agent.x + _random.normal(), agent.y + _random.normal(), agent.z + 0.3 * _random.normal());
+                        break;
+                    case "size":
+                        agent.size *= _random.pick([0.4, 0.8, 1.5]);
+                        break;
+                    case "shape":
+                        agent.shape = SHAPES[(SHAPES.indexOf(agent.shape) + _random.integer(1, SHAPES.length - 1)) % SHAPES.length];
+                        break;
+                    case "hierarchical":
+                        agent.hierarchical = !agent.hierarchical;
+                        break;
+                    case "collideAs":
+                        agent.collideAs = _random.pick([Agent.SPHERE, Agent.BOX, Agent.CAPSULE]);
+                        break;
+                    case "traversalDepth":
+                        agent.traversalDepth = agent.traversalDepth == 1 ? 6 : 1;
+                        break;
+                    case "sweeps":
+                        agent.sweeps = !agent.sweeps;
+                        break;
+                    case "breed":
+                        agent.breed = "others";
+                        break;
+                    default:
+                        // heading, pitch, roll
+                        agent[trait] = _random.between(0, 360);
+                }
+            }
+        }
+
+        // One of them, two or all.
+        private function someOf(agents:Vector.<Agent>):Array
+        {
+            var chosen:Array = [];
+            var least:int = _random.pick([1, 2, agents.length]);
+            var first:int = _random.integer(0, agents.length - 1);
+            for (var i:int = 0; i < least; i++)
+            {
+                chosen.push(agents[(first + i) % agents.length]);
+            }
+            return chosen;
+        }
+
+        // Some of the models may be unknown by now, and no agent is a pair with itself.
+        private static function askAll(collider:Collider, agents:Vector.<Agent>):int
+        {
+            var refused:int = 0;
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                for (var j:int = 0; j < agents.length; j++)
+                {
+                    try
+                    {
+                        collider.areColliding(agents[i], agents[j]);
+                    }
+                    catch (error:ArgumentError)
+                    {
+                        refused++;
+                    }
+                }
+            }
+            return refused;
+        }
+
+        // Eight numbers for each ordered pair; NaN where it throws.
+        private static function contactsOf(collider:Collider, agents:Vector.<Agent>):Vector.<Number>
+        {
+            var numbers:Vector.<Number> = new Vector.<Number>();
+            var contact:Contact = new Contact();
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                for (var j:int = 0; j < agents.length; j++)
+                {
+                    if (i == j)
+                    {
+                        continue;
+                    }
+                    try
+                    {
+                        collider.contactOf(agents[i], agents[j], contact);
+                    }
+                    catch (error:ArgumentError)
+                    {
+                        contact.time = NaN;
+                    }
+                    numbers.push(contact.time, contact.depth, contact.point.x, contact.point.y, contact.point.z, contact.normal.x,
+                            contact.normal.y, contact.normal.z);
+                }
+            }
+            return numbers;
+        }
+
+        // What a collider tells that has just seen the agents, each for the first time.
+        private function compareWithNow(name:String, when:String, collider:Collider):void
+        {
+            var fresh:Collider = EachCollider.make(name, sGreatLand);
+            fresh.findCollisions(_agents);
+            compare(name + ", " + when, contactsOf(fresh, _agents), contactsOf(collider, _agents));
+        }
+
+        private function compare(name:String, expected:Vector.<Number>, actual:Vector.<Number>):void
+        {
+            assertEquals(name, expected.length, actual.length);
+            for (var at:int = 0; at < expected.length; at += 8)
+            {
+                _compared++;
+                _deep += expected[at + 1] > 0 ? 1 : 0;
+                _passing += expected[at] > 0 && expected[at] < 1 ? 1 : 0;
+                if (!areNear(expected, actual, at))
+                {
+                    _wrong.add(name, textAt(actual, at) + ", not " + textAt(expected, at));
+                }
+            }
+        }
+
+        // time, depth, point, normal
+        private static function textAt(numbers:Vector.<Number>, at:int):String
+        {
+            var parts:Array = [];
+            for (var i:int = at; i < at + 8; i++)
+            {
+                parts.push(numbers[i].toFixed(3));
+            }
+            return "(" + parts.join(" ") + ")";
+        }
+
+        private static function areNear(expected:Vector.<Number>, actual:Vector.<Number>, at:int):Boolean
+        {
+            for (var i:int = at; i < at + 8; i++)
+            {
+                // false for NaN too
+                if (!(Math.abs(expected[i] - actual[i]) <= NEAR))
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        // Where the agents are now they would touch otherwise.
+        private function countDifferent(name:String, expected:Vector.<Number>, agents:Vector.<Agent>):void
+        {
+            var now:Vector.<Number> = contactsOf(EachCollider.make(name, sGreatLand), agents);
+            for (var at:int = 0; at < now.length; at += 8)
+            {
+                _different += areNear(expected, now, at) ? 0 : 1;
+            }
+        }
+
+        private function assertEnough(different:Number):void
+        {
+            trace("  " + _compared + " contacts, " + _deep + " with a depth, " + _passing + " within a motion");
+            _wrong.assertNone();
+            assertTrue(_compared + " contacts, " + _deep + " with a depth", _deep > _compared / 10);
+            assertTrue(_passing + " within a motion", _passing > 0 || different == 0);
+            assertTrue(_different + " other contacts now", _different >= different);
+        }
+
+        private static function assertSamePairs(name:String, expected:Vector.<Agent>, actual:Vector.<Agent>):void
+        {
+            assertEquals(name, textOf(expected), textOf(actual));
+        }
+
+        private static function textOf(pairs:Vector.<Agent>):String
+        {
+            var lines:Array = [];
+            for (var i:int = 0; i < pairs.length; i += 2)
+            {
+                lines.push(pairs[i].id + "-" + pairs[i + 1].id);
+            }
+            return lines.sort().join(" ");
+        }
+
+        private static function plank(height:Number, name:String = "plank"):Model
+        {
+            return new Model(name, new <Number>[0, 0, 0, 1, 0, 0, 1, 0.4, 0, 0, 0.4, 0, 0.5, 0.2, height],
+                    new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2]);
+        }
+    }
+}

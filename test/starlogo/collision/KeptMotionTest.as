@@ -1,0 +1,549 @@
+package starlogo.collision
+{
+    import flash.events.Event;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ModelLoader;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.SteppedModels;
+    import support.assertThrows;
+
+    /**
+     * An agent's motion since a collider's last frame is its own: neither models that come and go nor questions between two frames take any of it
+     * away.
+     */
+    public class KeptMotionTest
+    {
+        private var _greatLand:GreatLand;
+        private var _ball:Agent;
+        private var _wall:Agent;
+        private var _third:Agent;
+        private var _agents:Vector.<Agent>;
+        private var _wrong:Complaints;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.cylinder());
+            _ball = new Agent("sphere", "balls");
+            _ball.size = 0.2;
+            _wall = new Agent("cube", "walls");
+            _wall.moveTo(5, 0, 0);
+            // nobody comes near it
+            _third = new Agent("cube", "walls");
+            _third.moveTo(5, 30, 0);
+            _agents = new <Agent>[_ball, _wall, _third];
+            _wrong = new Complaints();
+        }
+
+        [Test]
+        public function removingAnUnrelatedModelEndsNoMotion():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var sweepsBefore:Boolean in [true, false])
+                {
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                    check(name, sweepsBefore, function(collider:Collider):void
+                        {
+                            assertTrue(_greatLand.removeModel("cylinder"));
+                            assertFalse(_greatLand.removeModel("unrelated"));
+                        });
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function replacingAnUnrelatedModelEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                });
+        }
+
+        [Test]
+        public function replacingTheMoversOwnModelByItselfEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _greatLand.addModel(BuiltInModel.sphere());
+                });
+        }
+
+        [Test]
+        public function replacingTheModelOfWhomItMeetsEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _greatLand.addModel(BuiltInModel.cube());
+                });
+        }
+
+        [Test]
+        public function removingAndAddingAModelAgainEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _greatLand.removeModel("sphere");
+                    _greatLand.removeModel("cube");
+                    _greatLand.addModel(BuiltInModel.sphere());
+                    _greatLand.addModel(BuiltInModel.cube());
+                });
+        }
+
+        [Test]
+        public function whatIsAddedToTheLibrariesDirectlyEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _greatLand.boundingStructures.add("cylinder", BuiltInModel.cylinder().vertices);
+                    _greatLand.hierarchies.add("cylinder", BuiltInModel.cylinder().vertices, BuiltInModel.cylinder().triangles);
+                });
+        }
+
+        [Test]
+        public function aModelReplacedAndAQuestionTogetherEndNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                    _ball.moveTo(8, 0, 0.4);
+                    collider.areColliding(_ball, _wall);
+                    collider.contactOf(_ball, _wall);
+                    _greatLand.addModel(BuiltInModel.sphere());
+                });
+        }
+
+        [Test(async, timeout="20000")]
+        public function aLoaderThatReplacesAModelEndsNoMotion():void
+        {
+            var names:Array = EachCollider.NAMES;
+            var colliders:Array = [];
+            _ball.sweeps = true;
+            _ball.moveTo(0, 0, 0.4);
+            for each (var name:String in names)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                assertEquals(0, found(collider));
+                colliders.push(collider);
+            }
+            var loader:ModelLoader = new ModelLoader(_greatLand);
+            loader.loadText("cylinder", SteppedModels.objText(BuiltInModel.cylinder()));
+            loader.loadText("sphere", SteppedModels.objText(BuiltInModel.sphere()));
+            assertTrue(_greatLand.isLoading("cylinder"));
+            _ball.moveTo(10, 0, 0.4);
+            Async.handleEvent(this, loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    assertFalse(_greatLand.isLoading("cylinder"));
+                    for (var i:int = 0; i < colliders.length; i++)
+                    {
+                        if (found(colliders[i]) != 2)
+                        {
+                            _wrong.add(names[i], "missed");
+                        }
+                    }
+                    _wrong.assertNone();
+                }, 20000);
+        }
+
+        [Test]
+        public function motionGoesOnFrameByFrameWhileModelsAreReplacedInEveryFrame():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                _ball.sweeps = true;
+                _ball.jumpTo(0, 0, 0.4);
+                found(collider);
+                var hits:String = "";
+                for (var frame:int = 0; frame < 6; frame++)
+                {
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                    _ball.moveTo(frame % 2 == 0 ? 10 : 0, 0, 0.4);
+                    hits += found(collider);
+                }
+                if (hits != "222222")
+                {
+                    _wrong.add(name, hits);
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function aQuestionAboutThePairEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _ball.moveTo(10, 0, 0.4);
+                    assertFalse(collider.areColliding(_ball, _wall));
+                });
+        }
+
+        [Test]
+        public function aQuestionAboutSomebodyElseEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _ball.moveTo(10, 0, 0.4);
+                    assertFalse(collider.areColliding(_third, _ball));
+                });
+        }
+
+        [Test]
+        public function aQuestionAboutWhoIsNotListedEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    var stranger:Agent = new Agent("cube");
+                    stranger.moveTo(7, 0, 0);
+                    _ball.moveTo(7, 0, 0.4);
+                    assertTrue(collider.areColliding(stranger, _ball));
+                    assertFalse(collider.areColliding(stranger, _wall));
+                });
+        }
+
+        [Test]
+        public function aQuestionAboutTheContactEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _ball.moveTo(10, 0, 0.4);
+                    collider.contactOf(_ball, _wall);
+                    collider.contactOf(_third, _ball);
+                });
+        }
+
+        [Test]
+        public function manyQuestionsOnTheWayEndNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    // past the wall without touching it whenever somebody asks
+                    for each (var x:Number in [1, 3, 4, 6, 8, 12])
+                    {
+                        _ball.moveTo(x, 0, 0.4);
+                        assertFalse(collider.areColliding(_ball, _wall));
+                        collider.contactOf(_wall, _ball);
+                    }
+                });
+        }
+
+        [Test]
+        public function aQuestionThatThrowsEndsNoMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _ball.moveTo(10, 0, 0.4);
+                    assertThrows(ArgumentError, /nothing/, collider.areColliding, _ball, new Agent("nothing"));
+                    assertThrows(ArgumentError, /nothing/, collider.areColliding, new Agent("nothing"), _ball);
+                    assertThrows(ArgumentError, /no pair/, collider.areColliding, _ball, _ball);
+                });
+        }
+
+        [Test]
+        public function whoseMotionItIsDoesNotMatter():void
+        {
+            // the ball stands and sweeps, the wall comes over it, and is asked about on the way
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var sweepsBefore:Boolean in [false, true])
+                {
+                    var collider:Collider = EachCollider.make(name, _greatLand);
+                    _ball.sweeps = sweepsBefore;
+                    _ball.jumpTo(0, 0, 0.4);
+                    _wall.jumpTo(5, 0, 0);
+                    assertEquals(0, found(collider));
+                    _ball.sweeps = true;
+                    _wall.moveTo(-5, 0, 0);
+                    collider.areColliding(_wall, _third);
+                    if (found(collider) != 2)
+                    {
+                        _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which nobody sweeps");
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function questionsOfHandlersEndNoMotion():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var sweepsBefore:Boolean in [false, true])
+                {
+                    var collider:Collider = EachCollider.make(name, _greatLand);
+                    var collision:Collision = new Collision(collider);
+                    var hits:int = 0;
+                    var thrower:Agent = new Agent("cube", "throwers");
+                    thrower.moveTo(0, 0, 0);
+                    _ball.sweeps = sweepsBefore;
+                    _ball.jumpTo(0, 0, 0.4);
+                    collision.onCollision("balls", "throwers", function(ball:Agent, other:Agent):void
+                        {
+                            ball.sweeps = true;
+                            ball.moveTo(10, 0, 0.4);
+                            assertFalse(collider.areColliding(ball, _wall));
+                        });
+                    collision.onCollision("balls", "walls", function(ball:Agent, wall:Agent):void
+                        {
+                            hits++;
+                        });
+                    collision.update(new <Agent>[_ball, _wall, thrower]);
+                    assertEquals(0, hits);
+                    collision.update(new <Agent>[_ball, _wall]);
+                    if (hits != 1)
+                    {
+                        _wrong.add(name, hits + " hits");
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function aFrameThatThrowsIsPartOfTheMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _ball.moveTo(10, 0, 0.4);
+                    assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents.concat(new <Agent>[new Agent("nothing")]));
+                    assertThrows(ArgumentError, /twice/, collider.findCollisions, _agents.concat(new <Agent>[_third]));
+                    assertThrows(ArgumentError, /twice/, collider.findCollisions, _agents.concat(new <Agent>[_ball]));
+                    assertThrows(ArgumentError, /null/, collider.findCollisions, _agents.concat(new <Agent>[null]));
+                    assertThrows(ArgumentError, /null/, collider.findCollisions, new <Agent>[null].concat(_agents));
+                    assertThrows(ArgumentError, /null/, collider.findCollisions, null);
+                    // in another order, with some that were listed before the one that is wrong
+                    assertThrows(ArgumentError, /null/, collider.findCollisions, new <Agent>[_third, _ball, _wall, null]);
+                    assertThrows(ArgumentError, /twice/, collider.findCollisions, new <Agent>[_wall, _ball, new Agent("cube"), _third, _wall]);
+                });
+        }
+
+        [Test]
+        public function aFrameThatThrowsWithoutTheMoverIsPartOfTheMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    assertThrows(ArgumentError, /nothing/, collider.findCollisions, new <Agent>[_wall, new Agent("nothing")]);
+                    assertThrows(ArgumentError, /listed twice/, collider.findCollisions, new <Agent>[_wall, _wall]);
+                    assertThrows(ArgumentError, /null/, collider.findCollisions, new <Agent>[_ball, null]);
+                    assertThrows(ArgumentError, /nothing/, collider.findCollisions, new <Agent>[new Agent("cube"), new Agent("nothing")]);
+                });
+        }
+
+        [Test]
+        public function aFrameThatThrowsBecauseTheMoversModelIsGoneIsPartOfTheMotion():void
+        {
+            assertKept(function(collider:Collider):void
+                {
+                    _ball.moveTo(10, 0, 0.4);
+                    _greatLand.removeModel("sphere");
+                    assertThrows(ArgumentError, /there is no model "sphere"/, collider.findCollisions, _agents);
+                    _greatLand.addModel(BuiltInModel.sphere());
+                });
+        }
+
+        [Test]
+        public function aJumpEndsAMotionWhateverElseHappens():void
+        {
+            assertEnded(function(collider:Collider):void
+                {
+                    _ball.jumpTo(10, 0, 0.4);
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    _ball.jumpTo(10, 0, 0.4);
+                    assertFalse(collider.areColliding(_ball, _wall));
+                    _greatLand.addModel(BuiltInModel.sphere());
+                    assertFalse(collider.areColliding(_ball, _wall));
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    _ball.jumpTo(10, 0, 0.4);
+                    assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents.concat(new <Agent>[new Agent("nothing")]));
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    // back and forth: it is where it was, but no way led there
+                    _ball.jumpTo(-3, 0, 0.4);
+                    _ball.jumpTo(0, 0, 0.4);
+                });
+        }
+
+        [Test]
+        public function aChangeOfShapeEndsAMotionWhateverElseHappens():void
+        {
+            assertEnded(function(collider:Collider):void
+                {
+                    _ball.shape = "cube";
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    _ball.shape = "cube";
+                    assertFalse(collider.areColliding(_ball, _wall));
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    _ball.shape = "cube";
+                    assertThrows(ArgumentError, /twice/, collider.findCollisions, _agents.concat(new <Agent>[_third]));
+                });
+        }
+
+        [Test]
+        public function whoWasAwayForAFrameHasNoMotionWhateverElseHappens():void
+        {
+            assertEnded(function(collider:Collider):void
+                {
+                    collider.findCollisions(new <Agent>[_wall, _third]);
+                    assertFalse(collider.areColliding(_ball, _wall));
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    _greatLand.addModel(BuiltInModel.cylinder());
+                    collider.findCollisions(new <Agent>[_third, _wall]);
+                });
+            assertEnded(function(collider:Collider):void
+                {
+                    collider.findCollisions(new Vector.<Agent>());
+                });
+        }
+
+        [Test]
+        public function whoIsAskedAboutButWasInNoFrameHasNoMotion():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                _ball.sweeps = true;
+                _ball.jumpTo(0, 0, 0.4);
+                assertFalse(collider.areColliding(_ball, _wall));
+                collider.contactOf(_ball, _wall);
+                _ball.moveTo(10, 0, 0.4);
+                if (found(collider) != 0)
+                {
+                    _wrong.add(name, "found");
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function whoseModelWasLoadingHasNoMotion():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                _greatLand.removeModel("sphere");
+                _greatLand.expect("sphere");
+                _ball.sweeps = true;
+                _ball.jumpTo(0, 0, 0.4);
+                assertEquals(0, found(collider));
+                assertEquals(1, collider.statistics.agentsLoading);
+                _greatLand.addModel(BuiltInModel.sphere());
+                _greatLand.expectNoMore("sphere");
+                _ball.moveTo(10, 0, 0.4);
+                if (found(collider) != 0)
+                {
+                    _wrong.add(name, "found");
+                }
+                _ball.moveTo(0, 0, 0.4);
+                assertEquals(name + ": from now on", 2, found(collider));
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function whatDoesNotSweepHasMetNobodyOnItsWay():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, _greatLand);
+                _ball.sweeps = true;
+                _ball.jumpTo(0, 0, 0.4);
+                found(collider);
+                _greatLand.addModel(BuiltInModel.cylinder());
+                _ball.moveTo(10, 0, 0.4);
+                _ball.sweeps = false;
+                assertEquals(name, 0, found(collider));
+            }
+        }
+
+        // Whatever happens between two frames, the wall between the places of the ball is met once: whether somebody swept before or not.
+        private function assertKept(happens:Function):void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                check(name, true, happens);
+                check(name, false, happens);
+            }
+            _wrong.assertNone();
+        }
+
+        private function check(name:String, sweepsBefore:Boolean, happens:Function):void
+        {
+            var collider:Collider = begin(name, sweepsBefore);
+            happens(collider);
+            _ball.sweeps = true;
+            _ball.moveTo(10, 0, 0.4);
+            if (found(collider) != 2)
+            {
+                _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which nobody sweeps");
+                return;
+            }
+            var time:Number = collider.contactOf(_ball, _wall).time;
+            assertTrue(name + " at " + time, Math.abs(time - 0.44) < 1e-9);
+            assertEquals(name + ": once", 0, found(collider));
+        }
+
+        // Whatever happens between two frames, the wall is not met on a motion that has ended.
+        private function assertEnded(happens:Function):void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var sweepsBefore:Boolean in [true, false])
+                {
+                    var collider:Collider = begin(name, sweepsBefore);
+                    happens(collider);
+                    _ball.sweeps = true;
+                    _ball.moveTo(10, 0, 0.4);
+                    if (found(collider) != 0)
+                    {
+                        _wrong.add(name, sweepsBefore ? "found" : "found after a frame in which nobody sweeps");
+                    }
+                    _ball.moveTo(0, 0, 0.4);
+                    assertEquals(name + ": the next one", 2, found(collider));
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        private function begin(name:String, sweepsBefore:Boolean):Collider
+        {
+            var collider:Collider = EachCollider.make(name, _greatLand);
+            _ball.shape = "sphere";
+            _ball.sweeps = sweepsBefore;
+            _ball.jumpTo(0, 0, 0.4);
+            assertEquals(name + " before", 0, found(collider));
+            return collider;
+        }
+
+        private function found(collider:Collider):int
+        {
+            return collider.findCollisions(_agents).length;
+        }
+    }
+}

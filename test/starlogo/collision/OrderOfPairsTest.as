@@ -1,0 +1,486 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.RandomWorlds;
+
+    /**
+     * The order of pairs depends on the list and on where its agents are: what a collider has seen before does not show. Of a pair the agent that
+     * comes first in the list comes first; when somebody sweeps, pairs come by the times of their touch.
+     */
+    public class OrderOfPairsTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder"];
+        private static const NEAR:Number = 1e-9;
+
+        private var _greatLand:GreatLand;
+        private var _random:SeededRandom;
+        private var _agents:Vector.<Agent>;
+        private var _wrong:Complaints;
+        private var _pairs:int;
+
+        // pairs whose order is not that of the agents' ids
+        private var _againstIds:int;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.cylinder());
+            _random = new SeededRandom(404);
+            _wrong = new Complaints();
+            _pairs = _againstIds = 0;
+        }
+
+        [Test]
+        public function isOneInWorldsOfAllKinds():void
+        {
+            var count:int = Effort.choose(2, 20);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                for each (var kind:String in RandomWorlds.KINDS)
+                {
+                    for (var world:int = 0; world < count; world++)
+                    {
+                        _agents = RandomWorlds.make(kind, name == "bins" ? 80 : 40, _random.pick(SHAPES), _random);
+                        mix();
+                        check(name, kind, kept);
+                    }
+                }
+            }
+            assertEnough();
+        }
+
+        [Test]
+        public function isOneWhateverTheSizes():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                for each (var size:Number in [0.02, 0.3, 1, 5, 40])
+                {
+                    makeAgents(40, 6);
+                    for (var i:int = 0; i < _agents.length; i += 3)
+                    {
+                        // among others of every size
+                        _agents[i].size = size;
+                    }
+                    check(name, "with some of size " + size, kept);
+                }
+            }
+            assertEnough();
+        }
+
+        [Test]
+        public function isOneInACrowd():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                makeAgents(25, 0.2);
+                check(name, "all in one place", kept);
+                assertEquals(name + ": all pairs", 25 * 24, kept.findCollisions(_agents).length);
+                _agents.reverse();
+                check(name, "all in one place, reversed", kept);
+            }
+            assertEnough();
+        }
+
+        [Test]
+        public function isOneInLongGames():void
+        {
+            var frames:int = Effort.choose(40, 400);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                makeAgents(40, 4);
+                for (var frame:int = 0; frame < frames; frame++)
+                {
+                    var happens:String = _random.pick(["nothing", "leave", "come", "swap", "reverse", "sort", "copy", "model", "grow", "gone"]);
+                    happen(happens);
+                    moveSome();
+                    check(name, "frame " + frame + ", " + happens, kept);
+                }
+            }
+            assertEnough();
+        }
+
+        [Test]
+        public function isOneAfterFramesInWhichSomebodySwept():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                for (var game:int = 0; game < 4; game++)
+                {
+                    _agents = RandomWorlds.make("scattered", 60, _random.pick(SHAPES), _random);
+                    mix();
+                    _agents[0].sweeps = true;
+                    kept.findCollisions(_agents);
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.moveTo(agent.x + 2 * _random.normal(), agent.y + 2 * _random.normal(), agent.z);
+                    }
+                    kept.findCollisions(_agents);
+                    _agents[0].sweeps = false;
+                    agent = _agents[1];
+                    agent.moveTo(agent.x + 3, agent.y, agent.z);
+                    check(name, "after a swept frame", kept);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_pairs + " pairs", _pairs > 300);
+        }
+
+        [Test]
+        public function isOneAmongBreeds():void
+        {
+            var frames:int = Effort.choose(15, 150);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                makeAgents(50, 4);
+                var interests:BreedInterests = new BreedInterests();
+                interests.add("bears", "balls");
+                interests.add("walls", "walls");
+                for (var frame:int = 0; frame < frames; frame++)
+                {
+                    happen(_random.pick(["leave", "come", "swap", "nothing"]));
+                    _agents[_random.integer(0, _agents.length - 1)].breed = _random.pick(["bears", "balls", "walls", "clouds"]);
+                    moveSome();
+                    var found:Vector.<Agent> = kept.findCollisionsAmong(_agents, interests, new Vector.<Agent>());
+                    checkOrder(name, "frame " + frame, found, null);
+                    assertSame(name, EachCollider.make(name, _greatLand).findCollisionsAmong(_agents, interests, new Vector.<Agent>()), found);
+                }
+            }
+            assertEnough();
+        }
+
+        [Test]
+        public function isThatOfTimesWhenSomebodySweeps():void
+        {
+            var frames:int = Effort.choose(30, 300);
+            var differing:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var kept:Collider = EachCollider.make(name, _greatLand);
+                var younger:Collider = EachCollider.make(name, _greatLand);
+                makeAgents(20, 4);
+                for (var frame:int = 0; frame < frames; frame++)
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.sweeps = _random.chance(0.4);
+                    }
+                    _agents[0].sweeps = true;
+                    if (_random.chance(0.2))
+                    {
+                        // one that has seen no more than the frame before this one, which is all that a motion needs
+                        younger = EachCollider.make(name, _greatLand);
+                        younger.findCollisions(_agents);
+                        kept.findCollisions(_agents);
+                    }
+                    happen(_random.pick(["nothing", "leave", "come", "swap", "reverse", "sort", "copy"]));
+                    moveSome();
+                    var found:Vector.<Agent> = kept.findCollisions(_agents);
+                    var times:Vector.<Number> = timesOf(kept, found);
+                    checkOrder(name, "swept frame " + frame, found, times);
+                    assertSame(name, younger.findCollisions(_agents), found);
+                    differing += times.length > 1 && times[0] < times[times.length - 1] ? 1 : 0;
+                }
+            }
+            assertTrue(differing + " frames of different times", differing > frames);
+            assertEnough();
+        }
+
+        [Test]
+        public function isThatOfTheirPlacesOnTheWay():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var world:int = 0; world < 10; world++)
+                {
+                    // a ball, three walls in one place, and three behind them in another
+                    _agents = new Vector.<Agent>();
+                    var ball:Agent = new Agent("cube", "balls");
+                    ball.size = 0.2;
+                    ball.sweeps = true;
+                    ball.moveTo(0, 0, 0.4);
+                    _agents.push(ball);
+                    for (var i:int = 0; i < 6; i++)
+                    {
+                        var wall:Agent = new Agent("cube", "walls");
+                        wall.moveTo(i < 3 ? 5 : 8, 0, 0);
+                        _agents.push(wall);
+                    }
+                    mix();
+                    var collider:Collider = EachCollider.make(name, _greatLand);
+                    collider.findCollisions(_agents);
+                    ball.moveTo(12, 0, 0.4);
+                    var expected:Array = [];
+                    for each (var x:Number in [5, 8])
+                    {
+                        for each (var agent:Agent in _agents)
+                        {
+                            if (agent.x == x)
+                            {
+                                expected.push(placesOf(ball, agent));
+                            }
+                        }
+                    }
+                    // the walls of one place stand in each other
+                    for (i = 0; i < 7; i++)
+                    {
+                        for (var j:int = i + 1; j < 7; j++)
+                        {
+                            if (_agents[i].x == _agents[j].x)
+                            {
+                                expected.push(i + "-" + j);
+                            }
+                        }
+                    }
+                    var found:Vector.<Agent> = collider.findCollisions(_agents);
+                    // in one place in any order, those of the first place first
+                    var front:Array = textOf(found).split(",").slice(0, 3).sort();
+                    if (front.join() != expected.slice(0, 3).sort().join() || textOf(found).split(",").sort().join() != expected.sort().join())
+                    {
+                        _wrong.add(name, textOf(found) + ", not " + expected.join());
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function isThatInWhichHandlersAreCalled():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for each (var isSwept:Boolean in [false, true])
+                {
+                    makeAgents(30, 3);
+                    _agents[3].sweeps = isSwept;
+                    var collider:Collider = EachCollider.make(name, _greatLand);
+                    var twin:Collider = EachCollider.make(name, _greatLand);
+                    var calls:Vector.<Agent> = new Vector.<Agent>();
+                    var times:Vector.<Number> = new Vector.<Number>();
+                    var collision:Collision = new Collision(collider);
+                    collision.onCollision(Collision.ANY_BREED, "balls", function(a:Agent, b:Agent, contact:Contact):void
+                        {
+                            // of a pair of balls both are called, one after the other
+                            var isBack:Boolean = _agents.indexOf(a) > _agents.indexOf(b);
+                            if (isBack && a.breed == "balls")
+                            {
+                                assertTrue("once forth, once back", calls[calls.length - 2] === b && calls[calls.length - 1] === a);
+                                return;
+                            }
+                            calls.push(isBack ? b : a, isBack ? a : b);
+                            times.push(contact.time);
+                        });
+                    for (var frame:int = 0; frame < 5; frame++)
+                    {
+                        calls.length = times.length = 0;
+                        collision.update(_agents);
+                        checkOrder(name, "calls", calls, isSwept ? times : null);
+                        assertSame(name, withBalls(twin.findCollisions(_agents)), calls);
+                        happen(_random.pick(["leave", "come", "swap"]));
+                        moveSome();
+                    }
+                }
+            }
+            assertEnough();
+        }
+
+        private function happen(what:String):void
+        {
+            switch (what)
+            {
+                case "leave":
+                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
+                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
+                    break;
+                case "come":
+                    _agents.splice(_random.integer(0, _agents.length), 0, makeAgent(3));
+                    _agents.push(makeAgent(3));
+                    break;
+                case "swap":
+                    var i:int = _random.integer(0, _agents.length - 1);
+                    var last:Agent = _agents.pop();
+                    if (i < _agents.length)
+                    {
+                        _agents.push(_agents[i]);
+                        _agents[i] = last;
+                    }
+                    else
+                    {
+                        _agents.push(last);
+                    }
+                    break;
+                case "reverse":
+                    _agents.reverse();
+                    break;
+                case "sort":
+                    mix();
+                    break;
+                case "copy":
+                    _agents = _agents.concat();
+                    break;
+                case "model":
+                    _greatLand.addModel(BuiltInModel.cube());
+                    break;
+                case "grow":
+                    _agents[_random.integer(0, _agents.length - 1)].size = _random.logBetween(0.1, 6);
+                    break;
+                case "gone":
+                    // somewhere else for a frame
+                    _agents[0].moveTo(_random.pick([1e13, 3000]), 0, 0);
+                    break;
+            }
+        }
+
+        private function makeAgents(count:int, half:Number):void
+        {
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                _agents.push(makeAgent(half));
+            }
+            mix();
+        }
+
+        private function makeAgent(half:Number):Agent
+        {
+            var agent:Agent = new Agent(_random.pick(SHAPES), _random.pick(["bears", "balls", "walls"]));
+            agent.moveTo(_random.between(-half, half), _random.between(-half, half), _random.between(0, 0.3));
+            agent.size = _random.pick([0.5, 1, 1, 1, 2]);
+            agent.hierarchical = _random.chance(0.3);
+            return agent;
+        }
+
+        private function moveSome():void
+        {
+            for each (var agent:Agent in _agents)
+            {
+                if (Math.abs(agent.x) > 100)
+                {
+                    agent.moveTo(0, 0, 0);
+                }
+                else if (_random.chance(0.6))
+                {
+                    agent.moveTo(agent.x * 0.95 + _random.normal() * 0.5, agent.y * 0.95 + _random.normal() * 0.5, agent.z);
+                }
+            }
+        }
+
+        // Puts the list into a random order (Fisher and Yates).
+        private function mix():void
+        {
+            for (var i:int = _agents.length - 1; i > 0; i--)
+            {
+                var other:int = _random.integer(0, i);
+                var agent:Agent = _agents[i];
+                _agents[i] = _agents[other];
+                _agents[other] = agent;
+            }
+        }
+
+        // A frame of one that is kept, and of a new one.
+        private function check(name:String, when:String, kept:Collider):void
+        {
+            var found:Vector.<Agent> = kept.findCollisions(_agents);
+            checkOrder(name, when, found, null);
+            var fresh:Vector.<Agent> = EachCollider.make(name, _greatLand).findCollisions(_agents);
+            checkOrder(name + ", a new one", when, fresh, null);
+            assertSame(name, fresh, found);
+        }
+
+        // The times are null where nobody sweeps.
+        private function checkOrder(name:String, when:String, found:Vector.<Agent>, times:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < found.length; i += 2)
+            {
+                _pairs++;
+                var first:int = _agents.indexOf(found[i]);
+                var second:int = _agents.indexOf(found[i + 1]);
+                _againstIds += found[i].id > found[i + 1].id ? 1 : 0;
+                if (first < 0 || first >= second)
+                {
+                    _wrong.add(name, when + ": " + first + "-" + second);
+                }
+                if (times != null && i > 0 && times[i / 2] < times[i / 2 - 1] - NEAR)
+                {
+                    _wrong.add(name + ", times", when + ": " + times[i / 2 - 1] + ", then " + times[i / 2]);
+                }
+            }
+        }
+
+        private static function timesOf(collider:Collider, found:Vector.<Agent>):Vector.<Number>
+        {
+            var times:Vector.<Number> = new Vector.<Number>();
+            var contact:Contact = new Contact();
+            for (var i:int = 0; i < found.length; i += 2)
+            {
+                times.push(collider.contactOf(found[i], found[i + 1], contact).time);
+            }
+            return times;
+        }
+
+        private function withBalls(found:Vector.<Agent>):Vector.<Agent>
+        {
+            var kept:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < found.length; i += 2)
+            {
+                if (found[i].breed == "balls" || found[i + 1].breed == "balls")
+                {
+                    kept.push(found[i], found[i + 1]);
+                }
+            }
+            return kept;
+        }
+
+        private function assertSame(name:String, expected:Vector.<Agent>, actual:Vector.<Agent>):void
+        {
+            var texts:Array = [textOf(expected), textOf(actual)];
+            if (texts[0] != texts[1])
+            {
+                var isOrder:Boolean = texts[0].split(",").sort().join() == texts[1].split(",").sort().join();
+                _wrong.add(name + (isOrder ? ": another order than a new one's" : ": other pairs than a new one's"), texts[1].substr(0, 60) + ", not "
+                        + texts[0].substr(0, 60));
+            }
+        }
+
+        private function assertEnough():void
+        {
+            trace("  " + _pairs + " pairs");
+            _wrong.assertNone();
+            assertTrue(_pairs + " pairs, " + _againstIds + " against the order of ids", _pairs > 200 && _againstIds > _pairs / 10);
+        }
+
+        private function placesOf(a:Agent, b:Agent):String
+        {
+            var first:int = _agents.indexOf(a);
+            var second:int = _agents.indexOf(b);
+            return Math.min(first, second) + "-" + Math.max(first, second);
+        }
+
+        private function textOf(pairs:Vector.<Agent>):String
+        {
+            var parts:Array = [];
+            for (var i:int = 0; i < pairs.length; i += 2)
+            {
+                parts.push(_agents.indexOf(pairs[i]) + "-" + _agents.indexOf(pairs[i + 1]));
+            }
+            return parts.join();
+        }
+    }
+}

@@ -1,0 +1,320 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.TouchingPair;
+
+    /**
+     * Touching is one rule: what touches but for the rounding of its decimals touches in every system, standing, on its way and asked, wherever in the
+     * world; and what has a gap does not, in every system that is exact for its shape.
+     */
+    public class TouchingRuleTest
+    {
+        private static const COUNT:int = 1999;
+
+        /** Each is a collider and how many of the two agents are hierarchical. */
+        private static const SYSTEMS:Array = [["bins", 0], ["tightest fits", 0], ["combinations", 0], ["hierarchies", 0], ["triangles", 0],
+                ["combinations", 1], ["combinations", 2]];
+        private static const STANDING:Array = ["found", "found the other way round", "asked", "asked the other way round"];
+        private static const SWEPT:Array = ["moving along, both sweep", "moving along, one sweeps", "moving along, the other sweeps",
+                "one passes", "the other passes", "both pass", "one comes", "the other comes", "one leaves", "both leave", "both come"];
+
+        private var _greatLand:GreatLand;
+        private var _colliders:Array;
+        private var _random:SeededRandom;
+        private var _a:Agent;
+        private var _b:Agent;
+        private var _agents:Vector.<Agent>;
+        private var _wrong:Complaints;
+        private var _questions:int;
+
+        [Before]
+        public function makeGame():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _colliders = [];
+            for each (var system:Array in SYSTEMS)
+            {
+                _colliders.push(EachCollider.make(system[0], _greatLand));
+            }
+            _random = new SeededRandom(1999);
+            _a = new Agent("sphere");
+            _b = new Agent("sphere");
+            _agents = new <Agent>[_a, _b];
+            _wrong = new Complaints();
+            _questions = 0;
+        }
+
+        [Test]
+        public function theReportedPairTouches():void
+        {
+            _a.size = _b.size = 0.6;
+            _a.x = 1.1;
+            _b.x = 0.5;
+            for (var i:int = 0; i < SYSTEMS.length; i++)
+            {
+                begin(i);
+                assertEquals(nameOf(i), 2, Collider(_colliders[i]).findCollisions(_agents).length);
+                assertTrue(nameOf(i), Collider(_colliders[i]).areColliding(_a, _b));
+                assertTrue(nameOf(i), Collider(_colliders[i]).areColliding(_b, _a));
+            }
+        }
+
+        [Test]
+        public function standingPairsTouchInAllSystems():void
+        {
+            var differing:int = 0;
+            var shapes:Object = {sphere: 0, cube: 0, "sphere and cube": 0};
+            for (var n:int = 0; n < COUNT; n++)
+            {
+                var pair:TouchingPair = new TouchingPair(_random.pick(TouchingPair.SHAPES), _random);
+                shapes[pair.shape]++;
+                differing += ask(pair, STANDING, true) ? 1 : 0;
+            }
+            trace("  of " + COUNT + " pairs that touch, the systems differ about " + differing);
+            assertTrue(shapes.sphere > COUNT / 4 && shapes.cube > COUNT / 4);
+            assertTrue(_questions + " questions", _questions > 4 * 4 * COUNT);
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function pairsTouchOnTheirWaysInAllSystems():void
+        {
+            var count:int = Effort.choose(120, COUNT);
+            for (var n:int = 0; n < count; n++)
+            {
+                ask(new TouchingPair(_random.pick(TouchingPair.SHAPES), _random), SWEPT, true);
+            }
+            assertTrue(_questions + " questions", _questions > 4 * SWEPT.length * count);
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function pairsTouchTenThousandPatchesAway():void
+        {
+            askFarAway(1e4);
+        }
+
+        [Test]
+        public function pairsTouchAMillionPatchesAway():void
+        {
+            askFarAway(1e6);
+        }
+
+        [Test]
+        public function pairsTouchABillionPatchesAway():void
+        {
+            askFarAway(1e9);
+        }
+
+        [Test]
+        public function theReportedCubesFarAwayTouch():void
+        {
+            for each (var shape:String in ["cube", "sphere"])
+            {
+                _a.shape = _b.shape = shape;
+                _a.size = _b.size = 0.6;
+                _a.x = 10000.1;
+                _b.x = 10000.7;
+                for (var i:int = 0; i < SYSTEMS.length; i++)
+                {
+                    begin(i);
+                    if (Collider(_colliders[i]).findCollisions(_agents).length != 2 || !Collider(_colliders[i]).areColliding(_a, _b)
+                            || !Collider(_colliders[i]).areColliding(_b, _a))
+                    {
+                        _wrong.add(nameOf(i) + ", " + shape, "missed");
+                    }
+                }
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function pairsWithAGapDoNotTouch():void
+        {
+            askAcrossGaps(0);
+        }
+
+        [Test]
+        public function pairsWithAGapDoNotTouchTenThousandPatchesAway():void
+        {
+            askAcrossGaps(1e4);
+        }
+
+        [Test]
+        public function pairsWithAGapDoNotTouchAMillionPatchesAway():void
+        {
+            askAcrossGaps(1e6);
+        }
+
+        [Test]
+        public function pairsWithAGapDoNotTouchABillionPatchesAway():void
+        {
+            askAcrossGaps(1e9);
+        }
+
+        private function askFarAway(offset:Number):void
+        {
+            var count:int = Effort.choose(35, 700);
+            for (var n:int = 0; n < count; n++)
+            {
+                var pair:TouchingPair = new TouchingPair(_random.pick(TouchingPair.SHAPES), _random, offset * _random.pick([-1, 1]), 1 + n % 7);
+                assertTrue(pair + "", pair.distance > offset / 2);
+                ask(pair, STANDING, true);
+                ask(pair, SWEPT, true);
+            }
+            _wrong.assertNone();
+        }
+
+        private function askAcrossGaps(offset:Number):void
+        {
+            var count:int = Effort.choose(35, 700);
+            for (var n:int = 0; n < count; n++)
+            {
+                var pair:TouchingPair = new TouchingPair(_random.pick(TouchingPair.SHAPES), _random, offset * _random.pick([-1, 1]), 1 + n % 7);
+                pair.gap = _random.pick([1, 1, 10, 1e4]) * (1e-9 * pair.size + 1e-12 * pair.distance);
+                ask(pair, STANDING, false);
+                ask(pair, SWEPT, false);
+            }
+            assertTrue(_questions + " questions", _questions > 3 * (SWEPT.length + STANDING.length) * count);
+            _wrong.assertNone();
+        }
+
+        // Asks all systems about a pair that touches or has a gap. Returns whether they differ.
+        private function ask(pair:TouchingPair, ways:Array, expected:Boolean):Boolean
+        {
+            var hits:int = 0;
+            var asked:int = 0;
+            for (var i:int = 0; i < SYSTEMS.length; i++)
+            {
+                if (!isAbout(i, pair, expected))
+                {
+                    continue;
+                }
+                begin(i);
+                pair.resize(_a, _b);
+                for each (var way:String in ways)
+                {
+                    var isHit:Boolean = isColliding(way, pair, _colliders[i]);
+                    asked++;
+                    hits += isHit ? 1 : 0;
+                    if (isHit != expected)
+                    {
+                        _wrong.add(nameOf(i) + ", " + pair.shape + ", " + (ways === STANDING ? "standing" : "on their ways"), way + ", " + pair);
+                    }
+                }
+            }
+            _questions += asked;
+            return hits > 0 && hits < asked;
+        }
+
+        // Whether a system takes the agents for what touches, or has the gap.
+        private static function isAbout(system:int, pair:TouchingPair, isTouching:Boolean):Boolean
+        {
+            var name:String = SYSTEMS[system][0];
+            var isMesh:Boolean = name == "hierarchies" || name == "triangles" || SYSTEMS[system][1] > 0;
+            if (pair.shape != "cube")
+            {
+                // a mesh reaches as far as the sphere along the axes alone, and what stands for it in a hierarchy may reach further
+                return !isMesh || pair.isAlongAxis && (isTouching || name == "triangles");
+            }
+            return name != "bins" || pair.isAlongAxis;
+        }
+
+        private function begin(system:int):void
+        {
+            _a.hierarchical = SYSTEMS[system][1] > 0;
+            _b.hierarchical = SYSTEMS[system][1] > 1;
+        }
+
+        private function isColliding(way:String, pair:TouchingPair, collider:Collider):Boolean
+        {
+            _a.sweeps = _b.sweeps = false;
+            if (STANDING.indexOf(way) >= 0)
+            {
+                pair.place(_a, false, 0, 0, 0, true);
+                pair.place(_b, true, 0, 0, 0, true);
+                return isCollidingNow(way, collider);
+            }
+            switch (way)
+            {
+                case "moving along, both sweep":
+                    _a.sweeps = _b.sweeps = true;
+                    return isMet(collider, pair, [0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 0]);
+                case "moving along, one sweeps":
+                    _a.sweeps = true;
+                    return isMet(collider, pair, [0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 0]);
+                case "moving along, the other sweeps":
+                    _b.sweeps = true;
+                    return isMet(collider, pair, [0, 0, -1], [0, 0, -1], [0, 0, 0], [0, 0, 0]);
+                case "one passes":
+                    _a.sweeps = true;
+                    return isMet(collider, pair, [0, -1, 0], [0, 0, 0], [0, 1, 0], [0, 0, 0]);
+                case "the other passes":
+                    _a.sweeps = true;
+                    return isMet(collider, pair, [0, 0, 0], [0, 1, 0], [0, 0, 0], [0, -1, 0]);
+                case "both pass":
+                    _a.sweeps = _b.sweeps = true;
+                    return isMet(collider, pair, [0, -1, 1], [0, 1, 1], [0, 1, 0], [0, -1, 0]);
+                case "one comes":
+                    _a.sweeps = true;
+                    return isMet(collider, pair, [3, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0]);
+                case "the other comes":
+                    _b.sweeps = true;
+                    return isMet(collider, pair, [0, 0, 0], [3, 0, 0], [0, 0, 0], [0, 0, 0]);
+                case "one leaves":
+                    _a.sweeps = true;
+                    return isMet(collider, pair, [0, 0, 0], [0, 0, 0], [3, 0, 0], [0, 0, 0]);
+                case "both leave":
+                    _b.sweeps = true;
+                    return isMet(collider, pair, [0, 0, 1], [0, 0, 1], [3, 0, 0], [5, 0, 0]);
+                default:
+                    // both come
+                    _a.sweeps = true;
+                    return isMet(collider, pair, [3, 0, 1], [5, 0, 1], [0, 0, 0], [0, 0, 0]);
+            }
+        }
+
+        private function isCollidingNow(way:String, collider:Collider):Boolean
+        {
+            switch (way)
+            {
+                case "found":
+                    return collider.findCollisions(_agents).length == 2;
+                case "found the other way round":
+                    _agents.reverse();
+                    return collider.findCollisions(_agents).length == 2;
+                case "asked":
+                    return collider.areColliding(_a, _b);
+                default:
+                    return collider.areColliding(_b, _a);
+            }
+        }
+
+        // Of each where it comes from and where it goes: along, aside and behind, as TouchingPair.place() has it.
+        private function isMet(collider:Collider, pair:TouchingPair, fromA:Array, fromB:Array, toA:Array, toB:Array):Boolean
+        {
+            pair.place(_a, false, fromA[0], fromA[1], fromA[2], true);
+            pair.place(_b, true, fromB[0], fromB[1], fromB[2], true);
+            collider.findCollisions(_agents);
+            pair.place(_a, false, toA[0], toA[1], toA[2], false);
+            pair.place(_b, true, toB[0], toB[1], toB[2], false);
+            return collider.findCollisions(_agents).length == 2;
+        }
+
+        private static function nameOf(system:int):String
+        {
+            return SYSTEMS[system][0] + (SYSTEMS[system][1] > 0 ? " with " + SYSTEMS[system][1] + " hierarchical" : "");
+        }
+    }
+}

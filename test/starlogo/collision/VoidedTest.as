@@ -1,0 +1,1114 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.assertThrows;
+
+    /**
+     * Whatever makes void what a collider keeps from frame to frame, cause by cause: one that has been kept finds what a new one finds. In games in which
+     * somebody sweeps, the new one has seen the frame before, which is all that a motion needs.
+     */
+    public class VoidedTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "flat", "apart"];
+        private static const COUNT:int = 16;
+
+        // who is changed by what
+        private static const NOBODY:Array = [];
+        private static const STRUCTURES:Array = ["tightest fits", "combinations"];
+        private static const HIERARCHIES:Array = ["hierarchies", "combinations"];
+        private static const MODELS:Array = ["tightest fits", "hierarchies", "triangles", "combinations"];
+
+        private static var sGreatLand:GreatLand;
+
+        // games of each collider: every third is one in which somebody sweeps
+        private var _rounds:int = Effort.choose(3, 12);
+        private var _random:SeededRandom;
+        private var _agents:Vector.<Agent>;
+        private var _interests:BreedInterests;
+        private var _name:String;
+        private var _kept:Collider;
+
+        // one that has seen nothing but the last frame
+        private var _younger:Collider;
+        private var _isSwept:Boolean;
+        private var _wrong:Complaints;
+        private var _pairs:int;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.loadAllBoundingStructures = true;
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), SolidModels.apart(), egg()])
+            {
+                sGreatLand.addModel(model);
+            }
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            while (sGreatLand.isLoading("flat"))
+            {
+                sGreatLand.expectNoMore("flat");
+            }
+            sGreatLand.addModel(flat(0.3));
+            _random = new SeededRandom(88);
+            _interests = null;
+            _wrong = new Complaints();
+            _pairs = 0;
+        }
+
+        [Test]
+        public function nothingHappened():void
+        {
+            check(NOBODY, function():void
+                {
+                });
+        }
+
+        [Test]
+        public function agentsMoved():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.moveTo(agent.x + _random.normal(), agent.y, agent.z);
+                    }
+                });
+        }
+
+        [Test]
+        public function oneCoordinateWasSet():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent[_random.pick(["x", "y", "z"])] += _random.normal();
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsJumped():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.jumpTo(agent.x, agent.y + _random.normal(), agent.z);
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsTurned():void
+        {
+            check(MODELS, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.heading += _random.between(20, 340);
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsPitched():void
+        {
+            check(MODELS, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.pitch += _random.between(20, 340);
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsRolled():void
+        {
+            check(MODELS, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.roll += _random.between(20, 340);
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsGrewAndShrank():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.size *= _random.pick([0.3, 0.8, 1.2, 4]);
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsChangedTheirShape():void
+        {
+            check(MODELS, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.shape = SHAPES[(SHAPES.indexOf(agent.shape) + 1) % SHAPES.length];
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsBecameHierarchicalOrCeasedToBe():void
+        {
+            check(["combinations"], function():void
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.hierarchical = !agent.hierarchical;
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsCollideAsSomethingElse():void
+        {
+            check(STRUCTURES, function():void
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.collideAs = _random.pick([Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE]);
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsWereBoxesAndAreWhatFitsTightest():void
+        {
+            check(STRUCTURES, function():void
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.collideAs = Agent.TIGHTEST;
+                    }
+                }, null, function():void
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        // a capsule
+                        agent.shape = "egg";
+                        agent.hierarchical = false;
+                        agent.collideAs = Agent.BOX;
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsChangedTheirTraversalDepth():void
+        {
+            check(HIERARCHIES, function():void
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.traversalDepth = 1;
+                    }
+                }, null, function():void
+                {
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.shape = _random.pick(["apart", "cylinder"]);
+                        agent.hierarchical = true;
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsChangedTheirBreed():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.breed = _random.pick(["bears", "balls", "walls"]);
+                    }
+                }, bearsAndBalls);
+        }
+
+        [Test]
+        public function interestsWereExchanged():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _interests = new BreedInterests();
+                    _interests.add("walls", _random.pick(["walls", "bears"]));
+                }, bearsAndBalls);
+        }
+
+        [Test]
+        public function interestsWereExchangedForTheSame():void
+        {
+            check(NOBODY, function():void
+                {
+                    _interests = bearsAndBalls();
+                }, bearsAndBalls);
+        }
+
+        [Test]
+        public function interestsGotAPairMore():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _interests.add("walls", _random.pick(["walls", BreedInterests.ANY_BREED]));
+                }, bearsAndBalls);
+        }
+
+        [Test]
+        public function interestsCameAndWent():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _interests = _interests == null ? bearsAndBalls() : null;
+                }, null);
+            check(EachCollider.NAMES, function():void
+                {
+                    _interests = _interests == null ? bearsAndBalls() : null;
+                }, bearsAndBalls);
+        }
+
+        [Test]
+        public function agentsLeft():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
+                    _agents.pop();
+                    _agents.shift();
+                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
+                });
+        }
+
+        [Test]
+        public function agentsCame():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _agents.splice(_random.integer(0, _agents.length - 1), 0, makeAgent(), makeAgent());
+                    _agents.push(makeAgent(), makeAgent());
+                });
+        }
+
+        [Test]
+        public function agentsWereExchangedForOthers():void
+        {
+            // the list is as long as it was
+            check(EachCollider.NAMES, function():void
+                {
+                    for (var i:int = 0; i < _agents.length; i += 4)
+                    {
+                        _agents[i] = makeAgent();
+                    }
+                });
+        }
+
+        [Test]
+        public function agentsSwappedTheirPlaces():void
+        {
+            check(NOBODY, function():void
+                {
+                    var first:Agent = _agents[0];
+                    _agents[0] = _agents[_agents.length - 1];
+                    _agents[_agents.length - 1] = first;
+                    _agents.push(_agents.shift());
+                });
+        }
+
+        [Test]
+        public function theListWasReplacedByAnotherOfTheSameAgents():void
+        {
+            check(NOBODY, function():void
+                {
+                    _agents = _agents.concat();
+                });
+        }
+
+        [Test]
+        public function theListWasReplacedByAnotherOfOtherAgents():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _agents = makeAgents();
+                });
+        }
+
+        [Test]
+        public function theListWasReversed():void
+        {
+            check(NOBODY, function():void
+                {
+                    _agents.reverse();
+                });
+        }
+
+        [Test]
+        public function anAgentLeftAndCameBack():void
+        {
+            check(NOBODY, function():void
+                {
+                    var agent:Agent = _agents.pop();
+                    frame();
+                    _agents.push(agent);
+                    frame();
+                });
+        }
+
+        [Test]
+        public function anAgentLeftChangedAndCameBack():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    var gone:Vector.<Agent> = _agents.splice(0, 6);
+                    frame();
+                    for each (var agent:Agent in gone)
+                    {
+                        agent.moveTo(agent.x + _random.normal(), agent.y, 0);
+                        agent.size *= 1.5;
+                        agent.breed = "bears";
+                    }
+                    frame();
+                    _agents = _agents.concat(gone);
+                    frame();
+                });
+        }
+
+        [Test]
+        public function anAgentLeftAndCameBackBetweenTwoFrames():void
+        {
+            check(NOBODY, function():void
+                {
+                    _agents.push(_agents.splice(3, 1)[0]);
+                });
+        }
+
+        [Test]
+        public function theListWasEmptiedAndRefilled():void
+        {
+            check(NOBODY, function():void
+                {
+                    var all:Vector.<Agent> = _agents.concat();
+                    _agents.length = 0;
+                    frame();
+                    assertEquals(0, _kept.statistics.agents);
+                    for each (var agent:Agent in all)
+                    {
+                        _agents.push(agent);
+                    }
+                    frame();
+                });
+        }
+
+        [Test]
+        public function aModelWasReplaced():void
+        {
+            check(MODELS, function():void
+                {
+                    sGreatLand.addModel(flat(1.5));
+                }, null, flatten);
+        }
+
+        [Test]
+        public function aModelWasReplacedTwice():void
+        {
+            check(MODELS, function():void
+                {
+                    sGreatLand.addModel(flat(0.2));
+                    frame();
+                    sGreatLand.addModel(flat(1.5));
+                    sGreatLand.addModel(flat(1.9));
+                }, null, flatten);
+        }
+
+        [Test]
+        public function aModelWasReplacedAndAQuestionAskedBeforeTheNextFrame():void
+        {
+            check(MODELS, function():void
+                {
+                    sGreatLand.addModel(flat(1.5));
+                    _kept.areColliding(_agents[0], _agents[1]);
+                }, null, flatten);
+        }
+
+        [Test]
+        public function aModelWasReplacedByTheSame():void
+        {
+            check(NOBODY, function():void
+                {
+                    sGreatLand.addModel(BuiltInModel.cube());
+                });
+        }
+
+        [Test]
+        public function aModelThatNobodyHasWasAddedAndRemoved():void
+        {
+            check(NOBODY, function():void
+                {
+                    var cube:Model = BuiltInModel.cube();
+                    sGreatLand.addModel(new Model("unrelated", cube.vertices, cube.triangles));
+                    frame();
+                    assertTrue(sGreatLand.removeModel("unrelated"));
+                });
+        }
+
+        [Test]
+        public function aModelWasRemovedAndAddedAgain():void
+        {
+            check(MODELS, function():void
+                {
+                    assertTrue(sGreatLand.removeModel("flat"));
+                    sGreatLand.addModel(flat(1.5));
+                }, null, flatten);
+        }
+
+        [Test]
+        public function aModelWasRemovedWhileItsAgentsWereAway():void
+        {
+            check(MODELS, function():void
+                {
+                    var all:Vector.<Agent> = _agents;
+                    _agents = new Vector.<Agent>();
+                    for each (var agent:Agent in all)
+                    {
+                        if (agent.shape != "flat")
+                        {
+                            _agents.push(agent);
+                        }
+                    }
+                    sGreatLand.removeModel("flat");
+                    frame();
+                    sGreatLand.addModel(flat(1.5));
+                    _agents = all;
+                    frame();
+                }, null, flatten);
+        }
+
+        [Test]
+        public function aModelWithoutFitsWasRemoved():void
+        {
+            // for a BinCollider nothing else is known of it
+            var land:GreatLand = new GreatLand();
+            land.loadTightestFit = land.loadHierarchies = false;
+            land.addModel(flat(0.3));
+            var collider:BinCollider = new BinCollider(land);
+            var pair:Vector.<Agent> = new <Agent>[new Agent("flat"), new Agent("flat")];
+            assertEquals(2, collider.findCollisions(pair).length);
+            land.addModel(flat(0.4));
+            assertEquals("replaced", 2, collider.findCollisions(pair).length);
+            land.removeModel("flat");
+            assertThrows(ArgumentError, /there is no model "flat"/, collider.findCollisions, pair);
+            assertThrows(ArgumentError, /there is no model "flat"/, collider.areColliding, pair[0], pair[1]);
+            land.addModel(flat(0.3));
+            assertEquals("added again", 2, collider.findCollisions(pair).length);
+        }
+
+        [Test]
+        public function structuresWereAddedDirectly():void
+        {
+            check(STRUCTURES, function():void
+                {
+                    sGreatLand.boundingStructures.add("flat", flat(1.5).vertices);
+                }, null, flatten);
+        }
+
+        [Test]
+        public function hierarchiesWereAddedDirectly():void
+        {
+            check(["hierarchies", "triangles", "combinations"], function():void
+                {
+                    sGreatLand.hierarchies.add("flat", flat(1.5).vertices, flat(1.5).triangles);
+                }, null, flatten);
+        }
+
+        [Test]
+        public function aModelCameAfterLoading():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    assertTrue("some are loading", _kept.statistics.agentsLoading > 0);
+                    sGreatLand.addModel(flat(1.5));
+                    sGreatLand.expectNoMore("flat");
+                    // a motion begins with the first frame in which it is there
+                    frame();
+                    assertEquals(0, _kept.statistics.agentsLoading);
+                }, null, function():void
+                {
+                    flatten();
+                    sGreatLand.removeModel("flat");
+                    sGreatLand.expect("flat");
+                });
+        }
+
+        [Test]
+        public function agentsCameAndLeftWhileAModelWasLoading():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _agents.splice(_agents.length - 3, 1);
+                    _agents.push(makeAgent(), makeAgent());
+                }, null, function():void
+                {
+                    _agents[1].shape = "flat";
+                    sGreatLand.removeModel("flat");
+                    sGreatLand.expect("flat");
+                });
+        }
+
+        [Test]
+        public function aModelIsLoadingAgain():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    sGreatLand.removeModel("flat");
+                    sGreatLand.expect("flat");
+                }, null, function():void
+                {
+                    if (sGreatLand.isLoading("flat"))
+                    {
+                        sGreatLand.expectNoMore("flat");
+                    }
+                    flatten();
+                });
+        }
+
+        [Test]
+        public function structureTestsChanged():void
+        {
+            check(STRUCTURES, function():void
+                {
+                    var tests:StructureTests = testsOf(_kept);
+                    if (tests != null)
+                    {
+                        tests.boxFacesOnly = !tests.boxFacesOnly;
+                        tests.spheresFirst = _random.chance();
+                        tests.capsulesFirst = _random.chance();
+                    }
+                }, null, function():void
+                {
+                    // what edges alone separate
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.shape = "cube";
+                        agent.pitch = _random.between(0, 360);
+                        agent.roll = _random.between(0, 360);
+                        agent.hierarchical = false;
+                        agent.moveTo(agent.x * 0.7, agent.y * 0.7, agent.z * 2);
+                    }
+                });
+        }
+
+        [Test]
+        public function structureTestsChangedWhereTheTightestFitsAloneAreKept():void
+        {
+            sGreatLand.loadAllBoundingStructures = false;
+            sGreatLand.addModel(BuiltInModel.cube());
+            structureTestsChanged();
+            sGreatLand.loadAllBoundingStructures = true;
+            sGreatLand.addModel(BuiltInModel.cube());
+        }
+
+        [Test]
+        public function maxDepthChanged():void
+        {
+            check(HIERARCHIES, function():void
+                {
+                    var precise:PreciseCollider = _kept as PreciseCollider;
+                    if (precise != null)
+                    {
+                        precise.maxDepth = 1;
+                    }
+                });
+        }
+
+        [Test]
+        public function exactChanged():void
+        {
+            check(["hierarchies", "triangles", "combinations"], function():void
+                {
+                    var precise:PreciseCollider = _kept as PreciseCollider;
+                    if (precise != null)
+                    {
+                        precise.exact = !precise.exact;
+                        precise.maxDepth = 2;
+                    }
+                });
+        }
+
+        [Test]
+        public function aFrameThrewOfAnUnknownModel():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    var agent:Agent = _agents[_random.integer(0, _agents.length - 1)];
+                    var shape:String = agent.shape;
+                    var first:Agent = _agents[0];
+                    first.moveTo(first.x + 1, first.y, first.z);
+                    first.size *= 2;
+                    agent.shape = "nothing";
+                    assertThrows(ArgumentError, /nothing/, findAll);
+                    assertThrows(ArgumentError, /nothing/, findAll);
+                    agent.shape = shape;
+                });
+        }
+
+        [Test]
+        public function aFrameThrewOfAnAgentListedTwice():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var agent:Agent in some())
+                    {
+                        agent.moveTo(agent.x + _random.normal(), agent.y, agent.z);
+                    }
+                    var all:Vector.<Agent> = _agents;
+                    _agents = all.concat(new <Agent>[all[_random.integer(0, all.length - 1)]]);
+                    assertThrows(ArgumentError, /twice/, findAll);
+                    _agents = all;
+                });
+        }
+
+        [Test]
+        public function aFrameThrewOfNull():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    var all:Vector.<Agent> = _agents;
+                    var left:Agent = all.pop();
+                    left.breed = "bears";
+                    all[3].size *= 3;
+                    _agents = all.slice(0, 10).concat(new <Agent>[null], all.slice(10));
+                    assertThrows(ArgumentError, /null/, findAll);
+                    _agents = all;
+                });
+        }
+
+        [Test]
+        public function aFrameThrewAndTheListChangedAfterIt():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _agents.push(makeAgent(), _agents[0]);
+                    assertThrows(ArgumentError, /twice/, findAll);
+                    _agents.length -= 2;
+                    _agents.splice(0, 3);
+                    _agents.push(makeAgent());
+                });
+        }
+
+        [Test]
+        public function anotherColliderWasUsedOnTheSameAgents():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    for each (var name:String in EachCollider.NAMES)
+                    {
+                        var other:Collider = EachCollider.make(name, sGreatLand);
+                        for each (var agent:Agent in some())
+                        {
+                            agent.moveTo(agent.x + 0.3 * _random.normal(), agent.y, agent.z);
+                            agent.breed = _random.pick(["bears", "balls", "walls"]);
+                        }
+                        other.findCollisionsAmong(_agents, bearsAndBalls(), new Vector.<Agent>());
+                        other.findCollisions(_agents.concat().reverse());
+                    }
+                }, bearsAndBalls);
+        }
+
+        [Test]
+        public function manyOtherCollidersWereUsedOnTheSameAgents():void
+        {
+            // long enough for what is kept with the agents to be dropped
+            check(NOBODY, function():void
+                {
+                    for (var i:int = 0; i < 40; i++)
+                    {
+                        new BinCollider(sGreatLand).findCollisions(_agents);
+                    }
+                });
+        }
+
+        [Test]
+        public function questionsWereAskedInBetween():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    var stranger:Agent = makeAgent();
+                    for each (var agent:Agent in some())
+                    {
+                        agent.moveTo(agent.x, agent.y + 0.7 * _random.normal(), agent.z);
+                        agent.size *= 1.3;
+                        _kept.areColliding(agent, stranger);
+                        if (agent !== _agents[0])
+                        {
+                            _kept.areColliding(_agents[0], agent);
+                            _kept.contactOf(agent, _agents[0]);
+                        }
+                        agent.size /= 1.3;
+                    }
+                });
+        }
+
+        [Test]
+        public function aQuestionThrewBeforeAnother():void
+        {
+            sGreatLand.expect("later");
+            for each (var name:String in MODELS)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var ball:Agent = new Agent("sphere");
+                ball.size = 0.5;
+                ball.hierarchical = true;
+                var cube:Agent = new Agent("cube");
+                var other:Agent = new Agent("cube");
+                // a corner that a sphere has not
+                other.moveTo(0.95, 0.95, 0.95);
+                cube.hierarchical = other.hierarchical = true;
+                assertThrows(ArgumentError, /loading/, collider.contactOf, ball, new Agent("later"));
+                assertTrue(name, collider.areColliding(cube, other));
+                assertThrows(ArgumentError, /loading/, collider.contactOf, new Agent("later"), ball);
+                assertTrue(name + ", the other way round", collider.areColliding(other, cube));
+            }
+            sGreatLand.expectNoMore("later");
+        }
+
+        [Test]
+        public function sweepsWereSetAndCleared():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = false;
+                    _agents = makeAgents();
+                    start(name);
+                    for (var i:int = 0; i < 12; i++)
+                    {
+                        var sweeps:Boolean = _random.chance();
+                        for each (var agent:Agent in some())
+                        {
+                            agent.sweeps = sweeps && _random.chance();
+                            agent.moveTo(agent.x * 0.9 + _random.normal(), agent.y * 0.9, agent.z);
+                        }
+                        if (i % 3 == 2)
+                        {
+                            _agents.splice(_random.integer(0, _agents.length - 1), 1);
+                        }
+                        frame();
+                        for each (agent in _agents)
+                        {
+                            agent.sweeps = agent.sweeps && _random.chance();
+                        }
+                        if (i % 4 == 3)
+                        {
+                            for each (agent in _agents)
+                            {
+                                agent.sweeps = false;
+                            }
+                            compare("no more");
+                        }
+                    }
+                }
+            }
+            finish(NOBODY, {});
+        }
+
+        [Test]
+        public function agentsWentFarAwayAndCameBack():void
+        {
+            check(NOBODY, function():void
+                {
+                    for each (var far:Number in [1e13, 3e9, 1e100])
+                    {
+                        var agent:Agent = _agents[_random.integer(0, _agents.length - 1)];
+                        var x:Number = agent.x;
+                        var z:Number = agent.z;
+                        agent.jumpTo(far, agent.y, _random.pick([z, far]));
+                        frame();
+                        agent.jumpTo(x, agent.y, z);
+                        frame();
+                    }
+                });
+        }
+
+        [Test]
+        public function allAgentsWentFarAway():void
+        {
+            check(NOBODY, function():void
+                {
+                    // where a patch is a multiple of what a Number tells apart, so that the pairs are the same
+                    for each (var agent:Agent in _agents)
+                    {
+                        agent.jumpTo(agent.x + 1048576, agent.y - 524288, agent.z);
+                    }
+                });
+        }
+
+        [Test]
+        public function theSmallestAndTheLargestCameAndWent():void
+        {
+            check(EachCollider.NAMES, function():void
+                {
+                    _agents[0].size = 1e6;
+                    _agents[1].size = 1e-6;
+                    frame();
+                    _agents[0].size = 1e-6;
+                    _agents[1].size = 200;
+                    frame();
+                });
+        }
+
+        // Each collider in games of several frames, in which nobody sweeps, and in which some do.
+        private function check(changed:Array, happens:Function, interests:Function = null, before:Function = null):void
+        {
+            var changes:Object = {};
+            for each (var name:String in EachCollider.NAMES)
+            {
+                changes[name] = 0;
+                for (var round:int = 0; round < _rounds; round++)
+                {
+                    _isSwept = round % 3 == 1;
+                    _agents = makeAgents();
+                    _interests = interests == null ? null : interests();
+                    if (before != null)
+                    {
+                        before();
+                    }
+                    start(name);
+                    for (var i:int = 0; i < 2; i++)
+                    {
+                        frame();
+                        moveSome();
+                    }
+                    var was:String = frame();
+                    if (_isSwept)
+                    {
+                        moveSome();
+                    }
+                    happens();
+                    var now:String = compare("at once");
+                    changes[name] += now == was || _isSwept ? 0 : 1;
+                    // and in the frame after that, in which little happens
+                    moveSome();
+                    compare("a frame later");
+                }
+            }
+            finish(changed, changes);
+        }
+
+        private function finish(changed:Array, changes:Object):void
+        {
+            _wrong.assertNone();
+            assertTrue(_pairs + " pairs", _pairs > 300);
+            for each (var name:String in changed)
+            {
+                assertTrue(name + " find something else", changes[name] > 0);
+            }
+        }
+
+        // Most are of the model that is replaced, which is thin so far.
+        private function flatten():void
+        {
+            for (var i:int = 0; i < _agents.length; i++)
+            {
+                if (i % 4 != 0)
+                {
+                    _agents[i].shape = "flat";
+                }
+            }
+            sGreatLand.addModel(flat(0.1));
+        }
+
+        private function start(name:String):void
+        {
+            _name = name;
+            _kept = EachCollider.make(name, sGreatLand);
+        }
+
+        // What the kept one finds.
+        private function frame():String
+        {
+            var found:String = find(_kept);
+            if (_isSwept)
+            {
+                _younger = EachCollider.make(_name, sGreatLand);
+                copySettings();
+                assertEquals("agents", _agents.length, _kept.statistics.agents);
+                find(_younger);
+            }
+            return found;
+        }
+
+        // A frame of the kept one and of one that is new, or has seen the last frame alone.
+        private function compare(when:String):String
+        {
+            if (!_isSwept)
+            {
+                _younger = EachCollider.make(_name, sGreatLand);
+            }
+            copySettings();
+            var expected:String = find(_younger);
+            var found:String = find(_kept);
+            var entries:int = _kept.statistics.binEntries;
+            if (entries != _younger.statistics.binEntries)
+            {
+                _wrong.add(_name + ", bins, " + when, entries + " entries, not " + _younger.statistics.binEntries);
+            }
+            if (found != expected)
+            {
+                _wrong.add(_name + (_isSwept ? ", swept, " : ", standing, ") + when, found.substr(0, 80) + ", not " + expected.substr(0, 80));
+            }
+            return found;
+        }
+
+        // The pairs, and who takes part.
+        private function find(collider:Collider):String
+        {
+            var found:Vector.<Agent> = new Vector.<Agent>();
+            if (_interests == null)
+            {
+                collider.findCollisions(_agents, found);
+            }
+            else
+            {
+                collider.findCollisionsAmong(_agents, _interests, found);
+            }
+            var lines:Array = [];
+            for (var i:int = 0; i < found.length; i += 2)
+            {
+                lines.push(found[i].id + "-" + found[i + 1].id);
+                _pairs++;
+            }
+            var statistics:CollisionStatistics = collider.statistics;
+            return [statistics.agents, statistics.agentsSkipped, statistics.agentsLoading, statistics.collisions].join(" ") + ": " + lines.sort().join(" ");
+        }
+
+        private function findAll():void
+        {
+            find(_kept);
+        }
+
+        private function copySettings():void
+        {
+            var precise:PreciseCollider = _kept as PreciseCollider;
+            if (precise != null)
+            {
+                PreciseCollider(_younger).exact = precise.exact;
+                PreciseCollider(_younger).maxDepth = precise.maxDepth;
+            }
+            var tests:StructureTests = testsOf(_kept);
+            if (tests != null)
+            {
+                var copy:StructureTests = testsOf(_younger);
+                copy.boxFacesOnly = tests.boxFacesOnly;
+                copy.spheresFirst = tests.spheresFirst;
+                copy.capsulesFirst = tests.capsulesFirst;
+            }
+        }
+
+        private static function testsOf(collider:Collider):StructureTests
+        {
+            var tightest:TightestFitCollider = collider as TightestFitCollider;
+            var combination:CombinationCollider = collider as CombinationCollider;
+            return tightest != null ? tightest.structureTests : (combination != null ? combination.structureTests : null);
+        }
+
+        private static function bearsAndBalls():BreedInterests
+        {
+            var interests:BreedInterests = new BreedInterests();
+            interests.add("bears", "balls");
+            return interests;
+        }
+
+        // About every second one.
+        private function some():Array
+        {
+            var chosen:Array = [];
+            for each (var agent:Agent in _agents)
+            {
+                if (_random.chance())
+                {
+                    chosen.push(agent);
+                }
+            }
+            return chosen;
+        }
+
+        private function moveSome():void
+        {
+            for each (var agent:Agent in _agents)
+            {
+                if (_random.chance(0.3))
+                {
+                    agent.moveTo(agent.x * 0.95 + 0.4 * _random.normal(), agent.y * 0.95 + 0.4 * _random.normal(), agent.z);
+                }
+            }
+        }
+
+        private function makeAgents():Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < COUNT; i++)
+            {
+                agents.push(makeAgent());
+            }
+            agents[0].sweeps = _isSwept;
+            return agents;
+        }
+
+        private function makeAgent():Agent
+        {
+            var agent:Agent = new Agent(_random.pick(SHAPES), _random.pick(["bears", "balls", "walls"]));
+            agent.moveTo(_random.between(-2, 2), _random.between(-2, 2), _random.between(0, 0.5));
+            agent.heading = _random.between(0, 360);
+            agent.hierarchical = _random.chance();
+            agent.sweeps = _isSwept && _random.chance(0.4);
+            return agent;
+        }
+
+        // A sphere that is twice as high as wide.
+        private static function egg():Model
+        {
+            var sphere:Model = BuiltInModel.sphere();
+            var vertices:Vector.<Number> = sphere.vertices.concat();
+            for (var i:int = 2; i < vertices.length; i += 3)
+            {
+                vertices[i] *= 2;
+            }
+            return new Model("egg", vertices, sphere.triangles);
+        }
+
+        private static function flat(height:Number):Model
+        {
+            return new Model("flat", new <Number>[0, 0, 0, 1, 0, 0, 1, 0.4, 0, 0, 0.4, 0, 0.5, 0.2, height],
+                    new <uint>[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 0, 2, 1, 0, 3, 2]);
+        }
+    }
+}

@@ -1,0 +1,208 @@
+package starlogo.handlers
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.agents.Agent;
+
+    public class AgentListTest
+    {
+        private var _list:AgentList;
+        private var _agents:Vector.<Agent>;
+        private var _all:Vector.<Agent>;
+        private var _random:SeededRandom;
+        private var _doubts:int;
+        private var _doubtsOfListed:int;
+
+        [Before]
+        public function makeList():void
+        {
+            _random = new SeededRandom(77);
+            _list = new AgentList();
+            _doubts = _doubtsOfListed = 0;
+        }
+
+        [Test]
+        public function takingOutByThousandsStaysProportional():void
+        {
+            begin(3000);
+            for (var i:int = 0; i < 1000; i++)
+            {
+                var gone:Agent = _agents[_random.integer(0, _agents.length - 1)];
+                _agents.splice(_agents.indexOf(gone), 1);
+                askAbout(gone);
+                askAbout(randomAgent());
+                askAbout(randomAgent());
+            }
+            assertInProportion();
+            assertEquals("the others are found", 0, _doubtsOfListed);
+        }
+
+        [Test]
+        public function poppingIsNoticed():void
+        {
+            begin(2000);
+            for (var i:int = 0; i < 500; i++)
+            {
+                askAbout(_agents.pop());
+                askAbout(randomAgent());
+            }
+            assertInProportion();
+            assertEquals("the others are found", 0, _doubtsOfListed);
+        }
+
+        [Test]
+        public function swappingWithTheLastIsNoticed():void
+        {
+            begin(2000);
+            for (var i:int = 0; i < 500; i++)
+            {
+                var index:int = _random.integer(0, _agents.length - 1);
+                var gone:Agent = _agents[index];
+                _agents[index] = _agents[_agents.length - 1];
+                _agents.pop();
+                askAbout(gone);
+                if (index < _agents.length)
+                {
+                    assertTrue("the one that took its place is there", ask(_agents[index]));
+                }
+                askAbout(randomAgent());
+            }
+            assertInProportion();
+        }
+
+        [Test]
+        public function aLongListInAnyOrderIsInDoubtRatherThanWrong():void
+        {
+            begin(1000);
+            var doubts:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                _agents.reverse();
+                _agents.push(_agents.shift());
+                var agent:Agent = randomAgent();
+                if (!ask(agent))
+                {
+                    assertTrue("it is there", _list.isInDoubt);
+                    doubts++;
+                }
+            }
+            assertTrue(doubts + " doubts", doubts > 0);
+            _list.look();
+            for each (agent in _all)
+            {
+                assertTrue("looked at anew", ask(agent));
+            }
+        }
+
+        [Test]
+        public function shortListsAreNeverInDoubt():void
+        {
+            begin(20);
+            for (var i:int = 0; i < 30; i++)
+            {
+                _agents.reverse();
+                if (i % 3 == 0)
+                {
+                    _agents.splice(_random.integer(0, _agents.length - 1), 1);
+                }
+                for each (var agent:Agent in _all)
+                {
+                    askAbout(agent);
+                    assertFalse(_list.isInDoubt);
+                }
+            }
+        }
+
+        [Test]
+        public function anAgentThatIsGoneStaysGone():void
+        {
+            begin(10);
+            var gone:Agent = _agents.pop();
+            assertFalse(ask(gone));
+            _agents.push(gone);
+            assertFalse("in this frame", ask(gone));
+            assertTrue(ask(_agents[0]));
+            _list.look();
+            assertFalse("in this frame", ask(gone));
+            _list.begin(_agents);
+            assertTrue("not in the next", ask(gone));
+        }
+
+        [Test]
+        public function anAgentThatCameInMeanwhileWaitsForTheNextFrame():void
+        {
+            begin(10);
+            var added:Agent = new Agent("sphere");
+            assertFalse(ask(new Agent("sphere")));
+            _agents.unshift(added);
+            assertFalse(ask(added));
+            for each (var agent:Agent in _all)
+            {
+                assertTrue(ask(agent));
+            }
+            _list.begin(_agents);
+            assertTrue(ask(added));
+        }
+
+        [Test]
+        public function aListMayHaveHoles():void
+        {
+            begin(10);
+            for (var i:int = 0; i < 10; i += 3)
+            {
+                _agents[i] = null;
+            }
+            for each (var agent:Agent in _all)
+            {
+                askAbout(agent);
+            }
+            _list.begin(_agents);
+            assertEquals(-1, _list.placeOf(_all[0]));
+            assertEquals(1, _list.placeOf(_all[1]));
+        }
+
+        private function begin(count:int):void
+        {
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                _agents.push(new Agent("sphere"));
+            }
+            _all = _agents.concat();
+            _list.begin(_agents);
+            _list.placeOf(_agents[0]);
+        }
+
+        private function randomAgent():Agent
+        {
+            return _all[_random.integer(0, _all.length - 1)];
+        }
+
+        private function ask(agent:Agent):Boolean
+        {
+            return _list.contains(agent);
+        }
+
+        private function askAbout(agent:Agent):void
+        {
+            var isThere:Boolean = ask(agent);
+            if (_list.isInDoubt)
+            {
+                _doubts++;
+                _doubtsOfListed += _agents.indexOf(agent) >= 0 ? 1 : 0;
+            }
+            else
+            {
+                assertEquals(_agents.indexOf(agent) >= 0, isThere);
+            }
+        }
+
+        private function assertInProportion():void
+        {
+            assertTrue(_list.credit + " left", _list.credit >= 0);
+            assertTrue(_doubts + " doubts", _doubts > 0);
+        }
+    }
+}

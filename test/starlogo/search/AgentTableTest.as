@@ -1,0 +1,123 @@
+package starlogo.search
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.models.BuiltInModel;
+    import support.assertThrows;
+
+    /** A table has those that are listed, and nobody else: neither whoever has left, nor whom a list has brought that was refused. */
+    public class AgentTableTest
+    {
+        private var _land:GreatLand;
+        private var _strategy:ShapeStrategy;
+        private var _table:AgentTable;
+        private var _agents:Vector.<Agent>;
+
+        [Before]
+        public function makeTable():void
+        {
+            _land = new GreatLand();
+            _land.addModel(BuiltInModel.cube());
+            _strategy = new TightestFitStrategy(_land);
+            _table = new AgentTable(_strategy, new ModelShapes(_land, _strategy), new Bins());
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < 20; i++)
+            {
+                _agents.push(new Agent("cube"));
+            }
+            _table.read(_agents);
+        }
+
+        [Test]
+        public function keepsTheRowsOfThoseThatStay():void
+        {
+            var row:int = _table.rowOf(_agents[7]);
+            _agents.reverse();
+            _table.read(_agents);
+            _agents.splice(2, 3);
+            _table.read(_agents);
+            assertEquals(row, _table.rowOf(_agents[9]));
+            assertHasOnly(_agents);
+        }
+
+        [Test]
+        public function letsGoOfThoseThatLeave():void
+        {
+            var gone:Vector.<Agent> = _agents.splice(5, 10);
+            _table.read(_agents);
+            for each (var agent:Agent in gone)
+            {
+                assertEquals(-1, _table.rowOf(agent));
+            }
+            assertHasOnly(_agents);
+            _table.read(new Vector.<Agent>());
+            assertHasOnly(new Vector.<Agent>());
+        }
+
+        [Test]
+        public function usesTheirRowsAgain():void
+        {
+            for (var i:int = 0; i < 200; i++)
+            {
+                _agents[i % 20] = new Agent("cube");
+                _table.read(_agents);
+                assertHasOnly(_agents);
+            }
+            assertTrue(_table.agents.length + " rows", _table.agents.length <= 30);
+        }
+
+        [Test]
+        public function hasNobodyOfAListThatIsRefused():void
+        {
+            for (var i:int = 0; i < 50; i++)
+            {
+                var others:Vector.<Agent> = _agents.concat().reverse();
+                others.splice(10, 5, new Agent("cube"), new Agent("cube"));
+                assertThrows(ArgumentError, /null/, _table.read, others.concat(new <Agent>[null]));
+                assertThrows(ArgumentError, /twice/, _table.read, others.concat(new <Agent>[others[0]]));
+                assertHasOnly(_agents);
+                for each (var agent:Agent in _agents)
+                {
+                    assertTrue(_table.agents[_table.rowOf(agent)] === agent);
+                }
+            }
+            assertTrue(_table.agents.length + " rows", _table.agents.length <= 30);
+            _table.read(_agents);
+            assertHasOnly(_agents);
+        }
+
+        [Test]
+        public function letsGoOfTheAgentsOfAQuestion():void
+        {
+            var asked:AgentTable = new AgentTable(_strategy, new ModelShapes(_land, _strategy), null);
+            asked.readPair(_agents.slice(0, 2));
+            assertTrue(asked.agents[0] === _agents[0] && asked.agents[1] === _agents[1]);
+            asked.endPair();
+            assertEquals("null,null,null,null", asked.agents[0] + "," + asked.agents[1] + "," + asked.shapes[0] + "," + asked.shapes[1]);
+        }
+
+        // Whoever has a row is listed, and the other way round.
+        private function assertHasOnly(listed:Vector.<Agent>):void
+        {
+            var count:int = 0;
+            for (var row:int = 0; row < _table.agents.length; row++)
+            {
+                var agent:Agent = _table.agents[row];
+                if (agent != null)
+                {
+                    count++;
+                    assertTrue(agent + " is listed", listed.indexOf(agent) >= 0);
+                    assertEquals("the row of " + agent, row, _table.rowOf(agent));
+                }
+                else
+                {
+                    assertTrue("no shape without an agent", _table.shapes[row] == null);
+                }
+            }
+            assertEquals(listed.length, count);
+        }
+    }
+}

@@ -2,7 +2,7 @@ package support
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.motion.Way;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     /** Reads a file of test/fixtures/motion, side by side with the pairs that move. manifest.json beside it says what is in it. */
     public final class MotionVectors
@@ -10,7 +10,7 @@ package support
         private static const FOLDER:String = "/fixtures/motion/";
 
         /** The way that was read last, of the pair's first structure. */
-        public var way:Way = new Way();
+        public var way:RelativeMotion = new RelativeMotion();
 
         /** When they touch first; NaN if they do not. */
         public var time:Number;

@@ -4,7 +4,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import starlogo.motion.Touch;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.BreedPairs;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
@@ -31,7 +31,7 @@ package starlogo.collision
     {
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
-        private var _touch:Touch = new Touch();
+        private var _touch:ContactPoint = new ContactPoint();
 
         /**
          * For the engine's colliders only.
@@ -79,8 +79,8 @@ package starlogo.collision
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            var touch:Touch = _touch;
-            contact.time = _search.findTouch(collider, collidee, touch);
+            var touch:ContactPoint = _touch;
+            contact.time = _search.findContact(collider, collidee, touch);
             contact.depth = touch.depth;
             contact.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
             contact.point.setTo(touch.x, touch.y, touch.z);

@@ -25,7 +25,7 @@ package starlogo.handlers
         public var count:int = 0;
 
         private var _contacts:ContactSource;
-        private var _touches:TouchTracker = new TouchTracker();
+        private var _touches:ContactTracker = new ContactTracker();
 
         // Whether there are calls of onCollision alone, without contacts; else the touch of each pair, null where none is tracked.
         private var _isPlain:Boolean;

@@ -3,8 +3,8 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.motion.BoxSweep;
-    import starlogo.motion.Way;
+    import starlogo.intersection.sweep.BoxSweep;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -52,7 +52,7 @@ package starlogo.hierarchy
          * @param y likewise
          * @param z likewise
          * @param exact decides in place of such nodes that touch, or null
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function touch(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, x:Number, y:Number, z:Number,
                 exact:SweptPairTest):Number
@@ -66,7 +66,7 @@ package starlogo.hierarchy
                     + Math.abs(y) + Math.abs(z));
             firstA = firstB = null;
             _top = 0;
-            var earliest:Number = Way.NEVER;
+            var earliest:Number = RelativeMotion.NEVER;
             push(a, b, facesMeet(a, b, 1));
             while (_top > 0)
             {
@@ -126,7 +126,7 @@ package starlogo.hierarchy
 
         private function push(a:HierarchyNode, b:HierarchyNode, time:Number):void
         {
-            if (time == Way.NEVER)
+            if (time == RelativeMotion.NEVER)
             {
                 return;
             }
@@ -161,7 +161,7 @@ package starlogo.hierarchy
             bY = b.halfY * scale;
             bZ = b.halfZ * scale;
             var time:Number = _sweep.facesMeet(x, y, z, a.halfX, a.halfY, a.halfZ, bX, bY, bZ, _rounding, latest);
-            if (withEdges && time != Way.NEVER)
+            if (withEdges && time != RelativeMotion.NEVER)
             {
                 time = _sweep.edgesMeet(x, y, z, a.halfX, a.halfY, a.halfZ, bX, bY, bZ, _rounding);
             }

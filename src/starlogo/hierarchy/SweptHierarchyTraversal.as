@@ -8,10 +8,10 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.motion.Touch;
-    import starlogo.motion.TouchFinder;
-    import starlogo.motion.Way;
-    import starlogo.motion.firstTouch;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
 
     use namespace engine;
 
@@ -44,12 +44,12 @@ package starlogo.hierarchy
         private var _wayY:Number;
         private var _wayZ:Number;
         private var _point:Sphere = new Sphere(new Vector3D(), 0);
-        private var _way:Way = new Way();
+        private var _way:RelativeMotion = new RelativeMotion();
 
         // Whether triangles decided, of what was looked at last.
         private var _isByTriangles:Boolean;
 
-        private var _finder:TouchFinder = new TouchFinder();
+        private var _finder:ContactFinder = new ContactFinder();
 
         // By kind: a structure of the second model in the space of the first, at time 0.
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
@@ -97,10 +97,10 @@ package starlogo.hierarchy
          * @param depthB how many levels of that are visited
          * @param exact whether, for two hierarchies of triangles, depths do not count and triangles decide
          * @param way of the first model, relative to the second
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function hierarchiesTouch(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement,
-                depthB:int, exact:Boolean, way:Way):Number
+                depthB:int, exact:Boolean, way:RelativeMotion):Number
         {
             if (placementB.size > MUCH_LARGER * placementA.size)
             {
@@ -113,10 +113,10 @@ package starlogo.hierarchy
                 return 0;
             }
             var time:Number = touchOfTrees(a, depthA, b, depthB, exact);
-            if (time == Way.NEVER)
+            if (time == RelativeMotion.NEVER)
             {
                 moveToEnd(way);
-                return _standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact) ? 1 : Way.NEVER;
+                return _standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact) ? 1 : RelativeMotion.NEVER;
             }
             return time;
         }
@@ -130,10 +130,10 @@ package starlogo.hierarchy
          * @param structure stands for another model, in that one's space
          * @param placementB where the other model stands
          * @param way of the first model, relative to the second
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function structureTouches(a:Hierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, way:Way):Number
+                placementB:Placement, way:RelativeMotion):Number
         {
             if (placementB.size > MUCH_LARGER * placementA.size)
             {
@@ -144,11 +144,11 @@ package starlogo.hierarchy
             {
                 return 0;
             }
-            var time:Number = _structures.structureTouch(a.root, depth, structure, _wayX, _wayY, _wayZ);
-            if (time == Way.NEVER)
+            var time:Number = _structures.structureContact(a.root, depth, structure, _wayX, _wayY, _wayZ);
+            if (time == RelativeMotion.NEVER)
             {
                 moveToEnd(way);
-                return _standing.structureOverlaps(a, _start, depth, structure, placementB) ? 1 : Way.NEVER;
+                return _standing.structureOverlaps(a, _start, depth, structure, placementB) ? 1 : RelativeMotion.NEVER;
             }
             return time;
         }
@@ -161,13 +161,13 @@ package starlogo.hierarchy
          * @param time when they do for the first time
          * @param out takes it, in the world
          */
-        public function findTouch(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
-                exact:Boolean, way:Way, time:Number, out:Touch):void
+        public function findContact(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
+                exact:Boolean, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
             if (placementB.size > MUCH_LARGER * placementA.size)
             {
                 _way.turn(way);
-                findTouch(b, placementB, depthB, a, placementA, depthA, exact, _way, time, out);
+                findContact(b, placementB, depthB, a, placementA, depthA, exact, _way, time, out);
                 out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
                 return;
             }
@@ -175,18 +175,18 @@ package starlogo.hierarchy
             var found:Number = touchOfTrees(a, depthA, b, depthB, exact);
             if (!(found <= time + Tolerances.SAME_TIME))
             {
-                findTouchOf(a.root.bounds, b.root.bounds, time, out);
+                findContactOf(a.root.bounds, b.root.bounds, time, out);
             }
             else if (_isByTriangles)
             {
-                _exact.findTouch(time, out);
+                _exact.findContact(time, out);
             }
             else
             {
                 var areBoxes:Boolean = _boxes.firstA != null;
                 var nodeA:HierarchyNode = areBoxes ? _boxes.firstA : _structures.firstA;
                 var nodeB:HierarchyNode = areBoxes ? _boxes.firstB : _structures.firstB;
-                findTouchOf(nodeA.bounds, nodeB.bounds, time, out);
+                findContactOf(nodeA.bounds, nodeB.bounds, time, out);
             }
             moveToWorld(placementA, way, time, out);
         }
@@ -199,13 +199,13 @@ package starlogo.hierarchy
          * @param time when they do for the first time
          * @param out takes it, in the world
          */
-        public function findStructureTouch(a:Hierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, way:Way, time:Number, out:Touch):void
+        public function findStructureContact(a:Hierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
+                placementB:Placement, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
             relate(placementA, placementB, way);
-            var found:Number = _structures.structureTouch(a.root, depth, structure, _wayX, _wayY, _wayZ);
+            var found:Number = _structures.structureContact(a.root, depth, structure, _wayX, _wayY, _wayZ);
             var node:HierarchyNode = found <= time + Tolerances.SAME_TIME ? _structures.firstA : a.root;
-            findTouchOf(node.bounds, structure, time, out);
+            findContactOf(node.bounds, structure, time, out);
             moveToWorld(placementA, way, time, out);
         }
 
@@ -226,7 +226,7 @@ package starlogo.hierarchy
         }
 
         // Of two structures in their models' spaces, at a time, in the space of the first.
-        private function findTouchOf(a:BoundingStructure, b:BoundingStructure, time:Number, out:Touch):void
+        private function findContactOf(a:BoundingStructure, b:BoundingStructure, time:Number, out:ContactPoint):void
         {
             var moved:BoundingStructure = b.place(_pose.placement, _moved[b.kind]);
             _finder.find(a, moved, -time * _wayX, -time * _wayY, -time * _wayZ, out);
@@ -235,7 +235,7 @@ package starlogo.hierarchy
             out.z += time * _wayZ;
         }
 
-        private static function moveToWorld(a:Placement, way:Way, time:Number, out:Touch):void
+        private static function moveToWorld(a:Placement, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
             var size:Number = a.size;
             var x:Number = out.x * size;
@@ -254,7 +254,7 @@ package starlogo.hierarchy
         }
 
         // At time 0.
-        private function relate(a:Placement, b:Placement, way:Way):void
+        private function relate(a:Placement, b:Placement, way:RelativeMotion):void
         {
             var start:Placement = _start;
             start.copyFrom(a);
@@ -270,7 +270,7 @@ package starlogo.hierarchy
             _wayZ = a.r02 * x + a.r12 * y + a.r22 * z;
         }
 
-        private function moveToEnd(way:Way):void
+        private function moveToEnd(way:RelativeMotion):void
         {
             _start.x += way.x;
             _start.y += way.y;
@@ -279,7 +279,7 @@ package starlogo.hierarchy
 
         // The first model is so small that it is a point of the second's space.
         private function pointTouches(root:HierarchyNode, placementA:Placement, structure:BoundingStructure, placementB:Placement,
-                way:Way):Number
+                way:RelativeMotion):Number
         {
             _way.turn(way);
             relate(placementB, placementA, _way);
@@ -290,7 +290,7 @@ package starlogo.hierarchy
             _way.x = _wayX;
             _way.y = _wayY;
             _way.z = _wayZ;
-            return firstTouch(_point, structure, _way);
+            return timeOfImpact(_point, structure, _way);
         }
     }
 }

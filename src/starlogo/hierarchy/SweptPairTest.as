@@ -2,9 +2,9 @@ package starlogo.hierarchy
 {
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.motion.Touch;
-    import starlogo.motion.TriangleSweep;
-    import starlogo.motion.Way;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.TriangleSweep;
 
     use namespace engine;
 
@@ -67,7 +67,7 @@ package starlogo.hierarchy
             return true;
         }
 
-        /** When a triangle of a leaf of the first model touches one of a leaf of the second, before a time; else Way.NEVER. */
+        /** When a triangle of a leaf of the first model touches one of a leaf of the second, before a time; else RelativeMotion.NEVER. */
         public function leavesTouch(a:HierarchyNode, b:HierarchyNode, latest:Number):Number
         {
             if (b !== _cornersOf)
@@ -75,7 +75,7 @@ package starlogo.hierarchy
                 _pose.movePoints(_solidB.corners, 9 * b.first, 9 * b.end, _corners);
                 _cornersOf = b;
             }
-            var earliest:Number = Way.NEVER;
+            var earliest:Number = RelativeMotion.NEVER;
             var corners:Vector.<Number> = _corners;
             var length:int = 9 * (b.end - b.first);
             var first:int = a.first;
@@ -136,11 +136,11 @@ package starlogo.hierarchy
          * @param time when that was
          * @param out takes it
          */
-        public function findTouch(time:Number, out:Touch):void
+        public function findContact(time:Number, out:ContactPoint):void
         {
             _cornersOf = null;
             _pose.movePoints(_solidB.corners, _firstB, _firstB + 9, _corners);
-            _sweep.findTouch(_solidA.corners, _firstA, _corners, 0, time * _wayX, time * _wayY, time * _wayZ, out);
+            _sweep.findContact(_solidA.corners, _firstA, _corners, 0, time * _wayX, time * _wayY, time * _wayZ, out);
         }
 
         private function least(corners:Vector.<Number>, at:int, way:Number):Number

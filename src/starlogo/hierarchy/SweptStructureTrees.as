@@ -7,8 +7,8 @@ package starlogo.hierarchy
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.motion.Way;
-    import starlogo.motion.firstTouch;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
 
     use namespace engine;
 
@@ -35,8 +35,8 @@ package starlogo.hierarchy
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _top:int;
 
-        private var _way:Way = new Way();
-        private var _part:Way = new Way();
+        private var _way:RelativeMotion = new RelativeMotion();
+        private var _part:RelativeMotion = new RelativeMotion();
         private var _box:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
 
         // By kind: a structure of the second model in the space of the first, at time 0.
@@ -63,13 +63,13 @@ package starlogo.hierarchy
          * @param y likewise
          * @param z likewise
          * @param exact decides in place of such nodes that touch, or null
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function touch(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, x:Number, y:Number, z:Number,
                 exact:SweptPairTest):Number
         {
             begin(x, y, z);
-            var earliest:Number = Way.NEVER;
+            var earliest:Number = RelativeMotion.NEVER;
             push(a, b, 0, 1);
             while (_top > 0)
             {
@@ -144,15 +144,15 @@ package starlogo.hierarchy
          * @param x the way of the second in the space of the first
          * @param y likewise
          * @param z likewise
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function structureTouch(root:HierarchyNode, depth:int, structure:BoundingStructure, x:Number, y:Number,
+        public function structureContact(root:HierarchyNode, depth:int, structure:BoundingStructure, x:Number, y:Number,
                 z:Number):Number
         {
             begin(x, y, z);
             var moved:BoundingStructure = structure.place(_pose.placement, _moved[structure.kind]);
             moved.widen(_pose.gap);
-            var earliest:Number = Way.NEVER;
+            var earliest:Number = RelativeMotion.NEVER;
             push(root, null, 0, 1);
             while (_top > 0)
             {
@@ -211,15 +211,15 @@ package starlogo.hierarchy
         private function firstIn(moved:BoundingStructure, other:BoundingStructure, from:Number, to:Number):Number
         {
             _part.takePart(_way, from, to);
-            var time:Number = firstTouch(moved, other, _part);
-            return time <= 1 ? from + (to - from) * time : Way.NEVER;
+            var time:Number = timeOfImpact(moved, other, _part);
+            return time <= 1 ? from + (to - from) * time : RelativeMotion.NEVER;
         }
 
         // When they touch for the last time, of two that touch in the beginning.
         private function lastIn(moved:BoundingStructure, other:BoundingStructure, from:Number, to:Number):Number
         {
             _part.takePart(_way, to, from);
-            var back:Number = firstTouch(moved, other, _part);
+            var back:Number = timeOfImpact(moved, other, _part);
             return back <= 1 ? to - (to - from) * back : from;
         }
 

@@ -5,8 +5,8 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
-    import starlogo.motion.Touch;
-    import starlogo.motion.Way;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -49,7 +49,7 @@ package starlogo.search
         // Takes the agents of the pairs; and what takes the rest, if that is asked for.
         private var _out:Vector.<Agent>;
         private var _pairs:FoundPairs;
-        private var _touches:RowTouches;
+        private var _touches:RowContacts;
 
         /**
          * @param greatLand has the models of the agents
@@ -62,7 +62,7 @@ package starlogo.search
             _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), _bins);
             _asked = new AgentTable(strategy, new ModelShapes(greatLand, strategy), null);
             _motionTests = new MotionTests(strategy);
-            _touches = new RowTouches(strategy, _motions, _motionTests);
+            _touches = new RowContacts(strategy, _motions, _motionTests);
         }
 
         /** What the last search did. */
@@ -111,7 +111,7 @@ package starlogo.search
          * @return when, on the ways of their motions
          * @throws ArgumentError if a model is unknown, or still loading
          */
-        public function findTouch(a:Agent, b:Agent, out:Touch):Number
+        public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
             var rowA:int = _table.rowOf(a);
             var rowB:int = _table.rowOf(b);
@@ -313,7 +313,7 @@ package starlogo.search
                 var other:int = _bins.memberAt[others[i]];
                 // the one that comes first in the list is the one that moves
                 var time:Number = member < other ? timeOf(row, otherRow) : timeOf(otherRow, row);
-                if (time != Way.NEVER)
+                if (time != RelativeMotion.NEVER)
                 {
                     _firsts[_found] = Math.min(member, other);
                     _seconds[_found] = Math.max(member, other);
@@ -327,13 +327,13 @@ package starlogo.search
         {
             if (_motions.isSweeping[a] || _motions.isSweeping[b])
             {
-                return _motionTests.timeOfTouch(_table, _motions, a, b, _bins.slack);
+                return _motionTests.impactTime(_table, _motions, a, b, _bins.slack);
             }
             if (ShapeStrategy.areNear(_table.extents, a, b, _bins.slack) && _strategy.areTouching(_table, a, b))
             {
                 return 1;
             }
-            return Way.NEVER;
+            return RelativeMotion.NEVER;
         }
 
         private function report(agentCount:int):void

@@ -2,8 +2,8 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
-    import starlogo.motion.Touch;
-    import starlogo.motion.Way;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5).
@@ -91,15 +91,15 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        override public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
         {
-            return strategyOf(table, a, b).timeOfTouch(table, a, b, way);
+            return strategyOf(table, a, b).impactTime(table, a, b, way);
         }
 
         /** @inheritDoc */
-        override public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        override public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            strategyOf(table, a, b).findTouch(table, a, b, way, time, out);
+            strategyOf(table, a, b).findContact(table, a, b, way, time, out);
         }
 
         /** @inheritDoc */

@@ -7,8 +7,8 @@ package starlogo.search
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyTraversal;
     import starlogo.hierarchy.SweptHierarchyTraversal;
-    import starlogo.motion.Touch;
-    import starlogo.motion.Way;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -28,7 +28,7 @@ package starlogo.search
         private var _greatLand:GreatLand;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
-        private var _turned:Way = new Way();
+        private var _turned:RelativeMotion = new RelativeMotion();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
@@ -137,7 +137,7 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        override public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
         {
             counts.hierarchyTests++;
             if (isTheOtherWayRound(table, a, b))
@@ -161,7 +161,7 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        override public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
@@ -170,16 +170,16 @@ package starlogo.search
             if (shapeA.hierarchy == null)
             {
                 _turned.turn(way);
-                _swept.findStructureTouch(shapeB.hierarchy, placementB, depthOf(table, b), shapeA.structure, placementA, _turned, time, out);
+                _swept.findStructureContact(shapeB.hierarchy, placementB, depthOf(table, b), shapeA.structure, placementA, _turned, time, out);
                 out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
             }
             else if (shapeB.hierarchy == null)
             {
-                _swept.findStructureTouch(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, way, time, out);
+                _swept.findStructureContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, way, time, out);
             }
             else
             {
-                _swept.findTouch(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB, depthOf(table, b), exact,
+                _swept.findContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB, depthOf(table, b), exact,
                         way, time, out);
             }
         }

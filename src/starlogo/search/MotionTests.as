@@ -2,14 +2,14 @@ package starlogo.search
 {
     import starlogo.broadphase.Extents;
     import starlogo.geometry.Tolerances;
-    import starlogo.motion.Way;
-    import starlogo.motion.pointPointTouch;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.pointPointImpact;
 
     /** When two rows of a table touch as their agents move. */
     internal final class MotionTests
     {
-        /** The motion of the first row relative to the second, once <code>timeOfTouch()</code> was asked. */
-        public var way:Way = new Way();
+        /** The motion of the first row relative to the second, once <code>impactTime()</code> was asked. */
+        public var way:RelativeMotion = new RelativeMotion();
 
         private var _strategy:ShapeStrategy;
 
@@ -29,9 +29,9 @@ package starlogo.search
          * When two rows of which one sweeps touch for the first time.
          *
          * @param slack by how much extents may miss each other that touch
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function timeOfTouch(table:AgentTable, motions:Motions, a:int, b:int, slack:Number):Number
+        public function impactTime(table:AgentTable, motions:Motions, a:int, b:int, slack:Number):Number
         {
             var x:Number = motions.x[a] - motions.x[b];
             var y:Number = motions.y[a] - motions.y[b];
@@ -40,7 +40,7 @@ package starlogo.search
             if (x == 0 && y == 0 && z == 0)
             {
                 _strategy.counts.sweptPairs++;
-                return _strategy.areTouching(table, a, b) ? 0 : Way.NEVER;
+                return _strategy.areTouching(table, a, b) ? 0 : RelativeMotion.NEVER;
             }
             if (table.shapes[a].isSphere && table.shapes[b].isSphere)
             {
@@ -49,10 +49,10 @@ package starlogo.search
             }
             if (passEachOther(table.extents, a, b, slack))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             _strategy.counts.sweptPairs++;
-            return _strategy.timeOfTouch(table, a, b, way);
+            return _strategy.impactTime(table, a, b, way);
         }
 
         private function timeOfSpheres(table:AgentTable, a:int, b:int):Number
@@ -65,9 +65,9 @@ package starlogo.search
             // the motion's own rounding too
             var reach:Number = ShapeStrategy.reachOfSpheres(table, a, b)
                 + Tolerances.ROUNDING * (Math.abs(way.x) + Math.abs(way.y) + Math.abs(way.z));
-            var time:Number = pointPointTouch(x + way.startX, y + way.startY, z + way.startZ, way.x, way.y, way.z, reach);
+            var time:Number = pointPointImpact(x + way.startX, y + way.startY, z + way.startZ, way.x, way.y, way.z, reach);
             // no rounding hides what stands there
-            return time == Way.NEVER && ShapeStrategy.areSpheresTouching(table, a, b) ? 1 : time;
+            return time == RelativeMotion.NEVER && ShapeStrategy.areSpheresTouching(table, a, b) ? 1 : time;
         }
 
         // Whether the extents of two rows, which now are where they are at the end of the way, never overlap in all directions at once.

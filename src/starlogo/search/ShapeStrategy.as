@@ -7,8 +7,8 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.touchingMargin;
-    import starlogo.motion.Touch;
-    import starlogo.motion.Way;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
 
@@ -85,25 +85,25 @@ package starlogo.search
          * @param a a row, where it is now
          * @param b another
          * @param way of the first, relative to the second
-         * @return from 0 to 1, or Way.NEVER
+         * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
         {
-            throw new IllegalOperationError(this + " does not implement timeOfTouch");
+            throw new IllegalOperationError(this + " does not implement impactTime");
         }
 
         /**
          * How two rows touch.
          *
-         * @param a as in timeOfTouch
-         * @param b as in timeOfTouch
-         * @param way as in timeOfTouch
+         * @param a as in impactTime
+         * @param b as in impactTime
+         * @param way as in impactTime
          * @param time when they do first
          * @param out takes it, the normal pointing from b to a, with b where it is now
          */
-        public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            throw new IllegalOperationError(this + " does not implement findTouch");
+            throw new IllegalOperationError(this + " does not implement findContact");
         }
 
         /** Begins to count the tests of a search. */

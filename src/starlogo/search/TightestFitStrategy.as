@@ -11,14 +11,14 @@ package starlogo.search
     import starlogo.engine;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleCapsule;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sphereSphere;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.boxBoxImpact;
+    import starlogo.intersection.sweep.timeOfImpact;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.motion.Touch;
-    import starlogo.motion.TouchFinder;
-    import starlogo.motion.Way;
-    import starlogo.motion.boxBoxTouch;
-    import starlogo.motion.firstTouch;
 
     use namespace engine;
 
@@ -43,8 +43,8 @@ package starlogo.search
         public var boxFacesOnly:Boolean = false;
 
         private var _greatLand:GreatLand;
-        private var _finder:TouchFinder = new TouchFinder();
-        private var _back:Way = new Way();
+        private var _finder:ContactFinder = new ContactFinder();
+        private var _back:RelativeMotion = new RelativeMotion();
 
         /**
          * @param greatLand has the structures
@@ -155,26 +155,26 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function timeOfTouch(table:AgentTable, a:int, b:int, way:Way):Number
+        override public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
         {
             var structureA:BoundingStructure = table.structureOf(a);
             var structureB:BoundingStructure = table.structureOf(b);
             note(structureA, structureB);
             if (boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
             {
-                return boxBoxTouch(Box(structureA), Box(structureB), way, true);
+                return boxBoxImpact(Box(structureA), Box(structureB), way, true);
             }
-            var time:Number = firstTouch(structureA, structureB, way);
-            if (time != Way.NEVER && haveOuter(table, a, b))
+            var time:Number = timeOfImpact(structureA, structureB, way);
+            if (time != RelativeMotion.NEVER && haveOuter(table, a, b))
             {
-                time = firstTouchOfAll(table, a, b, way, time);
+                time = timeOfImpactOfAll(table, a, b, way, time);
             }
             // no rounding hides what stands there
-            return time == Way.NEVER && areStructuresTouching(table, a, b) ? 1 : time;
+            return time == RelativeMotion.NEVER && areStructuresTouching(table, a, b) ? 1 : time;
         }
 
         /** @inheritDoc */
-        override public function findTouch(table:AgentTable, a:int, b:int, way:Way, time:Number, out:Touch):void
+        override public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
         {
             _finder.find(table.structureOf(a), table.structureOf(b), way.startX + time * way.x, way.startY + time * way.y,
                     way.startZ + time * way.z, out);
@@ -221,30 +221,30 @@ package starlogo.search
         }
 
         // When the structures that areOuterTouching looks at touch as well. Each two of them do so in one piece of the way.
-        private function firstTouchOfAll(table:AgentTable, a:int, b:int, way:Way, time:Number):Number
+        private function timeOfImpactOfAll(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number):Number
         {
             var outerA:OuterStructures = table.outerOf(a);
             var outerB:OuterStructures = table.outerOf(b);
-            var end:Number = lastTouch(table.structureOf(a), table.structureOf(b), way);
+            var end:Number = lastContact(table.structureOf(a), table.structureOf(b), way);
             if (spheresFirst)
             {
                 note(outerA.sphere, outerB.sphere);
-                time = Math.max(time, firstTouch(outerA.sphere, outerB.sphere, way));
-                end = Math.min(end, lastTouch(outerA.sphere, outerB.sphere, way));
+                time = Math.max(time, timeOfImpact(outerA.sphere, outerB.sphere, way));
+                end = Math.min(end, lastContact(outerA.sphere, outerB.sphere, way));
             }
             if (capsulesFirst && isOneBox(table, a, b))
             {
                 note(outerA.capsule, outerB.capsule);
-                time = Math.max(time, firstTouch(outerA.capsule, outerB.capsule, way));
-                end = Math.min(end, lastTouch(outerA.capsule, outerB.capsule, way));
+                time = Math.max(time, timeOfImpact(outerA.capsule, outerB.capsule, way));
+                end = Math.min(end, lastContact(outerA.capsule, outerB.capsule, way));
             }
-            return time <= end ? time : Way.NEVER;
+            return time <= end ? time : RelativeMotion.NEVER;
         }
 
-        private function lastTouch(a:BoundingStructure, b:BoundingStructure, way:Way):Number
+        private function lastContact(a:BoundingStructure, b:BoundingStructure, way:RelativeMotion):Number
         {
             _back.takePart(way, 1, 0);
-            return 1 - firstTouch(a, b, _back);
+            return 1 - timeOfImpact(a, b, _back);
         }
 
         private function note(a:BoundingStructure, b:BoundingStructure):void

@@ -8,11 +8,11 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.motion.Way;
     import support.Effort;
     import support.Fixtures;
     import support.SolidModels;
@@ -128,7 +128,7 @@ package starlogo.hierarchy
             var placementB:Placement = placed(0.7);
             var length:Number = _random.logBetween(0.03, 30);
             var direction:Vector3D = new RandomStructures(_random).direction();
-            var way:Way = new Way();
+            var way:RelativeMotion = new RelativeMotion();
             way.endAfter(length * direction.x, length * direction.y, length * direction.z);
             // the middle of the way, or another point of it, is where they are near
             var share:Number = _random.between(-0.2, 1.2);
@@ -157,7 +157,7 @@ package starlogo.hierarchy
                     assertTrue(name + " does not at " + moment + " but is found then", time != moment);
                 }
             }
-            if (time == Way.NEVER)
+            if (time == RelativeMotion.NEVER)
             {
                 _misses++;
                 return;
@@ -177,7 +177,7 @@ package starlogo.hierarchy
         }
 
         private function collide(a:Hierarchy, placementA:Placement, depthA:int, b:Hierarchy, placementB:Placement, depthB:int,
-                structure:BoundingStructure, exact:Boolean, way:Way, time:Number):Boolean
+                structure:BoundingStructure, exact:Boolean, way:RelativeMotion, time:Number):Boolean
         {
             var x:Number = placementA.x;
             var y:Number = placementA.y;

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.contact
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.geometry.Tolerances;
@@ -7,7 +7,7 @@ package starlogo.motion
      * How to part two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest way is at right angles to
      * two of the segments' directions, that is to a face of the one, or to an edge of each.
      */
-    internal final class DeepTouch
+    internal final class DeepContact
     {
         private var _a:SegmentSum = new SegmentSum();
         private var _b:SegmentSum = new SegmentSum();
@@ -21,7 +21,7 @@ package starlogo.motion
         private var _z:Number;
 
         /** Nothing found yet. */
-        public function DeepTouch()
+        public function DeepContact()
         {
         }
 
@@ -36,7 +36,7 @@ package starlogo.motion
          * @param z likewise
          * @param out takes it
          */
-        public function find(a:BoundingStructure, b:BoundingStructure, radius:Number, x:Number, y:Number, z:Number, out:Touch):void
+        public function find(a:BoundingStructure, b:BoundingStructure, radius:Number, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             _a.take(a, x, y, z);
             _b.take(b, 0, 0, 0);

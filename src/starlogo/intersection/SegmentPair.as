@@ -1,17 +1,18 @@
-package starlogo.motion
+package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * The nearest points of two capsules' segments, for one capsule in many places (Ericson, "Real-Time Collision Detection",
      * §5.1.9). What does not depend on the place is computed once.
      */
-    internal final class SegmentPair
+    public final class SegmentPair
     {
         /** For tests that are over before the next begins. */
-        internal static const SCRATCH:SegmentPair = new SegmentPair();
+        public static const SCRATCH:SegmentPair = new SegmentPair();
 
         /** From the start of b's segment to that of a's, where the capsules stand. */
         public var x:Number;
@@ -117,7 +118,7 @@ package starlogo.motion
          * @param z likewise
          * @param out takes the normal
          */
-        public function pointAcross(x:Number, y:Number, z:Number, out:Touch):void
+        public function pointAcross(x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var unit:Number = 1 / Math.sqrt(_uu > _vv ? _uu : _vv);
             var ux:Number = _ux * unit;

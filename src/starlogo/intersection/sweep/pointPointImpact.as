@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     /**
      * When a point that passes another comes as near as a distance: where its line enters the sphere of that radius, in closed form.
@@ -10,11 +10,11 @@ package starlogo.motion
      * @param wayY likewise
      * @param wayZ likewise
      * @param reach the distance
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function pointPointTouch(x:Number, y:Number, z:Number, wayX:Number, wayY:Number, wayZ:Number, reach:Number):Number
+    public function pointPointImpact(x:Number, y:Number, z:Number, wayX:Number, wayY:Number, wayZ:Number, reach:Number):Number
     {
         reach *= reach;
         if (x * x + y * y + z * z <= reach)
@@ -24,7 +24,7 @@ package starlogo.motion
         var closing:Number = -(x * wayX + y * wayY + z * wayZ);
         if (!(closing > 0))
         {
-            return Way.NEVER;
+            return RelativeMotion.NEVER;
         }
         // from the point of the line that is nearest, as far back as half the chord
         var waySquared:Number = wayX * wayX + wayY * wayY + wayZ * wayZ;
@@ -35,12 +35,12 @@ package starlogo.motion
         var half:Number = reach - (x * x + y * y + z * z);
         if (half < 0)
         {
-            return Way.NEVER;
+            return RelativeMotion.NEVER;
         }
         var time:Number = nearest - Math.sqrt(half / waySquared);
         if (time > 1)
         {
-            return Way.NEVER;
+            return RelativeMotion.NEVER;
         }
         return time > 0 ? time : 0;
     }

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -18,33 +18,33 @@ package starlogo.motion
      * @param a a Sphere, Capsule or Box, which moves
      * @param b likewise, in the same space
      * @param way of a
-     * @return from 0, which it is when they touch at the beginning, to 1; Way.NEVER if they do not touch
+     * @return from 0, which it is when they touch at the beginning, to 1; RelativeMotion.NEVER if they do not touch
      * @throws ArgumentError when there is no test for the pair
      *
      * @private
      */
-    public function firstTouch(a:BoundingStructure, b:BoundingStructure, way:Way):Number
+    public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, way:RelativeMotion):Number
     {
         switch (a.kind << 2 | b.kind)
         {
             case 0:
-                return sphereSphereTouch(a as Sphere, b as Sphere, way);
+                return sphereSphereImpact(a as Sphere, b as Sphere, way);
             case 1:
-                return sphereCapsuleTouch(a as Sphere, b as Capsule, way);
+                return sphereCapsuleImpact(a as Sphere, b as Capsule, way);
             case 2:
-                return sphereBoxTouch(a as Sphere, b as Box, way);
+                return sphereBoxImpact(a as Sphere, b as Box, way);
             case 4:
-                return sphereCapsuleTouch(b as Sphere, a as Capsule, Way.turned(way));
+                return sphereCapsuleImpact(b as Sphere, a as Capsule, RelativeMotion.turned(way));
             case 5:
-                return capsuleCapsuleTouch(a as Capsule, b as Capsule, way);
+                return capsuleCapsuleImpact(a as Capsule, b as Capsule, way);
             case 6:
-                return capsuleBoxTouch(a as Capsule, b as Box, way);
+                return capsuleBoxImpact(a as Capsule, b as Box, way);
             case 8:
-                return sphereBoxTouch(b as Sphere, a as Box, Way.turned(way));
+                return sphereBoxImpact(b as Sphere, a as Box, RelativeMotion.turned(way));
             case 9:
-                return capsuleBoxTouch(b as Capsule, a as Box, Way.turned(way));
+                return capsuleBoxImpact(b as Capsule, a as Box, RelativeMotion.turned(way));
             case 10:
-                return boxBoxTouch(a as Box, b as Box, way);
+                return boxBoxImpact(a as Box, b as Box, way);
             default:
                 throw new ArgumentError("there is no test of motion for " + a + " and " + b);
         }

@@ -1,11 +1,11 @@
-package starlogo.motion
+package starlogo.intersection.contact
 {
     /**
      * Where two structures touch, or how they overlap: the point, the normal, and how deep. Plain fields, for reuse.
      *
      * @private
      */
-    public final class Touch
+    public final class ContactPoint
     {
         /** In the middle of the overlap, in the structures' space. */
         public var x:Number = 0;
@@ -29,7 +29,7 @@ package starlogo.motion
         public var depth:Number = 0;
 
         /** At the origin, upright. */
-        public function Touch()
+        public function ContactPoint()
         {
         }
 
@@ -52,7 +52,7 @@ package starlogo.motion
         }
 
         /** Sets the normal to a vector, of any length but 0. */
-        internal function pointAlong(x:Number, y:Number, z:Number):void
+        public function pointAlong(x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             normalX = x / length;
@@ -61,7 +61,7 @@ package starlogo.motion
         }
 
         /** Sets the normal at right angles to an axis: as upright as can be; where the axis is upright, or has no length, along x or z. */
-        internal function pointAcross(x:Number, y:Number, z:Number):void
+        public function pointAcross(x:Number, y:Number, z:Number):void
         {
             var squared:Number = x * x + y * y + z * z;
             if (!(squared > 0))
@@ -86,7 +86,7 @@ package starlogo.motion
          * @param radius how far the structure reaches from its core
          * @param depth how deep; what is below 0 by rounding is 0
          */
-        internal function place(x:Number, y:Number, z:Number, radius:Number, depth:Number):void
+        public function place(x:Number, y:Number, z:Number, radius:Number, depth:Number):void
         {
             this.depth = depth > 0 ? depth : 0;
             var back:Number = radius - this.depth / 2;

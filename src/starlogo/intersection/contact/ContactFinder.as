@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.contact
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
@@ -6,6 +6,8 @@ package starlogo.motion
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.BoxSegment;
+    import starlogo.intersection.SegmentPair;
 
     /**
      * Where two structures touch, or how they overlap.
@@ -22,14 +24,14 @@ package starlogo.motion
      *
      * @private
      */
-    public final class TouchFinder
+    public final class ContactFinder
     {
         private var _segments:SegmentPair = new SegmentPair();
         private var _segment:BoxSegment = new BoxSegment();
-        private var _deep:DeepTouch = new DeepTouch();
+        private var _deep:DeepContact = new DeepContact();
 
         /** Nothing found yet. */
-        public function TouchFinder()
+        public function ContactFinder()
         {
         }
 
@@ -44,7 +46,7 @@ package starlogo.motion
          * @param out takes the result
          * @throws ArgumentError when there is no test for the pair
          */
-        public function find(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, out:Touch):void
+        public function find(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             if (a.kind > b.kind)
             {
@@ -78,7 +80,7 @@ package starlogo.motion
             }
         }
 
-        private function sphereSphere(a:Sphere, b:Sphere, x:Number, y:Number, z:Number, out:Touch):void
+        private function sphereSphere(a:Sphere, b:Sphere, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var center:Vector3D = a.center;
             var middle:Vector3D = b.center;
@@ -100,7 +102,7 @@ package starlogo.motion
             out.place(x, y, z, a.radius, a.radius + b.radius - Math.sqrt(squared));
         }
 
-        private function sphereCapsule(sphere:Sphere, capsule:Capsule, x:Number, y:Number, z:Number, out:Touch):void
+        private function sphereCapsule(sphere:Sphere, capsule:Capsule, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
@@ -137,7 +139,7 @@ package starlogo.motion
             out.place(x, y, z, sphere.radius, radii - Math.sqrt(squared));
         }
 
-        private function sphereBox(sphere:Sphere, box:Box, x:Number, y:Number, z:Number, out:Touch):void
+        private function sphereBox(sphere:Sphere, box:Box, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var center:Vector3D = sphere.center;
             var middle:Vector3D = box.center;
@@ -188,7 +190,7 @@ package starlogo.motion
             out.place(x, y, z, sphere.radius, sphere.radius + depth);
         }
 
-        private function capsuleCapsule(a:Capsule, b:Capsule, x:Number, y:Number, z:Number, out:Touch):void
+        private function capsuleCapsule(a:Capsule, b:Capsule, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var segments:SegmentPair = _segments;
             segments.relate(a, b);
@@ -211,7 +213,7 @@ package starlogo.motion
                     radii - Math.sqrt(squared));
         }
 
-        private function capsuleBox(capsule:Capsule, box:Box, x:Number, y:Number, z:Number, out:Touch):void
+        private function capsuleBox(capsule:Capsule, box:Box, x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var segment:BoxSegment = _segment;
             var halfX:Number = box.halfX;

@@ -9,7 +9,7 @@ package starlogo.handlers
      *
      * @private
      */
-    public final class TouchTracker
+    public final class ContactTracker
     {
         private static const FEWEST:int = 16;
 
@@ -30,7 +30,7 @@ package starlogo.handlers
         private var _table:Vector.<ContactPair> = new Vector.<ContactPair>(FEWEST);
 
         /** No agents touch. */
-        public function TouchTracker()
+        public function ContactTracker()
         {
         }
 

@@ -1,8 +1,9 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.BoxSegment;
 
     /**
      * When a capsule touches a box on its way: Newton's method on the distance from its segment to the box.
@@ -10,11 +11,11 @@ package starlogo.motion
      * @param capsule moves; it may have no length
      * @param box in the space of the capsule; half-extents may be 0
      * @param way of the capsule
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function capsuleBoxTouch(capsule:Capsule, box:Box, way:Way):Number
+    public function capsuleBoxImpact(capsule:Capsule, box:Box, way:RelativeMotion):Number
     {
         var segment:BoxSegment = BoxSegment.SCRATCH;
         segment.relate(capsule, box);
@@ -62,7 +63,7 @@ package starlogo.motion
             }
             if (next > 1)
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             time = next;
         }

@@ -3,17 +3,17 @@ package starlogo.search
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Extents;
-    import starlogo.motion.Touch;
-    import starlogo.motion.TouchFinder;
-    import starlogo.motion.Way;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     /** How two rows of a table touch, standing or as their agents moved. */
-    internal final class RowTouches
+    internal final class RowContacts
     {
         private var _strategy:ShapeStrategy;
         private var _motions:Motions;
         private var _motionTests:MotionTests;
-        private var _finder:TouchFinder = new TouchFinder();
+        private var _finder:ContactFinder = new ContactFinder();
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
@@ -22,7 +22,7 @@ package starlogo.search
          * @param motions those of the last search
          * @param motionTests tell when rows touch
          */
-        public function RowTouches(strategy:ShapeStrategy, motions:Motions, motionTests:MotionTests)
+        public function RowContacts(strategy:ShapeStrategy, motions:Motions, motionTests:MotionTests)
         {
             _strategy = strategy;
             _motions = motions;
@@ -36,12 +36,12 @@ package starlogo.search
          * @param out takes it, the normal pointing from b to a
          * @return when, on the ways of their motions; 1 where neither sweeps
          */
-        public function find(table:AgentTable, a:int, b:int, isSwept:Boolean, out:Touch):Number
+        public function find(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
         {
-            var way:Way = _motionTests.way;
+            var way:RelativeMotion = _motionTests.way;
             var isPassing:Boolean = isSwept && (_motions.isSweeping[a] || _motions.isSweeping[b]);
-            var time:Number = isPassing ? _motionTests.timeOfTouch(table, _motions, a, b, Infinity) : 1;
-            if (time == Way.NEVER)
+            var time:Number = isPassing ? _motionTests.impactTime(table, _motions, a, b, Infinity) : 1;
+            if (time == RelativeMotion.NEVER)
             {
                 isPassing = false;
                 time = 1;
@@ -58,7 +58,7 @@ package starlogo.search
             }
             else
             {
-                _strategy.findTouch(table, a, b, way, time, out);
+                _strategy.findContact(table, a, b, way, time, out);
             }
             if (isPassing)
             {

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Sphere;
@@ -9,15 +9,15 @@ package starlogo.motion
      * @param a moves; a radius of 0 makes it a point
      * @param b in the space of a
      * @param way of a
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function sphereSphereTouch(a:Sphere, b:Sphere, way:Way):Number
+    public function sphereSphereImpact(a:Sphere, b:Sphere, way:RelativeMotion):Number
     {
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
-        return pointPointTouch(centerA.x - centerB.x + way.startX, centerA.y - centerB.y + way.startY, centerA.z - centerB.z + way.startZ,
+        return pointPointImpact(centerA.x - centerB.x + way.startX, centerA.y - centerB.y + way.startY, centerA.z - centerB.z + way.startZ,
                 way.x, way.y, way.z, a.radius + b.radius);
     }
 }

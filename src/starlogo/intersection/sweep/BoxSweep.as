@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import starlogo.geometry.Tolerances;
 
@@ -81,7 +81,7 @@ package starlogo.motion
          * @param bZ likewise
          * @param gap across which they still touch
          * @param latest the latest time that is of interest
-         * @return not after the boxes touch; Way.NEVER if that is not until the latest time
+         * @return not after the boxes touch; RelativeMotion.NEVER if that is not until the latest time
          */
         public function facesMeet(x:Number, y:Number, z:Number, aX:Number, aY:Number, aZ:Number, bX:Number, bY:Number, bZ:Number,
                 gap:Number, latest:Number):Number
@@ -93,36 +93,36 @@ package starlogo.motion
             var xz:Number = _xz < 0 ? -_xz : _xz;
             if (times.areSeparated(x, _wayX, aX + bX * xx + bY * xy + bZ * xz, gap))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             var yx:Number = _yx < 0 ? -_yx : _yx;
             var yy:Number = _yy < 0 ? -_yy : _yy;
             var yz:Number = _yz < 0 ? -_yz : _yz;
             if (times.areSeparated(y, _wayY, aY + bX * yx + bY * yy + bZ * yz, gap))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             var zx:Number = _zx < 0 ? -_zx : _zx;
             var zy:Number = _zy < 0 ? -_zy : _zy;
             var zz:Number = _zz < 0 ? -_zz : _zz;
             if (times.areSeparated(z, _wayZ, aZ + bX * zx + bY * zy + bZ * zz, gap))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             if (times.areSeparated(x * _xx + y * _yx + z * _zx, _wayAlongX,
                         bX + aX * xx + aY * yx + aZ * zx, gap))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             if (times.areSeparated(x * _xy + y * _yy + z * _zy, _wayAlongY,
                         bY + aX * xy + aY * yy + aZ * zy, gap))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             if (times.areSeparated(x * _xz + y * _yz + z * _zz, _wayAlongZ,
                         bZ + aX * xz + aY * yz + aZ * zz, gap))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             return times.first;
         }
@@ -142,7 +142,7 @@ package starlogo.motion
                     bZ * _xz, bZ * _yz, bZ * _zz, bX * _xx, bX * _yx, bX * _zx, gap)
                 || isSeparatedAcross(x, y, z, aX, aY, aZ, _xz, _yz, _zz,
                     bX * _xx, bX * _yx, bX * _zx, bY * _xy, bY * _yy, bY * _zy, gap);
-            return isSeparated ? Way.NEVER : _times.first;
+            return isSeparated ? RelativeMotion.NEVER : _times.first;
         }
 
         // Whether the cross product of edge p of b and one of a's separates all the time; q and r are b's other edges, half of each.

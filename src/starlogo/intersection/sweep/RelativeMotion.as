@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import starlogo.geometry.Tolerances;
 
@@ -8,12 +8,12 @@ package starlogo.motion
      *
      * @private
      */
-    public final class Way
+    public final class RelativeMotion
     {
         /** The time of a touch that never comes. */
         public static const NEVER:Number = Infinity;
 
-        private static const TURNED:Way = new Way();
+        private static const TURNED:RelativeMotion = new RelativeMotion();
 
         /** From where the structure stands to where it is at time 0. */
         public var startX:Number = 0;
@@ -34,7 +34,7 @@ package starlogo.motion
         public var z:Number = 0;
 
         /** A way that leads nowhere. */
-        public function Way()
+        public function RelativeMotion()
         {
         }
 
@@ -50,7 +50,7 @@ package starlogo.motion
         }
 
         /** Makes it a part of another way, from one time of that to another; back, if the second is earlier. */
-        public function takePart(of:Way, from:Number, to:Number):void
+        public function takePart(of:RelativeMotion, from:Number, to:Number):void
         {
             startX = of.startX + from * of.x;
             startY = of.startY + from * of.y;
@@ -61,7 +61,7 @@ package starlogo.motion
         }
 
         /** Makes it the way of the other structure, while this one stands still. */
-        public function turn(way:Way):void
+        public function turn(way:RelativeMotion):void
         {
             x = -way.x;
             y = -way.y;
@@ -72,7 +72,7 @@ package starlogo.motion
         }
 
         /** The way of the other structure, while this one stands still; the next call overwrites it. */
-        internal static function turned(way:Way):Way
+        internal static function turned(way:RelativeMotion):RelativeMotion
         {
             TURNED.turn(way);
             return TURNED;

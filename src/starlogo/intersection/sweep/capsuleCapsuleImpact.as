@@ -1,8 +1,9 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.SegmentPair;
 
     /**
      * When a capsule touches another on its way: Newton's method on the distance of their segments.
@@ -10,11 +11,11 @@ package starlogo.motion
      * @param a moves; it may have no length
      * @param b in the space of a; likewise
      * @param way of a
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function capsuleCapsuleTouch(a:Capsule, b:Capsule, way:Way):Number
+    public function capsuleCapsuleImpact(a:Capsule, b:Capsule, way:RelativeMotion):Number
     {
         var segments:SegmentPair = SegmentPair.SCRATCH;
         segments.relate(a, b);
@@ -47,7 +48,7 @@ package starlogo.motion
             }
             if (next > 1)
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             time = next;
         }

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
@@ -11,11 +11,11 @@ package starlogo.motion
      * @param sphere moves; a radius of 0 makes it a point
      * @param box in the space of the sphere; half-extents may be 0
      * @param way of the sphere
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function sphereBoxTouch(sphere:Sphere, box:Box, way:Way):Number
+    public function sphereBoxImpact(sphere:Sphere, box:Box, way:RelativeMotion):Number
     {
         var center:Vector3D = sphere.center;
         var middle:Vector3D = box.center;
@@ -73,7 +73,7 @@ package starlogo.motion
             }
             if (next > 1)
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             time = next;
         }

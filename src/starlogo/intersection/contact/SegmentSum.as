@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.contact
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;

@@ -1,8 +1,10 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.Polygon;
 
     /**
      * When triangles that pass each other touch, and where: separating axes over time (see BoxSweep).
@@ -15,7 +17,7 @@ package starlogo.motion
     public final class TriangleSweep
     {
         private var _times:TouchingTimes = new TouchingTimes();
-        private var _way:Way = new Way();
+        private var _way:RelativeMotion = new RelativeMotion();
         private var _segmentA:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
         private var _segmentB:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
         private var _polygonA:Polygon = new Polygon();
@@ -71,7 +73,7 @@ package starlogo.motion
          * @param wayZ likewise
          * @param tolerance the gap that still counts as touching, a distance
          * @param latest the latest time that is of interest
-         * @return from 0 to the latest time, or Way.NEVER
+         * @return from 0 to the latest time, or RelativeMotion.NEVER
          */
         public function touch(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, wayX:Number, wayY:Number, wayZ:Number,
                 tolerance:Number, latest:Number):Number
@@ -83,7 +85,7 @@ package starlogo.motion
             _wayZ = wayZ;
             _tolerance = tolerance;
             take(a, atA, b, atB);
-            return areSeparated() ? Way.NEVER : _times.first;
+            return areSeparated() ? RelativeMotion.NEVER : _times.first;
         }
 
         /**
@@ -98,8 +100,8 @@ package starlogo.motion
          * @param wayZ likewise
          * @param out takes it, the normal pointing from b to a
          */
-        public function findTouch(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, wayX:Number, wayY:Number, wayZ:Number,
-                out:Touch):void
+        public function findContact(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, wayX:Number, wayY:Number, wayZ:Number,
+                out:ContactPoint):void
         {
             _seeksDepth = true;
             _depth = Infinity;
@@ -272,7 +274,7 @@ package starlogo.motion
             _way.x = _wayX;
             _way.y = _wayY;
             _way.z = _wayZ;
-            var time:Number = capsuleCapsuleTouch(_segmentB, _segmentA, _way);
+            var time:Number = capsuleCapsuleImpact(_segmentB, _segmentA, _way);
             return !_times.limitTo(time);
         }
 

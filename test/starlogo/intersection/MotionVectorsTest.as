@@ -1,10 +1,14 @@
-package starlogo.motion
+package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
     import support.MotionVectors;
 
     /**
@@ -21,9 +25,9 @@ package starlogo.motion
         private static const NORMAL:Number = 1e-5;
         private static const TOUCHING:Number = 1e-6;
 
-        private var _finder:TouchFinder = new TouchFinder();
-        private var _touch:Touch = new Touch();
-        private var _back:Touch = new Touch();
+        private var _finder:ContactFinder = new ContactFinder();
+        private var _touch:ContactPoint = new ContactPoint();
+        private var _back:ContactPoint = new ContactPoint();
 
         [Test]
         public function sphereSphere():void
@@ -64,7 +68,7 @@ package starlogo.motion
         private function check(name:String):void
         {
             var vectors:MotionVectors = new MotionVectors(name);
-            var back:Way = new Way();
+            var back:RelativeMotion = new RelativeMotion();
             var wrong:Array = [];
             var touching:int = 0;
             var normals:int = 0;
@@ -75,11 +79,11 @@ package starlogo.motion
             while (vectors.next())
             {
                 count++;
-                var way:Way = vectors.way;
+                var way:RelativeMotion = vectors.way;
                 var label:String = vectors.index + " (" + vectors.family + ")";
-                var time:Number = firstTouch(vectors.a, vectors.b, way);
+                var time:Number = timeOfImpact(vectors.a, vectors.b, way);
                 back.turn(way);
-                var timeBack:Number = firstTouch(vectors.b, vectors.a, back);
+                var timeBack:Number = timeOfImpact(vectors.b, vectors.a, back);
                 var isTouching:Boolean = vectors.time == vectors.time;
                 if ((time <= 1) != isTouching || (timeBack <= 1) != isTouching)
                 {
@@ -128,7 +132,7 @@ package starlogo.motion
             assertTrue("normals: " + normals, normals > 0.5 * touching);
         }
 
-        private static function distance(touch:Touch, vectors:MotionVectors, sign:Number):Number
+        private static function distance(touch:ContactPoint, vectors:MotionVectors, sign:Number):Number
         {
             var x:Number = sign * touch.normalX - vectors.normalX;
             var y:Number = sign * touch.normalY - vectors.normalY;

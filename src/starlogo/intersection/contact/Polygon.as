@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.contact
 {
     import starlogo.geometry.Tolerances;
 
@@ -6,7 +6,7 @@ package starlogo.motion
      * A corner, an edge or a face in a plane where something else touches it: one point, two, or a convex polygon. Of two that touch
      * it finds a point that both have.
      */
-    internal final class Polygon
+    public final class Polygon
     {
         // four corners against four planes
         private static const MOST_NUMBERS:int = 3 * 9;

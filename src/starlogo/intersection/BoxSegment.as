@@ -1,17 +1,18 @@
-package starlogo.motion
+package starlogo.intersection
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
+    import starlogo.intersection.contact.ContactPoint;
 
     /**
      * The point of a capsule's segment that is nearest to a box, for a capsule in many places: all in the box's axes, mirrored so that
      * the segment points up each of them.
      */
-    internal final class BoxSegment
+    public final class BoxSegment
     {
         /** For tests that are over before the next begins. */
-        internal static const SCRATCH:BoxSegment = new BoxSegment();
+        public static const SCRATCH:BoxSegment = new BoxSegment();
 
         /** From the box's middle to the segment's start, where the capsule stands. */
         public var x:Number;
@@ -83,7 +84,7 @@ package starlogo.motion
         }
 
         /** Points a normal along a way in these axes. */
-        public function turnBack(x:Number, y:Number, z:Number, out:Touch):void
+        public function turnBack(x:Number, y:Number, z:Number, out:ContactPoint):void
         {
             var axisX:Vector3D = _box.axisX;
             var axisY:Vector3D = _box.axisY;

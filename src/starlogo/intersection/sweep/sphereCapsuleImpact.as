@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
@@ -11,11 +11,11 @@ package starlogo.motion
      * @param sphere moves; a radius of 0 makes it a point
      * @param capsule in the space of the sphere; it may have no length
      * @param way of the sphere
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function sphereCapsuleTouch(sphere:Sphere, capsule:Capsule, way:Way):Number
+    public function sphereCapsuleImpact(sphere:Sphere, capsule:Capsule, way:RelativeMotion):Number
     {
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
@@ -60,7 +60,7 @@ package starlogo.motion
             }
             if (next > 1)
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             time = next;
         }

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection
 {
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
@@ -10,17 +10,21 @@ package starlogo.motion
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Cylinder;
     import starlogo.bounding.Sphere;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
     import support.assertThrows;
 
     /** Contacts part what overlaps, and lie in the middle of it. */
-    public class TouchFinderTest
+    public class ContactFinderTest
     {
         private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
         private static const TOUCHING:Number = 1e-6;
 
-        private var _finder:TouchFinder = new TouchFinder();
-        private var _touch:Touch = new Touch();
+        private var _finder:ContactFinder = new ContactFinder();
+        private var _touch:ContactPoint = new ContactPoint();
 
         [Test]
         public function movingAlongTheNormalByTheDepthLeavesATouch():void
@@ -102,13 +106,13 @@ package starlogo.motion
                 });
             assertThrows(ArgumentError, /motion/, function():void
                 {
-                    firstTouch(cylinder, cylinder, new Way());
+                    timeOfImpact(cylinder, cylinder, new RelativeMotion());
                 });
         }
 
         private function checkParts(name:String, a:BoundingStructure, b:BoundingStructure):void
         {
-            var touch:Touch = _touch;
+            var touch:ContactPoint = _touch;
             var normal:Vector3D = new Vector3D(touch.normalX, touch.normalY, touch.normalZ);
             assertNear(name + ": a unit vector", 1, normal.length);
             assertTrue(name + ": depth " + touch.depth, touch.depth >= 0);

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     /** Newton's method on the distance of two convex structures that near each other along a straight way. */
     internal final class Newton
@@ -22,13 +22,13 @@ package starlogo.motion
          * @param squared the squared distance of the cores, more than 0
          * @param radii the distance at which they touch
          * @param closing the way towards each other along the line between the nearest points, times their distance
-         * @return Way.NEVER if they do not come nearer
+         * @return RelativeMotion.NEVER if they do not come nearer
          */
         public static function next(time:Number, squared:Number, radii:Number, closing:Number):Number
         {
             if (!(closing > 0))
             {
-                return Way.NEVER;
+                return RelativeMotion.NEVER;
             }
             var distance:Number = Math.sqrt(squared);
             return time + (distance - radii) * distance / closing;

@@ -1,4 +1,4 @@
-package starlogo.motion
+package starlogo.intersection.sweep
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
@@ -10,11 +10,11 @@ package starlogo.motion
      * @param b in the space of a; likewise
      * @param way of a
      * @param faceAxesOnly leaves out the axes of the edges, as boxBox does
-     * @return from 0 to 1, or Way.NEVER
+     * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function boxBoxTouch(a:Box, b:Box, way:Way, faceAxesOnly:Boolean = false):Number
+    public function boxBoxImpact(a:Box, b:Box, way:RelativeMotion, faceAxesOnly:Boolean = false):Number
     {
         var axisX:Vector3D = a.axisX;
         var aXx:Number = axisX.x;
@@ -50,7 +50,7 @@ package starlogo.motion
         var tZ:Number = aZx * fromX + aZy * fromY + aZz * fromZ;
         var gap:Number = way.rounding();
         var time:Number = sweep.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
-        if (time == Way.NEVER || faceAxesOnly)
+        if (time == RelativeMotion.NEVER || faceAxesOnly)
         {
             return time;
         }

@@ -1,11 +1,12 @@
 /** Tests of the build files. */
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
+import path from 'node:path';
 import { test } from 'node:test';
 import { read, root } from './sources.mjs';
 
 test('no property has two defaults: what one file means by it another would not', () => {
-	const files = readdirSync(root).filter((file) => /^build.*\.xml$/.test(file));
+	const files = ['build.xml', ...readdirSync(path.join(root, 'build')).filter((file) => file.endsWith('.xml')).map((file) => `build/${file}`)];
 	assert.ok(files.length > 5);
 	const defaults = new Map();
 	for (const file of files) {

@@ -28,8 +28,6 @@ const COLD = {
 	'starlogo.hierarchy.NodeStructures': 'when a model loads',
 	'starlogo.hierarchy.PartExtremes': 'when a model loads',
 	'starlogo.hierarchy.SurfaceNotes': 'when a model loads',
-	'starlogo.hierarchy.TreeReader': 'when a model loads',
-	'starlogo.hierarchy.TreeWriter': 'when a model loads',
 	'starlogo.hierarchy.SolidBuilder': 'when a model loads',
 	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedPairs': 'made when handlers change',

@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.steps.Steps;
@@ -45,8 +44,7 @@ package starlogo.hierarchy
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
         private var _items:Items;
-        private var _tree:ByteArray = null;
-        private var _reader:TreeReader;
+        private var _tree:StoredTree = null;
         private var _maker:NodeMaker;
         private var _divider:NodeDivider;
         private var _isDividing:Boolean = false;
@@ -87,10 +85,10 @@ package starlogo.hierarchy
          * Spares most of the work, if what is given is true; what turns out not to be is done anyhow. To be called between
          * <code>begin()</code> and the first step.
          *
-         * @param tree what a TreeWriter wrote, at its position
+         * @param tree how the items were divided, not begun
          * @param notes what was noted of the surface; null for nothing
          */
-        public function take(tree:ByteArray, notes:SurfaceNotes):void
+        public function take(tree:StoredTree, notes:SurfaceNotes):void
         {
             _tree = tree;
             _hierarchy.notes = notes;
@@ -109,7 +107,7 @@ package starlogo.hierarchy
                     beginItems();
                     break;
                 case READING:
-                    if (!_reader.step())
+                    if (!_tree.step())
                     {
                         takeNodes();
                     }
@@ -176,16 +174,15 @@ package starlogo.hierarchy
             _next = 0;
             if (_tree != null)
             {
-                _reader = new TreeReader(_hierarchy, _vertices, _triangles, _tree, _maxDepth);
+                _tree.start(_hierarchy, _vertices, _triangles, _maxDepth);
                 _phase = READING;
             }
         }
 
         private function takeNodes():void
         {
-            _nodes = _reader.nodes;
-            _maker = _reader.maker;
-            _reader = null;
+            _nodes = _tree.nodes;
+            _maker = _tree.maker;
             if (_nodes == null)
             {
                 _tree = null;

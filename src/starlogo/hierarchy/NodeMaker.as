@@ -5,8 +5,12 @@ package starlogo.hierarchy
 
     use namespace engine;
 
-    /** Makes the nodes of a hierarchy: boxes around the extents of their parts, a little wider. */
-    internal final class NodeMaker
+    /**
+     * Makes the nodes of a hierarchy: boxes around the extents of their parts, a little wider.
+     *
+     * @private
+     */
+    public final class NodeMaker
     {
         // The boxes of levels below this one are not made wider for those of the next.
         private static const NESTED_LEVELS:int = 64;

@@ -6,6 +6,9 @@ package starlogo.libraries
     import starlogo.geometry.GeometryFingerprint;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyBuilder;
+    import starlogo.libraries.cooked.FitsReader;
+    import starlogo.libraries.cooked.FitsWriter;
+    import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -131,7 +134,7 @@ package starlogo.libraries
             }
             if (_hierarchy != null && _fits.tree != null)
             {
-                _hierarchy.take(_fits.tree, _fits.notes);
+                _hierarchy.take(new TreeReader(_fits.tree), _fits.notes);
             }
         }
 

@@ -5,7 +5,8 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.SurfaceNotes;
-    import starlogo.hierarchy.TreeWriter;
+    import starlogo.libraries.cooked.FitsWriter;
+    import starlogo.libraries.cooked.TreeWriter;
 
     use namespace engine;
 

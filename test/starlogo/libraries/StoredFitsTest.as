@@ -19,6 +19,7 @@ package starlogo.libraries
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.SolidContents;
+    import starlogo.libraries.cooked.FitsWriter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;

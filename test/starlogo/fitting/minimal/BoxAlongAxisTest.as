@@ -1,9 +1,9 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
+    import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertTrue;
     import starlogo.geometry.ConvexHull;
     import support.PointSets;
-    import evaluation.pairs.SeededRandom;
 
     public class BoxAlongAxisTest
     {

@@ -1,7 +1,7 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     /** A capsule along some direction, that MinimalCapsuleFitter may go on from. */
-    internal final class CapsuleSample extends DirectionSample
+    public final class CapsuleSample extends DirectionSample
     {
         /** Where the segment starts along the direction, seen from the plane through the origin. */
         public var low:Number;

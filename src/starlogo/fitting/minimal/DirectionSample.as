@@ -1,7 +1,7 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     /** A direction that a search may go on from, and the volume of what was found along it. */
-    internal class DirectionSample
+    public class DirectionSample
     {
         /** Of the direction, a unit vector. */
         public var x:Number;

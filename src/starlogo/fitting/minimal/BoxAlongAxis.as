@@ -1,4 +1,4 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     import starlogo.geometry.ConvexHull;
 
@@ -10,7 +10,7 @@ package starlogo.fitting
      *
      * <p>One object is good for many directions; those close to the one before are the fastest (see HullOutline).</p>
      */
-    internal final class BoxAlongAxis
+    public final class BoxAlongAxis
     {
         /** Unit vector along one side of the box last measured, perpendicular to the direction; the third follows. */
         public var sideX:Number = 0;

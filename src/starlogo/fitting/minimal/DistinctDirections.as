@@ -1,7 +1,7 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     /** Directions without regard to sign, at most one of those that are close to each other. */
-    internal final class DistinctDirections
+    public final class DistinctDirections
     {
         private var _directions:Vector.<Number> = new Vector.<Number>();
         private var _cells:Object = {};

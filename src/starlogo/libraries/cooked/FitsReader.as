@@ -1,4 +1,4 @@
-package starlogo.libraries
+package starlogo.libraries.cooked
 {
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
@@ -10,6 +10,8 @@ package starlogo.libraries
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.SurfaceNotes;
+    import starlogo.libraries.FitSettings;
+    import starlogo.libraries.ModelFits;
     import starlogo.steps.Steps;
 
     use namespace engine;
@@ -19,7 +21,7 @@ package starlogo.libraries
      * have changed, or that hold impossible numbers are no fits, and sections of other settings are left out. What a section
      * says of the model is checked by whoever uses it.
      */
-    internal final class FitsReader implements Steps
+    public final class FitsReader implements Steps
     {
         private static const WORDS_A_STEP:int = 4000;
         private static const LARGEST_LENGTH:int = 0x10000000;

@@ -1,4 +1,4 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     /**
      * Moves the ends of a capsule until no small move makes it smaller while it holds all points: a part of
@@ -11,7 +11,7 @@ package starlogo.fitting
      * Methods in Extremal Problems", 1978). The small quadratic program is solved in its dual, one multiplier after the other
      * (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics Quarterly 4(1), 1957).</p>
      */
-    internal final class CapsuleDescent
+    public final class CapsuleDescent
     {
         private static const STEPS:int = 60;
         private static const SWEEPS:int = 60;

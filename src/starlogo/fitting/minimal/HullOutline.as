@@ -1,4 +1,4 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Tolerances;

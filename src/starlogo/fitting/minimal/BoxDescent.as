@@ -1,4 +1,4 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     import starlogo.geometry.ConvexHull;
 
@@ -10,7 +10,7 @@ package starlogo.fitting
      * on and along the creases of the edges at the two corners that hold the box; and the directions of the box's other sides,
      * which the volume depends on just as well.</p>
      */
-    internal final class BoxDescent
+    public final class BoxDescent
     {
         private static const FIRST_STEP:Number = 0.05;
         private static const LAST_STEP:Number = 1e-10;

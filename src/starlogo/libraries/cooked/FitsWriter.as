@@ -1,4 +1,4 @@
-package starlogo.libraries
+package starlogo.libraries.cooked
 {
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
@@ -9,6 +9,8 @@ package starlogo.libraries
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
+    import starlogo.libraries.FitSettings;
+    import starlogo.libraries.ModelFits;
 
     use namespace engine;
 
@@ -26,7 +28,7 @@ package starlogo.libraries
      *   end  the fingerprint of all before
      * </pre>
      */
-    internal final class FitsWriter
+    public final class FitsWriter
     {
         /** The byte order. */
         public static const ENDIAN:String = Endian.LITTLE_ENDIAN;

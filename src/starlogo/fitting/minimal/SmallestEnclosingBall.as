@@ -1,4 +1,4 @@
-package starlogo.fitting
+package starlogo.fitting.minimal
 {
     import starlogo.geometry.Tolerances;
 
@@ -12,7 +12,7 @@ package starlogo.fitting
      * degenerate position of the points can lead astray. The ball only grows, so it ends; usually after five to fifteen
      * passes over the points. With z = 0 throughout it finds the smallest circle.</p>
      */
-    internal final class SmallestEnclosingBall
+    public final class SmallestEnclosingBall
     {
         // Everything below is seen from the first point: far from the origin nothing is lost to rounding.
         private var _originX:Number;

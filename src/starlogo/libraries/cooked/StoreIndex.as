@@ -1,10 +1,10 @@
-package starlogo.libraries
+package starlogo.libraries.cooked
 {
     import flash.utils.ByteArray;
     import starlogo.geometry.Fingerprint;
 
     /** Which entries a FitStore has, and how long each is: a list that is itself kept as bytes. */
-    internal final class StoreIndex
+    public final class StoreIndex
     {
         private static const NAME:RegExp = /^[0-9a-f]{32}$/;
         private static const NAME_LENGTH:int = 32;

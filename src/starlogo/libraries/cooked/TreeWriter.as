@@ -1,7 +1,9 @@
-package starlogo.hierarchy
+package starlogo.libraries.cooked
 {
     import flash.utils.ByteArray;
     import starlogo.engine;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyNode;
 
     use namespace engine;
 
@@ -20,11 +22,7 @@ package starlogo.hierarchy
         /** How many bytes the number of an item takes among so many. */
         public static function widthFor(count:int):int
         {
-            if (count <= 0x100)
-            {
-                return 1;
-            }
-            return count <= 0x10000 ? 2 : 4;
+            return count <= 0x100 ? 1 : (count <= 0x10000 ? 2 : 4);
         }
 
         /**
@@ -33,11 +31,18 @@ package starlogo.hierarchy
          * the lowest first, the eighth bit telling that more follow.
          *
          * @param hierarchy of boxes, spheres or capsules
-         * @param out takes the bytes at its position
+         * @param out gets the bytes, at its position; has the lowest byte of a number first
          */
         public static function write(hierarchy:Hierarchy, out:ByteArray):void
         {
-            writeOrder(hierarchy.order, out);
+            var width:int = widthFor(hierarchy.order.length);
+            for each (var item:int in hierarchy.order)
+            {
+                for (var bits:int = 0; bits < 8 * width; bits += 8)
+                {
+                    out.writeByte(item >> bits);
+                }
+            }
             var stack:Vector.<HierarchyNode> = new <HierarchyNode>[hierarchy.root];
             while (stack.length > 0)
             {
@@ -49,26 +54,6 @@ package starlogo.hierarchy
                 }
                 writeNumber(1 + node.splitAxis + 3 * (node.left.end - node.first), out);
                 stack.push(node.right, node.left);
-            }
-        }
-
-        private static function writeOrder(order:Vector.<int>, out:ByteArray):void
-        {
-            var width:int = widthFor(order.length);
-            for each (var item:int in order)
-            {
-                switch (width)
-                {
-                    case 1:
-                        out.writeByte(item);
-                        break;
-                    case 2:
-                        out.writeShort(item);
-                        break;
-                    default:
-                        out.writeInt(item);
-                        break;
-                }
             }
         }
 

@@ -9,9 +9,9 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.Tolerances;
-    import starlogo.hierarchy.SurfaceNotes;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.ModelFits;
+    import starlogo.solid.SurfaceNotes;
     import starlogo.steps.Steps;
 
     use namespace engine;

@@ -9,6 +9,7 @@ package
     import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
     import benchmark.StoredFitsBenchmark;
+    import benchmark.TraversalBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
     import headless.Host;
@@ -21,7 +22,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

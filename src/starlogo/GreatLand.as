@@ -3,14 +3,14 @@ package starlogo
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.libraries.BoundingStructuresLibrary;
-    import starlogo.libraries.HierarchiesLibrary;
-    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.libraries.FitStore;
+    import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelBuild;
     import starlogo.libraries.Revisions;
     import starlogo.libraries.ShapeStructures;
-    import starlogo.models.Model;
     import starlogo.models.FitsReceiver;
+    import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -297,7 +297,7 @@ package starlogo
             return new ModelBuild(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, baked, fitStore);
         }
 
-        private function store(model:Model, hierarchy:HierarchyBuilder, structures:ShapeStructures):void
+        private function store(model:Model, hierarchy:SolidHierarchyBuilder, structures:ShapeStructures):void
         {
             // null where there is none: what the name had before is another model's
             _hierarchies.store(model.name, hierarchy);

@@ -14,7 +14,7 @@ import { fileURLToPath } from 'node:url';
 
 /** Packages and classes whose functions run every frame. */
 const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.geometry.Placement',
-	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.search'];
+	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.search', 'starlogo.solid'];
 
 /** Classes of those packages that do not, and why. */
 const COLD = {
@@ -26,11 +26,18 @@ const COLD = {
 	'starlogo.hierarchy.NodeDivider': 'when a model loads',
 	'starlogo.hierarchy.NodeMaker': 'when a model loads',
 	'starlogo.hierarchy.NodeStructures': 'when a model loads',
-	'starlogo.hierarchy.PartExtremes': 'when a model loads',
-	'starlogo.hierarchy.SurfaceNotes': 'when a model loads',
-	'starlogo.hierarchy.TreeReader': 'when a model loads',
-	'starlogo.hierarchy.TreeWriter': 'when a model loads',
-	'starlogo.hierarchy.SolidBuilder': 'when a model loads',
+	'starlogo.solid.DisjointSets': 'when a model loads',
+	'starlogo.solid.EdgeBuckets': 'when a model loads',
+	'starlogo.solid.Orientation': 'when a model loads',
+	'starlogo.solid.PartExtremes': 'when a model loads',
+	'starlogo.solid.PartFinder': 'when a model loads',
+	'starlogo.solid.SolidBuilder': 'when a model loads',
+	'starlogo.solid.SolidHierarchyBuilder': 'when a model loads',
+	'starlogo.solid.SurfaceBuilder': 'when a model loads',
+	'starlogo.solid.SurfaceCheck': 'when a model loads',
+	'starlogo.solid.SurfaceFinder': 'when a model loads',
+	'starlogo.solid.SurfaceNotes': 'when a model loads',
+	'starlogo.solid.Welding': 'when a model loads',
 	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',
 	'starlogo.search.BreedPairs': 'made when handlers change',
 };

@@ -1,6 +1,10 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.minimal.BoxAlongAxis;
+    import starlogo.fitting.minimal.BoxDescent;
+    import starlogo.fitting.minimal.DirectionSample;
+    import starlogo.fitting.minimal.DistinctDirections;
     import starlogo.geometry.ConvexHull;
 
     /**

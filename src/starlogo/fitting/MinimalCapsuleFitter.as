@@ -4,6 +4,10 @@ package starlogo.fitting
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.fitting.minimal.CapsuleDescent;
+    import starlogo.fitting.minimal.CapsuleSample;
+    import starlogo.fitting.minimal.DirectionSample;
+    import starlogo.fitting.minimal.SmallestEnclosingBall;
     import starlogo.geometry.ConvexHull;
 
     /**

@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.fitting.minimal.SmallestEnclosingBall;
 
     /**
      * The smallest sphere of all (beyond the thesis; see SmallestEnclosingBall): exact but for rounding, about 1e-12 of the radius. Usually

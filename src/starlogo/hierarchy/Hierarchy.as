@@ -1,16 +1,15 @@
 package starlogo.hierarchy
 {
     import starlogo.engine;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
     /**
-     * A model's hierarchy with what its nodes share. For the engine; a client has its root.
+     * The tree around a model's items with what its nodes share. For the engine; a client has its root.
      *
      * @private
      */
-    public final class Hierarchy
+    public class Hierarchy
     {
         /**
          * The node around the whole model.
@@ -41,21 +40,31 @@ package starlogo.hierarchy
         engine var order:Vector.<int>;
 
         /**
-         * What is known of the surface; null for nothing.
+         * The model's vertices: x, y, z each.
          *
          * @private
          */
-        engine var notes:SurfaceNotes = null;
+        engine var vertices:Vector.<Number>;
 
-        private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint>;
-        private var _solid:Solid = null;
+        /**
+         * The model's triangles, three vertex indices each; null where only vertices are known.
+         *
+         * @private
+         */
+        engine var triangles:Vector.<uint>;
 
-        /** Made by a HierarchyBuilder. */
-        public function Hierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>)
+        /**
+         * Without nodes: a HierarchyBuilder makes them.
+         *
+         * @param vertices x, y, z each
+         * @param triangles three vertex indices each, or null if the vertices are the items
+         * @param boundsKind which structure each node has
+         */
+        public function Hierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
         {
-            _vertices = vertices;
-            _triangles = triangles;
+            this.vertices = vertices;
+            this.triangles = triangles;
+            this.boundsKind = boundsKind;
             hasTriangles = triangles != null;
         }
 
@@ -77,65 +86,14 @@ package starlogo.hierarchy
                 var corner:int = 3 * order[i];
                 for (var last:int = corner + 3; corner < last; corner++)
                 {
-                    if (isCounted[_triangles[corner]] == undefined)
+                    if (isCounted[triangles[corner]] == undefined)
                     {
-                        isCounted[_triangles[corner]] = true;
+                        isCounted[triangles[corner]] = true;
                         count++;
                     }
                 }
             }
             return count;
-        }
-
-        /**
-         * The triangles as exact tests and tests for insides need them. Where the builder has not prepared them, the first call
-         * does: that takes tens of milliseconds for thousands of triangles. Only where there are triangles.
-         */
-        internal function get solid():Solid
-        {
-            if (_solid == null)
-            {
-                prepare();
-            }
-            return _solid;
-        }
-
-        /**
-         * Sees to it that what exact tests need of the triangles is there.
-         *
-         * @private
-         */
-        engine function prepare():void
-        {
-            if (hasTriangles && _solid == null)
-            {
-                var builder:SolidBuilder = beginSolid();
-                finish(builder);
-                takeSolid(builder);
-            }
-        }
-
-        /**
-         * Whether what exact tests need of the triangles is there.
-         *
-         * @private
-         */
-        engine function get isPrepared():Boolean
-        {
-            return _solid != null;
-        }
-
-        /** Takes what was prepared. */
-        internal function takeSolid(builder:SolidBuilder):void
-        {
-            _solid = builder.solid;
-            notes = builder.notes;
-        }
-
-        /** Begins to prepare the solid. */
-        internal function beginSolid():SolidBuilder
-        {
-            return new SolidBuilder(root, _vertices, _triangles, order, notes);
         }
     }
 }

@@ -34,11 +34,11 @@ package starlogo.hierarchy
         engine var hierarchy:Hierarchy;
 
         /**
-         * The number of levels down to this one, the root's being 1.
+         * The number of levels down to this one, the root's being 1; 0 for a node that stands for a single structure.
          *
          * @private
          */
-        engine var level:int;
+        engine var level:int = 0;
 
         /**
          * The largest depth limit at which a visit ends here: its level, or for a leaf any.
@@ -200,6 +200,20 @@ package starlogo.hierarchy
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
         {
             return hierarchy.hasTriangles ? emptied(out) : itemsInto(out);
+        }
+
+        /**
+         * Sets the box's size, and the radii that follow from it.
+         *
+         * @private
+         */
+        engine function setHalfExtents(halfX:Number, halfY:Number, halfZ:Number):void
+        {
+            this.halfX = halfX;
+            this.halfY = halfY;
+            this.halfZ = halfZ;
+            radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
+            innerRadius = Math.min(Math.min(halfX, halfY), halfZ);
         }
 
         /** The axis along which the box is longest: 0, 1 or 2. */

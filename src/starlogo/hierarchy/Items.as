@@ -4,7 +4,7 @@ package starlogo.hierarchy
      * What a hierarchy is made of, triangles or vertices: their extents, and the order in which those of a node are side by
      * side. Divides the items of a node in two.
      */
-    internal final class Items
+    public final class Items
     {
         /** The numbers of the items. */
         public var order:Vector.<int>;
@@ -64,7 +64,7 @@ package starlogo.hierarchy
                 order[i] = i;
                 if (_triangles != null)
                 {
-                    writeExtents(3 * i, 6 * i);
+                    writeExtents(_vertices, _triangles, 3 * i, _extents, 6 * i);
                 }
             }
             extend(first * _stride, end * _stride);
@@ -265,6 +265,32 @@ package starlogo.hierarchy
             return left > 0;
         }
 
+        /**
+         * Writes a triangle's extents: minX, minY, minZ, maxX, maxY, maxZ.
+         *
+         * @param vertices x, y, z each
+         * @param triangles three vertex indices each
+         * @param corner where those of the triangle begin
+         * @param out takes the extents
+         * @param at from here on
+         */
+        public static function writeExtents(vertices:Vector.<Number>, triangles:Vector.<uint>, corner:int, out:Vector.<Number>, at:int):void
+        {
+            var a:int = 3 * triangles[corner];
+            var b:int = 3 * triangles[int(corner + 1)];
+            var c:int = 3 * triangles[int(corner + 2)];
+            for (var end:int = at + 3; at < end; at++)
+            {
+                var p:Number = vertices[a++];
+                var q:Number = vertices[b++];
+                var r:Number = vertices[c++];
+                var low:Number = q < p ? q : p;
+                var high:Number = q < p ? p : q;
+                out[at] = r < low ? r : low;
+                out[int(at + 3)] = r > high ? r : high;
+            }
+        }
+
         // From one place in the items' extents up to another.
         private function extend(from:int, to:int):void
         {
@@ -299,38 +325,6 @@ package starlogo.hierarchy
             extents[3] = maxX;
             extents[4] = maxY;
             extents[5] = maxZ;
-        }
-
-        private function writeExtents(corner:int, at:int):void
-        {
-            var a:int = 3 * _triangles[corner];
-            var b:int = 3 * _triangles[int(corner + 1)];
-            var c:int = 3 * _triangles[int(corner + 2)];
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var low:Number = _vertices[int(a + axis)];
-                var high:Number = low;
-                var coordinate:Number = _vertices[int(b + axis)];
-                if (coordinate < low)
-                {
-                    low = coordinate;
-                }
-                else
-                {
-                    high = coordinate;
-                }
-                coordinate = _vertices[int(c + axis)];
-                if (coordinate < low)
-                {
-                    low = coordinate;
-                }
-                else if (coordinate > high)
-                {
-                    high = coordinate;
-                }
-                _extents[int(at + axis)] = low;
-                _extents[int(at + axis + 3)] = high;
-            }
         }
 
         private function addPoint(points:Vector.<Number>, vertex:int):void

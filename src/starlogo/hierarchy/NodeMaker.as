@@ -5,12 +5,13 @@ package starlogo.hierarchy
 
     use namespace engine;
 
-    /** Makes the nodes of a hierarchy: boxes around the extents of their parts, a little wider. */
-    internal final class NodeMaker
+    /**
+     * Makes the nodes of a hierarchy: boxes around the extents of their parts, a little wider.
+     *
+     * @private
+     */
+    public final class NodeMaker
     {
-        // The boxes of levels below this one are not made wider for those of the next.
-        private static const NESTED_LEVELS:int = 64;
-
         private var _hierarchy:Hierarchy;
         private var _radius:Number = 0;
 
@@ -35,11 +36,11 @@ package starlogo.hierarchy
          */
         public function marginOf(level:int):Number
         {
-            return _radius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, NESTED_LEVELS - level));
+            return _radius * (Tolerances.SURFACES + Tolerances.NESTING * Math.max(1, Tolerances.NESTED_LEVELS - level));
         }
 
         /**
-         * A leaf; whoever divides it says so.
+         * A leaf, unless it is divided.
          *
          * @param level the root's is 1
          * @param first its first item in the hierarchy's order
@@ -64,15 +65,7 @@ package starlogo.hierarchy
             node.x = minX + halfX;
             node.y = minY + halfY;
             node.z = minZ + halfZ;
-            node.halfX = halfX += margin;
-            node.halfY = halfY += margin;
-            node.halfZ = halfZ += margin;
-            node.radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
-            node.innerRadius = halfX < halfY ? halfX : halfY;
-            if (halfZ < node.innerRadius)
-            {
-                node.innerRadius = halfZ;
-            }
+            node.setHalfExtents(halfX + margin, halfY + margin, halfZ + margin);
             return node;
         }
 

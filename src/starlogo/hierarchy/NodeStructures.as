@@ -12,7 +12,7 @@ package starlogo.hierarchy
      * Puts spheres or capsules around the nodes of a hierarchy, in place of their boxes (thesis §7.7), and covers around each
      * with all its descendants.
      */
-    internal final class NodeStructures
+    public final class NodeStructures
     {
         private var _kind:int;
         private var _items:Items;

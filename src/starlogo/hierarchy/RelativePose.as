@@ -4,12 +4,13 @@ package starlogo.hierarchy
     import starlogo.bounding.Box;
     import starlogo.geometry.Placement;
     import starlogo.geometry.touchingMargin;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * Where one agent's model is in the space of another's: what all the nodes of their hierarchies share, so that only the
      * agents are related, once for each pair.
      */
-    internal final class RelativePose
+    public final class RelativePose
     {
         /** Takes the second model into the space of the first. Its own isIdentity is always false. */
         public var placement:Placement = new Placement();
@@ -17,8 +18,8 @@ package starlogo.hierarchy
         /** How far apart the two may be, in the space of the first, and still touch: what rounding makes of where they stand. */
         public var gap:Number = 0;
 
-        /** Whether both models are turned about z at most, as almost always. */
-        public var isYawOnly:Boolean;
+        /** How the second model moves from there, of models that move: from time 0 to time 1, its start being 0. */
+        public var motion:RelativeMotion = new RelativeMotion();
 
         /** Until relate is called, both are in one place. */
         public function RelativePose()
@@ -49,10 +50,9 @@ package starlogo.hierarchy
             var relative:Placement = placement;
             relative.size = scale;
             gap = (touchingMargin(a.x, a.y, a.z) + touchingMargin(b.x, b.y, b.z)) / a.size;
-            isYawOnly = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
-            if (isYawOnly)
+            if (a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1)
             {
-                // the other entries are exactly 0
+                // both are turned about z at most, as almost always: the other entries are exactly 0
                 relative.x = a00 * x + a10 * y;
                 relative.y = a01 * x + a11 * y;
                 relative.z = z;
@@ -86,6 +86,22 @@ package starlogo.hierarchy
             relative.r20 = a02 * b00 + a12 * b10 + a22 * b20;
             relative.r21 = a02 * b01 + a12 * b11 + a22 * b21;
             relative.r22 = a02 * b02 + a12 * b12 + a22 * b22;
+        }
+
+        /**
+         * Finds how the second model moves in the first model's space.
+         *
+         * @param a where the first is in the world
+         * @param way of the first, relative to the second, in the world
+         */
+        public function relateMotion(a:Placement, way:RelativeMotion):void
+        {
+            var x:Number = -way.x / a.size;
+            var y:Number = -way.y / a.size;
+            var z:Number = -way.z / a.size;
+            motion.x = a.r00 * x + a.r10 * y + a.r20 * z;
+            motion.y = a.r01 * x + a.r11 * y + a.r21 * z;
+            motion.z = a.r02 * x + a.r12 * y + a.r22 * z;
         }
 
         /**
@@ -135,7 +151,6 @@ package starlogo.hierarchy
             relative.r02 = r00 * x + r01 * y + r02 * z;
             relative.r12 = r10 * x + r11 * y + r12 * z;
             relative.r22 = r20 * x + r21 * y + r22 * z;
-            isYawOnly = false;
         }
 
         /**

@@ -4,7 +4,10 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
-    import starlogo.hierarchy.TreeWriter;
+    import starlogo.libraries.cooked.FitsReader;
+    import starlogo.libraries.cooked.FitsWriter;
+    import starlogo.libraries.cooked.StoreIndex;
+    import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
     import starlogo.steps.finish;
 

@@ -3,10 +3,10 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.VertexData;
-    import starlogo.hierarchy.Hierarchy;
-    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -82,7 +82,7 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
-            var builder:HierarchyBuilder = begin(name, vertices, triangles);
+            var builder:SolidHierarchyBuilder = begin(name, vertices, triangles);
             finish(builder);
             store(name, builder);
         }
@@ -108,7 +108,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function begin(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):HierarchyBuilder
+        engine function begin(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
             if (name == null || name == "")
             {
@@ -132,7 +132,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function beginModel(model:Model):HierarchyBuilder
+        engine function beginModel(model:Model):SolidHierarchyBuilder
         {
             checkSettings();
             return newBuilder(model.vertices, model.triangles);
@@ -143,7 +143,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function store(name:String, builder:HierarchyBuilder):void
+        engine function store(name:String, builder:SolidHierarchyBuilder):void
         {
             remove(name);
             if (builder != null)
@@ -175,14 +175,14 @@ package starlogo.libraries
          *
          * @private
          */
-        engine function hierarchy(name:String):Hierarchy
+        engine function hierarchy(name:String):SolidHierarchy
         {
             if (!has(name))
             {
                 throw new ArgumentError("there is no hierarchy for shape \"" + name
                         + "\": add its model first, with loadHierarchies set");
             }
-            var builder:HierarchyBuilder = _hierarchies[PREFIX + name] as HierarchyBuilder;
+            var builder:SolidHierarchyBuilder = _hierarchies[PREFIX + name] as SolidHierarchyBuilder;
             if (builder != null)
             {
                 _hierarchies[PREFIX + name] = builder.finished;
@@ -190,9 +190,9 @@ package starlogo.libraries
             return _hierarchies[PREFIX + name];
         }
 
-        private function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):HierarchyBuilder
+        private function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
-            var builder:HierarchyBuilder = new HierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
+            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
             builder.begin(vertices, triangles);
             return builder;
         }

@@ -4,9 +4,12 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
-    import starlogo.hierarchy.Hierarchy;
-    import starlogo.hierarchy.HierarchyBuilder;
+    import starlogo.libraries.cooked.FitsReader;
+    import starlogo.libraries.cooked.FitsWriter;
+    import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -23,7 +26,7 @@ package starlogo.libraries
     {
         private var _model:Model;
         private var _structures:StructuresBuild = null;
-        private var _hierarchy:HierarchyBuilder = null;
+        private var _hierarchy:SolidHierarchyBuilder = null;
         private var _settings:FitSettings;
         private var _baked:ByteArray;
         private var _store:FitStore;
@@ -85,7 +88,7 @@ package starlogo.libraries
         }
 
         /** What has the hierarchy, or makes it of what is known when it is needed, when no step is left; null if none was wanted. */
-        public function get hierarchy():HierarchyBuilder
+        public function get hierarchy():SolidHierarchyBuilder
         {
             return _hierarchy;
         }
@@ -131,7 +134,7 @@ package starlogo.libraries
             }
             if (_hierarchy != null && _fits.tree != null)
             {
-                _hierarchy.take(_fits.tree, _fits.notes);
+                _hierarchy.take(new TreeReader(_fits.tree), _fits.notes);
             }
         }
 
@@ -181,7 +184,7 @@ package starlogo.libraries
 
         private function write():ByteArray
         {
-            var built:Hierarchy = _hierarchy == null ? null : _hierarchy.finished;
+            var built:SolidHierarchy = _hierarchy == null ? null : _hierarchy.finished;
             return FitsWriter.write(ModelFits.of(structures, built), geometry, _settings);
         }
 

@@ -3,9 +3,10 @@ package starlogo.libraries
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.hierarchy.Hierarchy;
-    import starlogo.hierarchy.SurfaceNotes;
-    import starlogo.hierarchy.TreeWriter;
+    import starlogo.libraries.cooked.FitsWriter;
+    import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.SurfaceNotes;
 
     use namespace engine;
 
@@ -67,7 +68,7 @@ package starlogo.libraries
          *
          * @private
          */
-        engine static function of(shape:ShapeStructures, hierarchy:Hierarchy):ModelFits
+        engine static function of(shape:ShapeStructures, hierarchy:SolidHierarchy):ModelFits
         {
             var fits:ModelFits = new ModelFits();
             if (shape != null)

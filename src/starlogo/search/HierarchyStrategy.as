@@ -5,10 +5,10 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.HierarchyTraversal;
-    import starlogo.hierarchy.SweptHierarchyTraversal;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.SweptHierarchyTraversal;
 
     use namespace engine;
 

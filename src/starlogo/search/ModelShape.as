@@ -3,7 +3,7 @@ package starlogo.search
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
-    import starlogo.hierarchy.Hierarchy;
+    import starlogo.solid.SolidHierarchy;
 
     /**
      * What stands for a model in a collider, in the model's space: one object for all agents that have it.
@@ -37,7 +37,7 @@ package starlogo.search
         public var structure:BoundingStructure = null;
 
         /** The hierarchy, where one is used. */
-        public var hierarchy:Hierarchy = null;
+        public var hierarchy:SolidHierarchy = null;
 
         /** What is tried before the structure (thesis §7.5), a little wider; or null. */
         public var outerSphere:Sphere = null;

@@ -8,6 +8,7 @@ package starlogo.libraries
     import org.flexunit.asserts.assertNull;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
+    import starlogo.libraries.cooked.StoreIndex;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import support.CountingFitter;

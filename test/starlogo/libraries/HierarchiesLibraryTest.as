@@ -9,10 +9,10 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchyBuilder;
     import support.assertThrows;
     import support.assertWellFormed;
 
@@ -301,12 +301,12 @@ package starlogo.libraries
             plain = stepsOf(_library.begin("sphere", model.vertices, model.triangles));
             assertFalse(_library.hierarchy("at first need").isPrepared);
             _library.prepareExact = true;
-            var builder:HierarchyBuilder = _library.begin("sphere", model.vertices, model.triangles);
+            var builder:SolidHierarchyBuilder = _library.begin("sphere", model.vertices, model.triangles);
             assertTrue("many steps more", stepsOf(builder) > plain + 8);
             assertTrue(builder.hierarchy.isPrepared);
         }
 
-        private static function stepsOf(builder:HierarchyBuilder):int
+        private static function stepsOf(builder:SolidHierarchyBuilder):int
         {
             var count:int = 1;
             while (builder.step())

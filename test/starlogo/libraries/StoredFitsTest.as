@@ -11,17 +11,20 @@ package starlogo.libraries
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
+    import starlogo.fitting.Fit;
+    import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.MinimalBoxFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
-    import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.hierarchy.SolidContents;
+    import starlogo.solid.SolidContents;
+    import starlogo.libraries.cooked.FitsWriter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.solid.SolidHierarchy;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.finish;
@@ -436,7 +439,7 @@ package starlogo.libraries
         private function fitsOf(model:Model):ModelFits
         {
             var build:ModelBuild = newBuild(model, null);
-            var hierarchy:Hierarchy = build.hierarchy.finished;
+            var hierarchy:SolidHierarchy = build.hierarchy.finished;
             hierarchy.prepare();
             return ModelFits.of(build.structures, hierarchy);
         }
@@ -600,13 +603,6 @@ package starlogo.libraries
         }
     }
 }
-
-import flash.geom.Vector3D;
-import starlogo.bounding.BoundingStructure;
-import starlogo.bounding.Sphere;
-import starlogo.fitting.Fit;
-import starlogo.fitting.FitSession;
-import starlogo.fitting.Fitter;
 
 /** Finds a sphere that is large enough for every model. */
 class UnsignedFitter extends Fitter

@@ -1,0 +1,163 @@
+package starlogo.fitting.minimal
+{
+    import starlogo.geometry.ConvexHull;
+
+    /**
+     * Descends from a direction to a box that no small change makes smaller: a part of MinimalBoxFitter.
+     *
+     * <p>As a function of the direction of its side, a box's volume has creases along the arcs of directions perpendicular to an
+     * edge of the hull, and is smallest on such a crease, if not where two meet. So beside steps to all sides it tries steps
+     * on and along the creases of the edges at the two corners that hold the box; and the directions of the box's other sides,
+     * which the volume depends on just as well.</p>
+     */
+    public final class BoxDescent
+    {
+        private static const FIRST_STEP:Number = 0.05;
+        private static const LAST_STEP:Number = 1e-10;
+        private static const SHRINK:Number = 0.4;
+        // a relative gain below this share of the step is not worth another step of that length
+        private static const GAIN:Number = 1e-3;
+
+        private var _hull:ConvexHull;
+        private var _box:BoxAlongAxis;
+        private var _volume:Number;
+
+        // the direction, one side, and the two corners that hold the box along the direction
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+        private var _sideX:Number;
+        private var _sideY:Number;
+        private var _sideZ:Number;
+        private var _highest:int;
+        private var _lowest:int;
+
+        /**
+         * @param hull of the vertices
+         */
+        public function BoxDescent(hull:ConvexHull)
+        {
+            _hull = hull;
+            _box = new BoxAlongAxis(hull);
+        }
+
+        /** The volume of the box. */
+        public function get volume():Number
+        {
+            return _volume;
+        }
+
+        /** The box's axes: three unit vectors, nine numbers. */
+        public function get axes():Vector.<Number>
+        {
+            return new <Number>[_x, _y, _z, _sideX, _sideY, _sideZ, _y * _sideZ - _z * _sideY, _z * _sideX - _x * _sideZ,
+                    _x * _sideY - _y * _sideX];
+        }
+
+        /** Takes the smallest box with an axis along a direction, a unit vector. */
+        public function start(x:Number, y:Number, z:Number):void
+        {
+            _volume = Infinity;
+            tryDirection(x, y, z);
+        }
+
+        /** Makes the box smaller for as long as steps do. */
+        public function descend():void
+        {
+            var step:Number = FIRST_STEP;
+            while (step > LAST_STEP)
+            {
+                var before:Number = _volume;
+                slideAt(_highest, step);
+                slideAt(_lowest, step);
+                stepAside(step);
+                tryOtherSides();
+                if (!(before - _volume > GAIN * step * before))
+                {
+                    step *= SHRINK;
+                }
+            }
+        }
+
+        private function tryDirection(x:Number, y:Number, z:Number):Boolean
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            x /= length;
+            y /= length;
+            z /= length;
+            var measured:Number = _box.measure(x, y, z, _volume);
+            if (!(measured < _volume))
+            {
+                return false;
+            }
+            _volume = measured;
+            _x = x;
+            _y = y;
+            _z = z;
+            _sideX = _box.sideX;
+            _sideY = _box.sideY;
+            _sideZ = _box.sideZ;
+            _highest = _box.highest;
+            _lowest = _box.lowest;
+            return true;
+        }
+
+        // To the crease of each edge at the corner that is within a step, and a step along it both ways.
+        private function slideAt(corner:int, step:Number):void
+        {
+            var points:Vector.<Number> = _hull.convexPoints;
+            var end:int = _hull.firstNeighbor[corner + 1];
+            for (var i:int = _hull.firstNeighbor[corner]; i < end; i++)
+            {
+                var other:int = _hull.neighbors[i];
+                var edgeX:Number = points[3 * other] - points[3 * corner];
+                var edgeY:Number = points[3 * other + 1] - points[3 * corner + 1];
+                var edgeZ:Number = points[3 * other + 2] - points[3 * corner + 2];
+                var length:Number = Math.sqrt(edgeX * edgeX + edgeY * edgeY + edgeZ * edgeZ);
+                edgeX /= length;
+                edgeY /= length;
+                edgeZ /= length;
+                var off:Number = _x * edgeX + _y * edgeY + _z * edgeZ;
+                if (off > step || off < -step)
+                {
+                    continue;
+                }
+                var x:Number = _x - off * edgeX;
+                var y:Number = _y - off * edgeY;
+                var z:Number = _z - off * edgeZ;
+                var alongX:Number = (edgeY * z - edgeZ * y) * step;
+                var alongY:Number = (edgeZ * x - edgeX * z) * step;
+                var alongZ:Number = (edgeX * y - edgeY * x) * step;
+                tryDirection(x, y, z);
+                tryDirection(x + alongX, y + alongY, z + alongZ);
+                tryDirection(x - alongX, y - alongY, z - alongZ);
+            }
+        }
+
+        private function stepAside(step:Number):void
+        {
+            var sideX:Number = _sideX * step;
+            var sideY:Number = _sideY * step;
+            var sideZ:Number = _sideZ * step;
+            var thirdX:Number = _y * sideZ - _z * sideY;
+            var thirdY:Number = _z * sideX - _x * sideZ;
+            var thirdZ:Number = _x * sideY - _y * sideX;
+            var x:Number = _x;
+            var y:Number = _y;
+            var z:Number = _z;
+            tryDirection(x + sideX, y + sideY, z + sideZ);
+            tryDirection(x - sideX, y - sideY, z - sideZ);
+            tryDirection(x + thirdX, y + thirdY, z + thirdZ);
+            tryDirection(x - thirdX, y - thirdY, z - thirdZ);
+        }
+
+        private function tryOtherSides():void
+        {
+            var thirdX:Number = _y * _sideZ - _z * _sideY;
+            var thirdY:Number = _z * _sideX - _x * _sideZ;
+            var thirdZ:Number = _x * _sideY - _y * _sideX;
+            tryDirection(_sideX, _sideY, _sideZ);
+            tryDirection(thirdX, thirdY, thirdZ);
+        }
+    }
+}

@@ -1,0 +1,248 @@
+package starlogo.fitting.minimal
+{
+    /**
+     * Moves the ends of a capsule until no small move makes it smaller while it holds all points: a part of
+     * MinimalCapsuleFitter.
+     *
+     * <p>The volume is smooth in the six coordinates of the ends and the radius; what makes it hard is that the radius is the
+     * largest of many distances. Each step replaces distances and volume by their tangents, takes the best of the changes that
+     * then hold the points that are nearly the farthest, with a price on the length of the change, and keeps the change if the
+     * true volume shrinks; if not, the price goes up (the minimax method of Pshenichny and Danilin, "Numerical
+     * Methods in Extremal Problems", 1978). The small quadratic program is solved in its dual, one multiplier after the other
+     * (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics Quarterly 4(1), 1957).</p>
+     */
+    public final class CapsuleDescent
+    {
+        private static const STEPS:int = 60;
+        private static const SWEEPS:int = 60;
+        // points whose distance is less than the radius by more than this share of it cannot matter in one step
+        private static const ACTIVE:Number = 0.15;
+        private static const MOST_ACTIVE:int = 48;
+        private static const GAIN:Number = 1e-7;
+
+        /** The ends, x, y, z of either: to be set before, and read after. */
+        public var ends:Vector.<Number> = new Vector.<Number>(6);
+
+        /** The radius that holds all points. */
+        public var radius:Number;
+
+        /** The volume of the capsule. */
+        public var volume:Number;
+
+        private var _points:Vector.<Number>;
+        private var _distances:Vector.<Number>;
+        private var _trial:Vector.<Number> = new Vector.<Number>(6);
+        private var _change:Vector.<Number> = new Vector.<Number>(7);
+
+        // of each active point: the tangent of its distance by the ends' coordinates and the radius, and what is left to the radius
+        private var _tangents:Vector.<Number> = new Vector.<Number>();
+        private var _room:Vector.<Number> = new Vector.<Number>();
+        private var _multipliers:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * @param points x, y, z each
+         */
+        public function CapsuleDescent(points:Vector.<Number>)
+        {
+            _points = points;
+            _distances = new Vector.<Number>(points.length / 3);
+        }
+
+        /** Descends from the ends that are set. */
+        public function descend():void
+        {
+            var reach:Number = 0.1;
+            radius = measure(ends);
+            volume = volumeOf(ends, radius);
+            for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
+            {
+                linearise();
+                solve(reach);
+                var i:int;
+                for (i = 0; i < 6; i++)
+                {
+                    _trial[i] = ends[i] + _change[i];
+                }
+                var trialRadius:Number = measure(_trial);
+                var trialVolume:Number = volumeOf(_trial, trialRadius);
+                if (trialVolume < volume)
+                {
+                    reach *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
+                    volume = trialVolume;
+                    radius = trialRadius;
+                    for (i = 0; i < 6; i++)
+                    {
+                        ends[i] = _trial[i];
+                    }
+                }
+                else
+                {
+                    reach *= 0.3;
+                }
+            }
+        }
+
+        private static function volumeOf(ends:Vector.<Number>, radius:Number):Number
+        {
+            return Math.PI * radius * radius * (lengthOf(ends) + 4 / 3 * radius);
+        }
+
+        private static function lengthOf(ends:Vector.<Number>):Number
+        {
+            var x:Number = ends[3] - ends[0];
+            var y:Number = ends[4] - ends[1];
+            var z:Number = ends[5] - ends[2];
+            return Math.sqrt(x * x + y * y + z * z);
+        }
+
+        // The largest distance of a point from the segment.
+        private function measure(ends:Vector.<Number>):Number
+        {
+            var startX:Number = ends[0];
+            var startY:Number = ends[1];
+            var startZ:Number = ends[2];
+            var alongX:Number = ends[3] - startX;
+            var alongY:Number = ends[4] - startY;
+            var alongZ:Number = ends[5] - startZ;
+            var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
+            var scale:Number = square > 0 ? 1 / square : 0;
+            var most:Number = 0;
+            var count:int = _distances.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                var at:int = 3 * i;
+                var x:Number = _points[at] - startX;
+                var y:Number = _points[at + 1] - startY;
+                var z:Number = _points[at + 2] - startZ;
+                var t:Number = (x * alongX + y * alongY + z * alongZ) * scale;
+                t = t < 0 ? 0 : (t > 1 ? 1 : t);
+                x -= t * alongX;
+                y -= t * alongY;
+                z -= t * alongZ;
+                var distance:Number = x * x + y * y + z * z;
+                _distances[i] = distance;
+                if (distance > most)
+                {
+                    most = distance;
+                }
+            }
+            return Math.sqrt(most);
+        }
+
+        // The tangents at the points that may become the farthest.
+        private function linearise():void
+        {
+            measure(ends);
+            _tangents.length = 0;
+            _room.length = 0;
+            var least:Number = activeFrom();
+            var alongX:Number = ends[3] - ends[0];
+            var alongY:Number = ends[4] - ends[1];
+            var alongZ:Number = ends[5] - ends[2];
+            var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
+            for (var i:int = 0; i < _distances.length; i++)
+            {
+                if (_distances[i] < least || _distances[i] == 0)
+                {
+                    continue;
+                }
+                var x:Number = _points[3 * i] - ends[0];
+                var y:Number = _points[3 * i + 1] - ends[1];
+                var z:Number = _points[3 * i + 2] - ends[2];
+                var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
+                t = t < 0 ? 0 : (t > 1 ? 1 : t);
+                var distance:Number = Math.sqrt(_distances[i]);
+                // moving the nearest point of the segment towards the point shortens the distance
+                x = (t * alongX - x) / distance;
+                y = (t * alongY - y) / distance;
+                z = (t * alongZ - z) / distance;
+                _tangents.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1);
+                _room.push(radius - distance);
+            }
+        }
+
+        // The squared distance from which a point is active; higher if that makes too many.
+        private function activeFrom():Number
+        {
+            var share:Number = ACTIVE;
+            do
+            {
+                var least:Number = Math.pow(radius * (1 - share), 2);
+                var count:int = 0;
+                for (var i:int = 0; i < _distances.length; i++)
+                {
+                    if (_distances[i] >= least)
+                    {
+                        count++;
+                    }
+                }
+                share /= 2;
+            }
+            while (count > MOST_ACTIVE && share > 1e-4);
+            return least;
+        }
+
+        // Minimises gradient * change + |change|^2 / (2 reach) with tangents * change <= room. In units of the radius and of
+        // its derivative, so that the reach is a share of the radius whatever the model's size.
+        private function solve(reach:Number):void
+        {
+            var gradient:Vector.<Number> = gradientOfVolume();
+            var scale:Number = reach * radius / gradient[6];
+            var i:int;
+            var k:int;
+            for (k = 0; k < 7; k++)
+            {
+                _change[k] = -scale * gradient[k];
+            }
+            var count:int = _room.length;
+            _multipliers.length = 0;
+            _multipliers.length = count;
+            for (var sweep:int = 0; sweep < SWEEPS; sweep++)
+            {
+                var most:Number = 0;
+                for (i = 0; i < count; i++)
+                {
+                    var excess:Number = -_room[i];
+                    var square:Number = 0;
+                    var at:int = 7 * i;
+                    for (k = 0; k < 7; k++)
+                    {
+                        var tangent:Number = _tangents[at + k];
+                        excess += tangent * _change[k];
+                        square += tangent * tangent;
+                    }
+                    var multiplier:Number = _multipliers[i] + excess / square;
+                    if (multiplier < 0)
+                    {
+                        multiplier = 0;
+                    }
+                    var difference:Number = multiplier - _multipliers[i];
+                    if (difference == 0)
+                    {
+                        continue;
+                    }
+                    _multipliers[i] = multiplier;
+                    for (k = 0; k < 7; k++)
+                    {
+                        _change[k] -= difference * _tangents[at + k];
+                    }
+                    most = Math.max(most, Math.abs(difference));
+                }
+                if (most < 1e-6 * reach * radius)
+                {
+                    return;
+                }
+            }
+        }
+
+        private function gradientOfVolume():Vector.<Number>
+        {
+            var length:Number = lengthOf(ends);
+            var area:Number = length > 0 ? Math.PI * radius * radius / length : 0;
+            var x:Number = area * (ends[3] - ends[0]);
+            var y:Number = area * (ends[4] - ends[1]);
+            var z:Number = area * (ends[5] - ends[2]);
+            return new <Number>[-x, -y, -z, x, y, z, 2 * Math.PI * radius * (length + 2 * radius)];
+        }
+    }
+}

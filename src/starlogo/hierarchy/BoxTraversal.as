@@ -1,0 +1,267 @@
+package starlogo.hierarchy
+{
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+
+    use namespace engine;
+
+    /**
+     * Decides whether two trees of boxes overlap, or a tree and a single box: the traversal of pairs, written out for boxes.
+     *
+     * <p>In the space of the first model the first's boxes are axis-aligned and the second's all turned alike: a pair of
+     * boxes takes a few products (Gottschalk, Lin and Manocha, "OBBTree", SIGGRAPH 1996; Ericson, "Real-Time Collision
+     * Detection", §4.4.1). Of two nodes that overlap the larger is divided, and the child that is nearer to the other node
+     * is looked at first. The axes of the edges are tried only where the boxes decide: higher up, what they would separate
+     * is mostly separated by the next boxes (van den Bergen, "Efficient collision detection of complex deformable models
+     * using AABB trees", 1997).</p>
+     *
+     * @private
+     */
+    public final class BoxTraversal extends NodePairTraversal
+    {
+        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+
+        /** @inheritDoc */
+        public function BoxTraversal(pose:RelativePose)
+        {
+            super(pose);
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * <p>The arithmetic of a pair, in this order: from the middle of a's box to that of b's (x, y, z); how far b's middle is outside of
+         * a, against the spheres around b and inside of it; the faces of a; the faces of b; where boxes decide, the nine pairs of edges.
+         * All of b's is scaled, and so are its rotation's entries (m00 ...) and their absolute values (abs00 ...), which are wider by a rounding
+         * error: that makes up for cross products of nearly parallel edges, which cancel. All is in locals, and nothing is called but
+         * what decides about leaves.</p>
+         */
+        override public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
+        {
+            var relative:Placement = pose.placement;
+            var scale:Number = relative.size;
+            var moveX:Number = relative.x;
+            var moveY:Number = relative.y;
+            var moveZ:Number = relative.z;
+            var widened:Number = Tolerances.ROUNDING * scale;
+            var m00:Number = relative.r00 * scale;
+            var m01:Number = relative.r01 * scale;
+            var m02:Number = relative.r02 * scale;
+            var m10:Number = relative.r10 * scale;
+            var m11:Number = relative.r11 * scale;
+            var m12:Number = relative.r12 * scale;
+            var m20:Number = relative.r20 * scale;
+            var m21:Number = relative.r21 * scale;
+            var m22:Number = relative.r22 * scale;
+            var abs00:Number = m00 < 0 ? widened - m00 : widened + m00;
+            var abs01:Number = m01 < 0 ? widened - m01 : widened + m01;
+            var abs02:Number = m02 < 0 ? widened - m02 : widened + m02;
+            var abs10:Number = m10 < 0 ? widened - m10 : widened + m10;
+            var abs11:Number = m11 < 0 ? widened - m11 : widened + m11;
+            var abs12:Number = m12 < 0 ? widened - m12 : widened + m12;
+            var abs20:Number = m20 < 0 ? widened - m20 : widened + m20;
+            var abs21:Number = m21 < 0 ? widened - m21 : widened + m21;
+            var abs22:Number = m22 < 0 ? widened - m22 : widened + m22;
+            var scaleSquared:Number = scale * scale;
+            var touching:Number = pose.gap;
+            var stack:Vector.<HierarchyNode> = _stack;
+            var top:int = 0;
+            var visits:int = 0;
+            while (true)
+            {
+                visits++;
+
+                // from the middle of a's box to that of b's
+                var bX:Number = b.x;
+                var bY:Number = b.y;
+                var bZ:Number = b.z;
+                var x:Number = m00 * bX + m01 * bY + m02 * bZ + moveX - a.x;
+                var y:Number = m10 * bX + m11 * bY + m12 * bZ + moveY - a.y;
+                var z:Number = m20 * bX + m21 * bY + m22 * bZ + moveZ - a.z;
+
+                // how far b's middle is outside of a
+                var halfX:Number = a.halfX + touching;
+                var halfY:Number = a.halfY + touching;
+                var halfZ:Number = a.halfZ + touching;
+                var gapSquared:Number = 0;
+                var gap:Number = x < 0 ? -x - halfX : x - halfX;
+                if (gap > 0)
+                {
+                    gapSquared = gap * gap;
+                }
+                gap = y < 0 ? -y - halfY : y - halfY;
+                if (gap > 0)
+                {
+                    gapSquared += gap * gap;
+                }
+                gap = z < 0 ? -z - halfZ : z - halfZ;
+                if (gap > 0)
+                {
+                    gapSquared += gap * gap;
+                }
+                var reach:Number = scale * b.innerRadius;
+                var isDeep:Boolean = gapSquared <= reach * reach;
+                var overlap:Boolean = isDeep;
+                reach = scale * b.radius;
+                if (!isDeep && gapSquared <= reach * reach)
+                {
+                    // the faces of a, then those of b
+                    bX = b.halfX;
+                    bY = b.halfY;
+                    bZ = b.halfZ;
+                    reach = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
+                    if (x <= reach && x >= -reach)
+                    {
+                        reach = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
+                        if (y <= reach && y >= -reach)
+                        {
+                            reach = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
+                            if (z <= reach && z >= -reach)
+                            {
+                                var along:Number = m00 * x + m10 * y + m20 * z;
+                                reach = scaleSquared * bX + abs00 * halfX + abs10 * halfY + abs20 * halfZ;
+                                if (along <= reach && along >= -reach)
+                                {
+                                    along = m01 * x + m11 * y + m21 * z;
+                                    reach = scaleSquared * bY + abs01 * halfX + abs11 * halfY + abs21 * halfZ;
+                                    if (along <= reach && along >= -reach)
+                                    {
+                                        along = m02 * x + m12 * y + m22 * z;
+                                        reach = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
+                                        overlap = along <= reach && along >= -reach;
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+                if (overlap)
+                {
+                    var aEnds:Boolean = a.cutoffLevel >= depthA;
+                    var bEnds:Boolean = b.cutoffLevel >= depthB;
+                    if (aEnds && bEnds)
+                    {
+                        if (leaves != null)
+                        {
+                            overlap = leaves.touch(a, b);
+                        }
+                        else if (!isDeep)
+                        {
+                            // the edges: a's x with b's three, its y, its z
+                            bX *= scale;
+                            bY *= scale;
+                            bZ *= scale;
+                            along = z * m10 - y * m20;
+                            reach = halfY * abs20 + halfZ * abs10 + bY * abs02 + bZ * abs01;
+                            overlap = along <= reach && along >= -reach;
+                            along = z * m11 - y * m21;
+                            reach = halfY * abs21 + halfZ * abs11 + bZ * abs00 + bX * abs02;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = z * m12 - y * m22;
+                            reach = halfY * abs22 + halfZ * abs12 + bX * abs01 + bY * abs00;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = x * m20 - z * m00;
+                            reach = halfZ * abs00 + halfX * abs20 + bY * abs12 + bZ * abs11;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = x * m21 - z * m01;
+                            reach = halfZ * abs01 + halfX * abs21 + bZ * abs10 + bX * abs12;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = x * m22 - z * m02;
+                            reach = halfZ * abs02 + halfX * abs22 + bX * abs11 + bY * abs10;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = y * m00 - x * m10;
+                            reach = halfX * abs10 + halfY * abs00 + bY * abs22 + bZ * abs21;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = y * m01 - x * m11;
+                            reach = halfX * abs11 + halfY * abs01 + bZ * abs20 + bX * abs22;
+                            overlap &&= along <= reach && along >= -reach;
+                            along = y * m02 - x * m12;
+                            reach = halfX * abs12 + halfY * abs02 + bX * abs21 + bY * abs20;
+                            overlap &&= along <= reach && along >= -reach;
+                        }
+                        if (overlap)
+                        {
+                            nodeVisits += visits;
+                            return true;
+                        }
+                    }
+                    else
+                    {
+                        // the child on the side of the other node first; where b's middle is in a or close to it, a child of a most likely
+                        // overlaps b too, and both are divided at once
+                        var axis:int;
+                        var side:Number;
+                        var far:HierarchyNode;
+                        var dividesA:Boolean = !aEnds && (bEnds || isDeep || a.radius >= scale * b.radius);
+                        if (dividesA)
+                        {
+                            axis = a.splitAxis;
+                            side = z;
+                            if (axis == 0)
+                            {
+                                side = x;
+                            }
+                            else if (axis == 1)
+                            {
+                                side = y;
+                            }
+                            var near:HierarchyNode = a.left;
+                            far = a.right;
+                            if (side > 0)
+                            {
+                                near = far;
+                                far = a.left;
+                            }
+                            stack[top] = far;
+                            stack[int(top + 1)] = b;
+                            top += 2;
+                            x += a.x - near.x;
+                            y += a.y - near.y;
+                            z += a.z - near.z;
+                            a = near;
+                        }
+                        if (isDeep ? !bEnds : !dividesA)
+                        {
+                            axis = b.splitAxis;
+                            if (axis == 0)
+                            {
+                                side = m00 * x + m10 * y + m20 * z;
+                            }
+                            else if (axis == 1)
+                            {
+                                side = m01 * x + m11 * y + m21 * z;
+                            }
+                            else
+                            {
+                                side = m02 * x + m12 * y + m22 * z;
+                            }
+                            far = b.right;
+                            b = b.left;
+                            if (side < 0)
+                            {
+                                near = b;
+                                b = far;
+                                far = near;
+                            }
+                            stack[top] = a;
+                            stack[int(top + 1)] = far;
+                            top += 2;
+                        }
+                        continue;
+                    }
+                }
+                if (top == 0)
+                {
+                    nodeVisits += visits;
+                    rootsOverlapped = visits > 1;
+                    return false;
+                }
+                top -= 2;
+                a = stack[top];
+                b = stack[int(top + 1)];
+            }
+            return false;
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package starlogo.hierarchy
+{
+    /**
+     * Decides whether two leaves touch by what is in them, once the structures around them do. Abstract: a room below this one knows what that
+     * is.
+     *
+     * @private
+     */
+    public class LeafTest
+    {
+        /** Of models that move, before the test: the latest time that is of interest; after it: when the leaves touch. From 0 to 1. */
+        public var time:Number = 0;
+
+        /** Knows nothing: leaves whose structures touch do. */
+        public function LeafTest()
+        {
+        }
+
+        /**
+         * Whether a leaf of the first model touches one of the second; of models that move, whether they do by that time.
+         */
+        public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            return true;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package starlogo.libraries.cooked
+{
+    import flash.utils.ByteArray;
+    import starlogo.geometry.Fingerprint;
+
+    /** Which entries a FitStore has, and how long each is: a list that is itself kept as bytes. */
+    public final class StoreIndex
+    {
+        private static const NAME:RegExp = /^[0-9a-f]{32}$/;
+        private static const NAME_LENGTH:int = 32;
+        private static const ENTRY_LENGTH:int = 40;
+
+        /** The names, the least recently used first: 32 hexadecimal digits each. */
+        public var names:Vector.<String> = new Vector.<String>();
+
+        private var _lengths:Vector.<int> = new Vector.<int>();
+
+        /** An index of nothing. */
+        public function StoreIndex()
+        {
+        }
+
+        /** The index that some bytes are; an empty one if they are none. */
+        public static function read(bytes:ByteArray):StoreIndex
+        {
+            if (bytes == null || bytes.length % ENTRY_LENGTH != Fingerprint.LENGTH)
+            {
+                return new StoreIndex();
+            }
+            bytes.endian = FitsWriter.ENDIAN;
+            bytes.position = 0;
+            var whole:Fingerprint = new Fingerprint();
+            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH - 1);
+            return whole.isNextOf(bytes) ? readEntries(bytes) : new StoreIndex();
+        }
+
+        /** The bytes that read takes. */
+        public function toBytes():ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = FitsWriter.ENDIAN;
+            for (var i:int = 0; i < names.length; i++)
+            {
+                bytes.writeUTFBytes(names[i]);
+                bytes.writeInt(_lengths[i]);
+                bytes.writeInt(0);
+            }
+            var whole:Fingerprint = new Fingerprint();
+            bytes.position = 0;
+            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH);
+            whole.writeTo(bytes);
+            return bytes;
+        }
+
+        /** How many bytes all entries have. */
+        public function get total():Number
+        {
+            var sum:Number = 0;
+            for each (var length:int in _lengths)
+            {
+                sum += length;
+            }
+            return sum;
+        }
+
+        /** Puts an entry last, whether it is new or not. */
+        public function put(name:String, length:int):void
+        {
+            remove(name);
+            names.push(name);
+            _lengths.push(length);
+        }
+
+        /** Takes an entry out, if it is there. */
+        public function remove(name:String):void
+        {
+            var at:int = names.indexOf(name);
+            if (at >= 0)
+            {
+                names.splice(at, 1);
+                _lengths.splice(at, 1);
+            }
+        }
+
+        private static function readEntries(bytes:ByteArray):StoreIndex
+        {
+            var index:StoreIndex = new StoreIndex();
+            bytes.position = 0;
+            while (bytes.bytesAvailable > Fingerprint.LENGTH)
+            {
+                var name:String = bytes.readUTFBytes(NAME_LENGTH);
+                var length:int = bytes.readInt();
+                bytes.readInt();
+                if (!NAME.test(name) || length <= 0)
+                {
+                    return new StoreIndex();
+                }
+                index.put(name, length);
+            }
+            return index;
+        }
+    }
+}

@@ -1,0 +1,277 @@
+package starlogo.libraries.cooked
+{
+    import flash.utils.ByteArray;
+    import starlogo.engine;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.NodeMaker;
+    import starlogo.hierarchy.StoredTree;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
+
+    use namespace engine;
+
+    /**
+     * Makes a hierarchy again of what TreeWriter wrote. Only how the items are divided is read; the boxes are put around
+     * them anew, which takes a fraction of the time that dividing takes: whatever the bytes are, the hierarchy encloses
+     * the model, and that of a true record is the same to the last bit as the one that was built.
+     *
+     * @private
+     */
+    public final class TreeReader implements StoredTree
+    {
+        private static const ITEMS_PER_STEP:int = 1500;
+        private static const NODES_PER_STEP:int = 300;
+        private static const NUMBERS_PER_NODE:int = 5;
+
+        private var _bytes:ByteArray;
+        private var _hierarchy:Hierarchy;
+        private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
+        private var _maxDepth:int;
+        private var _width:int;
+        private var _isListed:Vector.<Boolean>;
+        private var _work:StepSequence;
+        private var _isRefused:Boolean = false;
+
+        // Of each node: its first item, the one after its last, its level, the number of its right child (the left one comes
+        // next; 0 for a leaf), its axis. And of each node, its extents.
+        private var _plan:Vector.<int> = new Vector.<int>();
+        private var _extents:Vector.<Number>;
+
+        // the nodes whose right child is to come
+        private var _open:Vector.<int> = new Vector.<int>();
+
+        // the node that was measured or made last
+        private var _node:int;
+        private var _nodes:Vector.<HierarchyNode> = null;
+        private var _maker:NodeMaker;
+
+        /**
+         * @param bytes the record, read from its position on
+         */
+        public function TreeReader(bytes:ByteArray)
+        {
+            _bytes = bytes;
+        }
+
+        /** @inheritDoc */
+        public function start(hierarchy:Hierarchy, vertices:Vector.<Number>, triangles:Vector.<uint>, maxDepth:int):void
+        {
+            var count:int = hierarchy.order.length;
+            _hierarchy = hierarchy;
+            _vertices = vertices;
+            _triangles = triangles;
+            _maxDepth = maxDepth;
+            _width = TreeWriter.widthFor(count);
+            _isListed = new Vector.<Boolean>(count, true);
+            addToPlan(0, count, 1);
+            _work = new StepSequence().add(new Slices(count, ITEMS_PER_STEP, readOrder)).repeat(readDivisions)
+                .repeat(measureNodes).repeat(makeNodes);
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            return _work.step() && !_isRefused;
+        }
+
+        /** @inheritDoc */
+        public function get nodes():Vector.<HierarchyNode>
+        {
+            return _nodes;
+        }
+
+        /** @inheritDoc */
+        public function get maker():NodeMaker
+        {
+            return _maker;
+        }
+
+        // Every item has to come once.
+        private function readOrder(first:int, end:int):void
+        {
+            var bytes:ByteArray = _bytes;
+            var order:Vector.<int> = _hierarchy.order;
+            var isListed:Vector.<Boolean> = _isListed;
+            var count:int = order.length;
+            _isRefused = bytes.bytesAvailable < _width * (end - first);
+            for (var i:int = first; i < end && !_isRefused; i++)
+            {
+                var item:int = _width == 1 ? bytes.readUnsignedByte() : (_width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
+                if (item < 0 || item >= count || isListed[item])
+                {
+                    _isRefused = true;
+                    return;
+                }
+                isListed[item] = true;
+                order[i] = item;
+            }
+        }
+
+        private function addToPlan(first:int, end:int, level:int):void
+        {
+            _plan.push(first, end, level, 0, 0);
+        }
+
+        // The nodes have to divide the items among them.
+        private function readDivisions():Boolean
+        {
+            for (var i:int = 0; i < NODES_PER_STEP; i++)
+            {
+                var at:int = _plan.length - NUMBERS_PER_NODE;
+                var code:int = readNumber();
+                if (code > 0)
+                {
+                    var first:int = _plan[at];
+                    var level:int = _plan[at + 2];
+                    var middle:int = first + (code - 1) / 3;
+                    _isRefused = middle <= first || middle >= _plan[at + 1] || level >= _maxDepth;
+                    _plan[at + 4] = (code - 1) % 3;
+                    _open.push(at);
+                    addToPlan(first, middle, level + 1);
+                }
+                else if (code == 0 && _open.length > 0)
+                {
+                    var parent:int = _open.pop();
+                    _plan[parent + 3] = _plan.length / NUMBERS_PER_NODE;
+                    addToPlan(_plan[at + 1], _plan[parent + 1], _plan[parent + 2] + 1);
+                }
+                else
+                {
+                    _isRefused = code < 0;
+                    _node = _plan.length / NUMBERS_PER_NODE;
+                    _extents = new Vector.<Number>(6 * _node, true);
+                    return false;
+                }
+                if (_isRefused)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        // -1 if there is none
+        private function readNumber():int
+        {
+            var value:int = 0;
+            for (var shift:int = 0; shift < 32 && _bytes.bytesAvailable > 0; shift += 7)
+            {
+                var byte:int = _bytes.readUnsignedByte();
+                value |= (byte & 0x7F) << shift;
+                if (byte < 0x80)
+                {
+                    return value;
+                }
+            }
+            return -1;
+        }
+
+        // From the last node up: children come after their parents.
+        private function measureNodes():Boolean
+        {
+            var items:int = 0;
+            while (_node > 0 && items < ITEMS_PER_STEP)
+            {
+                _node--;
+                var at:int = NUMBERS_PER_NODE * _node;
+                var right:int = _plan[int(at + 3)];
+                if (right > 0)
+                {
+                    unite(6 * _node, 6 * _node + 6, 6 * right);
+                    items += 2;
+                }
+                else
+                {
+                    measureLeaf(6 * _node, _plan[at], _plan[int(at + 1)]);
+                    items += _plan[int(at + 1)] - _plan[at];
+                }
+            }
+            if (_node > 0)
+            {
+                return true;
+            }
+            _node = _plan.length / NUMBERS_PER_NODE;
+            _maker = new NodeMaker(_hierarchy, _extents);
+            _nodes = new Vector.<HierarchyNode>(_node);
+            return false;
+        }
+
+        private function unite(at:int, left:int, right:int):void
+        {
+            var extents:Vector.<Number> = _extents;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var a:Number = extents[int(left + i)];
+                var b:Number = extents[int(right + i)];
+                extents[int(at + i)] = a < b ? a : b;
+                a = extents[int(left + i + 3)];
+                b = extents[int(right + i + 3)];
+                extents[int(at + i + 3)] = a > b ? a : b;
+            }
+        }
+
+        private function measureLeaf(at:int, first:int, end:int):void
+        {
+            var vertices:Vector.<Number> = _vertices;
+            var triangles:Vector.<uint> = _triangles;
+            var order:Vector.<int> = _hierarchy.order;
+            var corners:int = triangles == null ? 1 : 3;
+            var minX:Number = Infinity;
+            var minY:Number = Infinity;
+            var minZ:Number = Infinity;
+            var maxX:Number = -Infinity;
+            var maxY:Number = -Infinity;
+            var maxZ:Number = -Infinity;
+            for (var i:int = first; i < end; i++)
+            {
+                var corner:int = corners * order[i];
+                for (var last:int = corner + corners; corner < last; corner++)
+                {
+                    var vertex:int = corner;
+                    if (triangles != null)
+                    {
+                        vertex = triangles[corner];
+                    }
+                    vertex *= 3;
+                    var x:Number = vertices[vertex];
+                    var y:Number = vertices[int(vertex + 1)];
+                    var z:Number = vertices[int(vertex + 2)];
+                    minX = x < minX ? x : minX;
+                    minY = y < minY ? y : minY;
+                    minZ = z < minZ ? z : minZ;
+                    maxX = x > maxX ? x : maxX;
+                    maxY = y > maxY ? y : maxY;
+                    maxZ = z > maxZ ? z : maxZ;
+                }
+            }
+            var extents:Vector.<Number> = _extents;
+            extents[at] = minX;
+            extents[int(at + 1)] = minY;
+            extents[int(at + 2)] = minZ;
+            extents[int(at + 3)] = maxX;
+            extents[int(at + 4)] = maxY;
+            extents[int(at + 5)] = maxZ;
+        }
+
+        private function makeNodes():Boolean
+        {
+            var end:int = Math.max(0, _node - NODES_PER_STEP);
+            while (_node > end)
+            {
+                _node--;
+                var at:int = NUMBERS_PER_NODE * _node;
+                var node:HierarchyNode = _maker.make(_plan[int(at + 2)], _plan[at], _plan[int(at + 1)], _extents, 6 * _node);
+                _nodes[_node] = node;
+                var right:int = _plan[int(at + 3)];
+                if (right > 0)
+                {
+                    _maker.divide(node, _plan[int(at + 4)], _nodes[int(_node + 1)], _nodes[right]);
+                }
+            }
+            _hierarchy.root = _nodes[0];
+            return _node > 0;
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package starlogo.libraries.cooked
+{
+    import flash.utils.ByteArray;
+    import starlogo.engine;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.HierarchyNode;
+
+    use namespace engine;
+
+    /**
+     * Writes down how a hierarchy divides its items; the boxes follow from that. See TreeReader.
+     *
+     * @private
+     */
+    public final class TreeWriter
+    {
+        /** All is static. */
+        public function TreeWriter()
+        {
+        }
+
+        /** How many bytes the number of an item takes among so many. */
+        public static function widthFor(count:int):int
+        {
+            return count <= 0x100 ? 1 : (count <= 0x10000 ? 2 : 4);
+        }
+
+        /**
+         * Writes the order of the items, each in as few bytes as their number needs, then the nodes from the root down, left
+         * before right: 0 for a leaf, else 1 more than the axis and three times the number of items that go left, seven bits a byte,
+         * the lowest first, the eighth bit telling that more follow.
+         *
+         * @param hierarchy of boxes, spheres or capsules
+         * @param out gets the bytes, at its position; has the lowest byte of a number first
+         */
+        public static function write(hierarchy:Hierarchy, out:ByteArray):void
+        {
+            var width:int = widthFor(hierarchy.order.length);
+            for each (var item:int in hierarchy.order)
+            {
+                for (var bits:int = 0; bits < 8 * width; bits += 8)
+                {
+                    out.writeByte(item >> bits);
+                }
+            }
+            var stack:Vector.<HierarchyNode> = new <HierarchyNode>[hierarchy.root];
+            while (stack.length > 0)
+            {
+                var node:HierarchyNode = stack.pop();
+                if (node.isLeaf)
+                {
+                    out.writeByte(0);
+                    continue;
+                }
+                writeNumber(1 + node.splitAxis + 3 * (node.left.end - node.first), out);
+                stack.push(node.right, node.left);
+            }
+        }
+
+        private static function writeNumber(value:int, out:ByteArray):void
+        {
+            while (value > 0x7F)
+            {
+                out.writeByte(value & 0x7F | 0x80);
+                value >>>= 7;
+            }
+            out.writeByte(value);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.RelativePose;
+
+    use namespace engine;
+
+    /**
+     * Decides whether a part of one model is inside of another one's closed surface, where their surfaces do not meet: then a
+     * point of the part decides. A model that is not closed has no inside.
+     *
+     * <p>It is asked whenever two agents are close and do not meet, so it must mostly be done after a few products: a part
+     * that is inside has its outermost points inside of the box around the other model. A ray is cast for what is left.</p>
+     */
+    internal final class ContainmentTest
+    {
+        private var _pose:RelativePose;
+        private var _middle:Vector3D = new Vector3D();
+        private var _inverse:Placement = new Placement();
+
+        /**
+         * @param pose where the second model is in the space of the first, whenever two are asked about
+         */
+        public function ContainmentTest(pose:RelativePose)
+        {
+            _pose = pose;
+        }
+
+        /** Whether a part of one model is inside of the other; false if one has no triangles. */
+        public function isOneInside(a:SolidHierarchy, b:SolidHierarchy):Boolean
+        {
+            if (!a.hasTriangles || !b.hasTriangles)
+            {
+                return false;
+            }
+            var solidA:Solid = a.solid;
+            var solidB:Solid = b.solid;
+            var rootA:HierarchyNode = a.root;
+            var rootB:HierarchyNode = b.root;
+            var placement:Placement = _pose.placement;
+            var size:Number = placement.size;
+            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && hasPartInside(rootA, solidA, solidB, placement))
+                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && hasPartInside(rootB, solidB, solidA, inverse()));
+        }
+
+        /**
+         * Whether a structure is inside of the first model.
+         *
+         * @param outer the first model's hierarchy
+         * @param structure of the second model, in its space; it meets no surface of the first
+         */
+        public function isStructureInside(outer:SolidHierarchy, structure:BoundingStructure):Boolean
+        {
+            if (!outer.hasTriangles)
+            {
+                return false;
+            }
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                return isBallInside(outer, Sphere(structure).center, Sphere(structure).radius);
+            }
+            if (structure.kind == BoundingStructure.CAPSULE)
+            {
+                return isBallInside(outer, Capsule(structure).start, Capsule(structure).radius);
+            }
+            return isBallInside(outer, Box(structure).center, 0);
+        }
+
+        /**
+         * Whether a node is inside of the first model.
+         *
+         * @param outer the first model's hierarchy
+         * @param node of the second model, in its space; its box meets no surface of the first
+         */
+        public function isLeafInside(outer:SolidHierarchy, node:HierarchyNode):Boolean
+        {
+            _middle.setTo(node.x, node.y, node.z);
+            return outer.hasTriangles && isBallInside(outer, _middle, node.innerRadius);
+        }
+
+        // Of a ball in the second model's space, the middle decides.
+        private function isBallInside(outer:SolidHierarchy, middle:Vector3D, radius:Number):Boolean
+        {
+            var relative:Placement = _pose.placement;
+            var root:HierarchyNode = outer.root;
+            var px:Number = middle.x * relative.size;
+            var py:Number = middle.y * relative.size;
+            var pz:Number = middle.z * relative.size;
+            var x:Number = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
+            var y:Number = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
+            var z:Number = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
+            radius *= relative.size;
+            return Math.abs(x - root.x) <= root.halfX - radius && Math.abs(y - root.y) <= root.halfY - radius
+                && Math.abs(z - root.z) <= root.halfZ - radius && outer.solid.isInside(x, y, z);
+        }
+
+        // Where the first model is in the space of the second.
+        private function inverse():Placement
+        {
+            var relative:Placement = _pose.placement;
+            var inverse:Placement = _inverse;
+            var scale:Number = 1 / relative.size;
+            inverse.size = scale;
+            inverse.r00 = relative.r00;
+            inverse.r01 = relative.r10;
+            inverse.r02 = relative.r20;
+            inverse.r10 = relative.r01;
+            inverse.r11 = relative.r11;
+            inverse.r12 = relative.r21;
+            inverse.r20 = relative.r02;
+            inverse.r21 = relative.r12;
+            inverse.r22 = relative.r22;
+            inverse.x = -(relative.r00 * scale) * relative.x - relative.r10 * scale * relative.y - relative.r20 * scale * relative.z;
+            inverse.y = -(relative.r01 * scale) * relative.x - relative.r11 * scale * relative.y - relative.r21 * scale * relative.z;
+            inverse.z = -(relative.r02 * scale) * relative.x - relative.r12 * scale * relative.y - relative.r22 * scale * relative.z;
+            return inverse;
+        }
+
+        // Whether a part of the inner model, which is placed in the space of the outer one, is inside of that.
+        private static function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, placement:Placement):Boolean
+        {
+            var scale:Number = placement.size;
+            var m00:Number = placement.r00 * scale;
+            var m01:Number = placement.r01 * scale;
+            var m02:Number = placement.r02 * scale;
+            var m10:Number = placement.r10 * scale;
+            var m11:Number = placement.r11 * scale;
+            var m12:Number = placement.r12 * scale;
+            var m20:Number = placement.r20 * scale;
+            var m21:Number = placement.r21 * scale;
+            var m22:Number = placement.r22 * scale;
+            var moveX:Number = placement.x - root.x;
+            var moveY:Number = placement.y - root.y;
+            var moveZ:Number = placement.z - root.z;
+            var points:Vector.<Number> = inner.partPoints;
+            var length:int = points.length;
+            var stride:int = 3 * Solid.POINTS_PER_PART;
+            var halfX:Number = root.halfX;
+            var halfY:Number = root.halfY;
+            var halfZ:Number = root.halfZ;
+            for (var first:int = 0; first < length; first += stride)
+            {
+                var end:int = first + stride;
+                var at:int = first;
+                while (at < end)
+                {
+                    var px:Number = points[at];
+                    var py:Number = points[int(at + 1)];
+                    var pz:Number = points[int(at + 2)];
+                    var x:Number = m00 * px + m01 * py + m02 * pz + moveX;
+                    if (x > halfX || x < -halfX)
+                    {
+                        break;
+                    }
+                    var y:Number = m10 * px + m11 * py + m12 * pz + moveY;
+                    if (y > halfY || y < -halfY)
+                    {
+                        break;
+                    }
+                    var z:Number = m20 * px + m21 * py + m22 * pz + moveZ;
+                    if (z > halfZ || z < -halfZ)
+                    {
+                        break;
+                    }
+                    at += 3;
+                }
+                if (at == end && outer.isInside(x + root.x, y + root.y, z + root.z))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+}

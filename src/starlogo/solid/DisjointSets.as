@@ -1,0 +1,49 @@
+package starlogo.solid
+{
+    /**
+     * Things, by number, that are joined to sets: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union
+     * algorithms", Journal of the ACM 31(2), 1984).
+     *
+     * @private
+     */
+    public final class DisjointSets
+    {
+        private var _parents:Vector.<int>;
+
+        /**
+         * Each thing is a set by itself.
+         *
+         * @param count how many things there are
+         */
+        public function DisjointSets(count:int)
+        {
+            _parents = new Vector.<int>(count, true);
+            for (var i:int = 0; i < count; i++)
+            {
+                _parents[i] = i;
+            }
+        }
+
+        /** The one of a thing's set that stands for it; another after the set was joined to others, perhaps. */
+        public function rootOf(thing:int):int
+        {
+            var parents:Vector.<int> = _parents;
+            var parent:int = parents[thing];
+            while (parent != thing)
+            {
+                // shortens the way for the next one
+                var above:int = parents[parent];
+                parents[thing] = above;
+                thing = above;
+                parent = parents[thing];
+            }
+            return thing;
+        }
+
+        /** Joins two sets: the root of the first stands for both. */
+        public function join(a:int, b:int):void
+        {
+            _parents[rootOf(b)] = rootOf(a);
+        }
+    }
+}

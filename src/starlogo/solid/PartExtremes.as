@@ -1,0 +1,98 @@
+package starlogo.solid
+{
+    /** Finds the outermost points of the parts of a Solid, and how long the smallest part is. */
+    internal final class PartExtremes
+    {
+        private var _solid:Solid;
+
+        // By the number of a part: where its points are; -1 while it has none.
+        private var _pointsAt:Vector.<int>;
+
+        /**
+         * @param solid has the corners and extents of the triangles; takes the points
+         * @param count the parts' numbers are less than this
+         */
+        public function PartExtremes(solid:Solid, count:int)
+        {
+            _solid = solid;
+            _pointsAt = new Vector.<int>(count, true);
+            for (var i:int = 0; i < count; i++)
+            {
+                _pointsAt[i] = -1;
+            }
+        }
+
+        /** Adds a triangle to a part. */
+        public function add(part:int, triangle:int):void
+        {
+            if (_pointsAt[part] < 0)
+            {
+                beginPart(part, 9 * triangle);
+            }
+            if (reachesOut(_pointsAt[part], 6 * triangle))
+            {
+                for (var corner:int = 9 * triangle; corner < 9 * triangle + 9; corner += 3)
+                {
+                    extendPart(_pointsAt[part], corner);
+                }
+            }
+        }
+
+        /** Measures the parts, when all triangles were added. */
+        public function finish():void
+        {
+            var points:Vector.<Number> = _solid.partPoints;
+            for (var at:int = 0; at < points.length; at += 3 * Solid.POINTS_PER_PART)
+            {
+                var extent:Number = Math.max(points[at + 3] - points[at], points[at + 10] - points[at + 7], points[at + 17] - points[at + 14]);
+                _solid.leastPartExtent = Math.min(_solid.leastPartExtent, extent);
+            }
+        }
+
+        private function beginPart(part:int, corner:int):void
+        {
+            var points:Vector.<Number> = _solid.partPoints;
+            _pointsAt[part] = points.length;
+            for (var i:int = 0; i < Solid.POINTS_PER_PART; i++)
+            {
+                points.push(_solid.corners[corner], _solid.corners[corner + 1], _solid.corners[corner + 2]);
+            }
+        }
+
+        // Whether a triangle is farther out than all of its part so far.
+        private function reachesOut(at:int, from:int):Boolean
+        {
+            var points:Vector.<Number> = _solid.partPoints;
+            var extents:Vector.<Number> = _solid.extents;
+            return extents[from] < points[at] || extents[int(from + 3)] > points[int(at + 3)]
+                || extents[int(from + 1)] < points[int(at + 7)] || extents[int(from + 4)] > points[int(at + 10)]
+                || extents[int(from + 2)] < points[int(at + 14)] || extents[int(from + 5)] > points[int(at + 17)];
+        }
+
+        private function extendPart(at:int, corner:int):void
+        {
+            var points:Vector.<Number> = _solid.partPoints;
+            var corners:Vector.<Number> = _solid.corners;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var low:int = at + 6 * axis;
+                var coordinate:Number = corners[corner + axis];
+                var to:int = -1;
+                if (coordinate < points[low + axis])
+                {
+                    to = low;
+                }
+                else if (coordinate > points[low + 3 + axis])
+                {
+                    to = low + 3;
+                }
+                if (to >= 0)
+                {
+                    points[to] = corners[corner];
+                    points[to + 1] = corners[corner + 1];
+                    points[to + 2] = corners[corner + 2];
+                }
+            }
+        }
+    }
+}

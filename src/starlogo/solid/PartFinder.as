@@ -1,0 +1,224 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.triangleTriangle;
+    import starlogo.steps.Steps;
+
+    use namespace engine;
+
+    /**
+     * Finds the parts of a surface, in steps: pieces that touch are one part.
+     *
+     * <p>A figure is often put together of pieces that run into each other. They are inside of another model together or not at
+     * all: the fewer parts, the fewer points have to be looked at for each pair of agents. The tree is compared with itself.</p>
+     */
+    internal final class PartFinder implements Steps
+    {
+        private static const PAIRS_PER_STEP:int = 800;
+        private static const RUNS_PER_STEP:int = 5000;
+
+        // Of triangles that may touch. Beyond that, pieces are left apart: the answers are the same.
+        private static const MOST_PAIRS:int = 100000;
+
+        private var _solid:Solid;
+        private var _surface:Surface;
+        private var _order:Vector.<int>;
+        private var _touching:Number;
+        private var _pairs:int = 0;
+
+        // The pieces that are one part, how many parts are left, and pairs of nodes whose pieces have not been compared.
+        private var _sets:DisjointSets;
+        private var _partCount:int;
+        private var _joins:Vector.<int> = new Vector.<int>();
+        private var _stack:Vector.<HierarchyNode>;
+
+        // For each triangle in order, the next one of another piece.
+        private var _runEnds:Vector.<int> = null;
+        private var _runsLeft:int = -1;
+        private var _runEnd:int;
+
+        /**
+         * @param root the node around all triangles
+         * @param solid has their corners and extents
+         * @param surface has their pieces
+         * @param order the numbers of the triangles as the hierarchy has them
+         */
+        public function PartFinder(root:HierarchyNode, solid:Solid, surface:Surface, order:Vector.<int>)
+        {
+            _solid = solid;
+            _surface = surface;
+            _order = order;
+            _touching = 2 * Tolerances.SURFACES * root.radius;
+            _stack = new <HierarchyNode>[root, root];
+            _partCount = surface.pieceCount;
+            _sets = new DisjointSets(_partCount);
+        }
+
+        /**
+         * The number of the part that a triangle is of: that of one of its pieces.
+         *
+         * @param triangle its index in the hierarchy's order
+         */
+        public function partOf(triangle:int):int
+        {
+            return _sets.rootOf(_surface.pieces[_order[triangle]]);
+        }
+
+        /** Two triangles that touch, by their indices in the hierarchy's order, for each time that two parts turned out to be one. */
+        public function get joins():Vector.<int>
+        {
+            return _joins;
+        }
+
+        /**
+         * Joins the parts of triangles that are known to touch, in place of any steps.
+         *
+         * @param known as <code>joins</code> has them
+         * @return whether they do touch, and no two are of one part already; if not, steps are left
+         */
+        public function joinKnown(known:Vector.<int>):Boolean
+        {
+            for (var i:int = 0; i < known.length; i += 2)
+            {
+                if (partOf(known[i]) == partOf(known[i + 1]) || !doTouch(known[i], known[i + 1]))
+                {
+                    return false;
+                }
+                joinParts(known[i], known[i + 1]);
+            }
+            return true;
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            if (_runsLeft != 0)
+            {
+                findRuns();
+                return true;
+            }
+            var end:int = Math.min(_pairs + PAIRS_PER_STEP, MOST_PAIRS);
+            while (_pairs < end && _stack.length > 0 && _partCount > 1)
+            {
+                var b:HierarchyNode = _stack.pop();
+                var a:HierarchyNode = _stack.pop();
+                _pairs++;
+                if (areOnePart(a, b))
+                {
+                    continue;
+                }
+                if (a === b && !a.isLeaf)
+                {
+                    _stack.push(a.left, a.left, a.right, a.right, a.left, a.right);
+                }
+                else if (a === b || doOverlap(a, b))
+                {
+                    compare(a, b);
+                }
+            }
+            return _pairs < MOST_PAIRS && _stack.length > 0 && _partCount > 1;
+        }
+
+        // What hangs together already need not be looked into.
+        private function areOnePart(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            var part:int = partOf(a.first);
+            return isOfPart(a, part) && (a === b || isOfPart(b, part));
+        }
+
+        private function isOfPart(node:HierarchyNode, part:int):Boolean
+        {
+            for (var i:int = node.first; i < node.end; i = _runEnds[i])
+            {
+                if (partOf(i) != part)
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function compare(a:HierarchyNode, b:HierarchyNode):void
+        {
+            if (!a.isLeaf && (b.isLeaf || a.radius >= b.radius))
+            {
+                _stack.push(a.left, b, a.right, b);
+            }
+            else if (!b.isLeaf)
+            {
+                _stack.push(a, b.left, a, b.right);
+            }
+            else
+            {
+                joinLeaves(a, b);
+            }
+        }
+
+        private static function doOverlap(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            return Math.abs(a.x - b.x) <= a.halfX + b.halfX && Math.abs(a.y - b.y) <= a.halfY + b.halfY
+                && Math.abs(a.z - b.z) <= a.halfZ + b.halfZ;
+        }
+
+        private function joinLeaves(a:HierarchyNode, b:HierarchyNode):void
+        {
+            for (var i:int = a.first; i < a.end && _pairs < MOST_PAIRS; i++)
+            {
+                var part:int = partOf(i);
+                for (var k:int = a === b ? i + 1 : b.first; k < b.end; k++)
+                {
+                    _pairs++;
+                    var other:int = partOf(k);
+                    if (part != other && doTouch(i, k))
+                    {
+                        joinParts(i, k);
+                    }
+                }
+            }
+        }
+
+        private function joinParts(i:int, k:int):void
+        {
+            _sets.join(_surface.pieces[_order[i]], _surface.pieces[_order[k]]);
+            _partCount--;
+            _joins.push(i, k);
+        }
+
+        private function doTouch(i:int, k:int):Boolean
+        {
+            var extents:Vector.<Number> = _solid.extents;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                if (extents[6 * i + axis] > extents[6 * k + 3 + axis] + _touching
+                        || extents[6 * k + axis] > extents[6 * i + 3 + axis] + _touching)
+                {
+                    return false;
+                }
+            }
+            return triangleTriangle(_solid.corners, 9 * i, _solid.corners, 9 * k, _touching);
+        }
+
+        // From the last triangle down.
+        private function findRuns():void
+        {
+            if (_runEnds == null)
+            {
+                _runsLeft = _order.length;
+                _runEnds = new Vector.<int>(_runsLeft, true);
+                _runEnd = _runsLeft;
+            }
+            var first:int = Math.max(0, _runsLeft - RUNS_PER_STEP);
+            for (var i:int = _runsLeft - 1; i >= first; i--)
+            {
+                _runEnds[i] = _runEnd;
+                if (i > 0 && _surface.pieces[_order[i]] != _surface.pieces[_order[i - 1]])
+                {
+                    _runEnd = i;
+                }
+            }
+            _runsLeft = first;
+        }
+    }
+}

@@ -1,0 +1,271 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.HierarchyNode;
+
+    use namespace engine;
+
+    /**
+     * A model's triangles where boxes do not suffice: their corners, and what is inside of the surface that they make. Made by
+     * a SolidBuilder. The triangles are in the order of the hierarchy.
+     */
+    public final class Solid
+    {
+        /** How many points of each part there are in partPoints. */
+        public static const POINTS_PER_PART:int = 6;
+
+        /** Directions without a relation to the axes that models are built along: rays are cast along them, one after the other. */
+        public static const RAYS:Vector.<Number> = new <Number>[
+                0.5391, 0.2718, 0.7972, -0.3473, 0.8651, 0.3618, 0.7113, -0.5897, -0.3826, -0.1937, -0.6329, 0.7496,
+                0.8839, 0.4421, -0.1527, -0.6681, 0.1172, -0.7348, 0.0931, -0.9217, -0.3765, -0.8263, -0.4402, 0.3511];
+
+        /** Three corners a triangle, x, y, z each. */
+        public var corners:Vector.<Number>;
+
+        /** Each triangle's extents: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var extents:Vector.<Number>;
+
+        /**
+         * Each triangle's plane: x, y, z of its unit normal, its place along that, and how far the triangle's own corners are off it.
+         * The normal of one without area is 0, and its corners are infinitely far.
+         */
+        public var planes:Vector.<Number>;
+
+        /** Whether the surface closes, so that there is an inside. */
+        public var isClosed:Boolean = false;
+
+        /** Whether the triangles are all turned one way, to front or back. */
+        public var isOriented:Boolean = false;
+
+        /**
+         * Of each part of the surface the vertices that are farthest down and up x, y and z. A part hangs together, or its
+         * pieces touch each other: away from another surface it is inside or outside as a whole.
+         */
+        public var partPoints:Vector.<Number> = new Vector.<Number>();
+
+        /** The longest extent along an axis of that part where it is least. */
+        public var leastPartExtent:Number = Infinity;
+
+        /** How wide the gaps of the surface's seams are at most. */
+        public var widestSeam:Number = 0;
+
+        // What crossingOf returns for a ray that comes close to an edge, or begins close to the triangle.
+        private static const UNCLEAR:int = 2;
+
+        private var _root:HierarchyNode;
+
+        // Where the ray that is cast begins, and its direction.
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+        private var _directionX:Number;
+        private var _directionY:Number;
+        private var _directionZ:Number;
+        private var _crossings:int;
+        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+
+        /**
+         * @param root the node around all triangles
+         * @param count how many there are
+         */
+        public function Solid(root:HierarchyNode, count:int)
+        {
+            _root = root;
+            corners = new Vector.<Number>(9 * count, true);
+            extents = new Vector.<Number>(6 * count, true);
+            planes = new Vector.<Number>(5 * count, true);
+        }
+
+        /**
+         * Whether a point that is not on the surface is inside of it: the crossings of a ray that passes all edges at a
+         * distance; should every ray that is tried come close to one, the solid angles of all triangles added up. False
+         * where the surface is not closed.
+         */
+        public function isInside(x:Number, y:Number, z:Number):Boolean
+        {
+            var isOutOfReach:Boolean = Math.abs(x - _root.x) > _root.halfX || Math.abs(y - _root.y) > _root.halfY
+                || Math.abs(z - _root.z) > _root.halfZ;
+            if (isOutOfReach || !isClosed)
+            {
+                return false;
+            }
+            _x = x;
+            _y = y;
+            _z = z;
+            for (var i:int = 0; i < RAYS.length; i += 3)
+            {
+                var dx:Number = RAYS[i];
+                var dy:Number = RAYS[int(i + 1)];
+                var dz:Number = RAYS[int(i + 2)];
+                // the shorter way out
+                var isBackward:Boolean = (x - _root.x) * dx + (y - _root.y) * dy + (z - _root.z) * dz < 0;
+                _directionX = isBackward ? -dx : dx;
+                _directionY = isBackward ? -dy : dy;
+                _directionZ = isBackward ? -dz : dz;
+                if (countCrossings())
+                {
+                    return _crossings != 0;
+                }
+            }
+            return Math.abs(windingAround(x, y, z)) > 0.5;
+        }
+
+        // Counts how often the surface winds around the ray's beginning, or the parity of the crossings where it is not oriented; false if the
+        // ray comes close to an edge.
+        private function countCrossings():Boolean
+        {
+            var winding:int = 0;
+            var parity:int = 0;
+            var stack:Vector.<HierarchyNode> = _stack;
+            stack[0] = _root;
+            var top:int = 1;
+            while (top > 0)
+            {
+                top--;
+                var node:HierarchyNode = stack[top];
+                if (!meetsBox(node))
+                {
+                    continue;
+                }
+                if (!node.isLeaf)
+                {
+                    stack[top] = node.right;
+                    stack[int(top + 1)] = node.left;
+                    top += 2;
+                    continue;
+                }
+                var end:int = node.end;
+                for (var i:int = node.first; i < end; i++)
+                {
+                    var crossing:int = crossingOf(9 * i);
+                    if (crossing == UNCLEAR)
+                    {
+                        return false;
+                    }
+                    winding += crossing;
+                    parity ^= crossing & 1;
+                }
+            }
+            _crossings = isOriented ? winding : parity;
+            return true;
+        }
+
+        // Separating axes: the ray's extents, and the three directions at right angles to the ray and an edge of the box. The box is wider by a
+        // seam: a ray through its gap comes close to an edge.
+        private function meetsBox(node:HierarchyNode):Boolean
+        {
+            var dx:Number = _directionX;
+            var dy:Number = _directionY;
+            var dz:Number = _directionZ;
+            var fromX:Number = _x - node.x;
+            var fromY:Number = _y - node.y;
+            var fromZ:Number = _z - node.z;
+            var halfX:Number = node.halfX + widestSeam;
+            var halfY:Number = node.halfY + widestSeam;
+            var halfZ:Number = node.halfZ + widestSeam;
+            var aheadX:Number = dx > 0 ? fromX : -fromX;
+            var aheadY:Number = dy > 0 ? fromY : -fromY;
+            var aheadZ:Number = dz > 0 ? fromZ : -fromZ;
+            if (aheadX > halfX || aheadY > halfY || aheadZ > halfZ)
+            {
+                return false;
+            }
+            var widthX:Number = dx < 0 ? -dx : dx;
+            var widthY:Number = dy < 0 ? -dy : dy;
+            var widthZ:Number = dz < 0 ? -dz : dz;
+            var aside:Number = fromY * dz - fromZ * dy;
+            var reach:Number = halfY * widthZ + halfZ * widthY;
+            if (aside > reach || aside < -reach)
+            {
+                return false;
+            }
+            aside = fromZ * dx - fromX * dz;
+            reach = halfZ * widthX + halfX * widthZ;
+            if (aside > reach || aside < -reach)
+            {
+                return false;
+            }
+            aside = fromX * dy - fromY * dx;
+            reach = halfX * widthY + halfY * widthX;
+            return aside <= reach && aside >= -reach;
+        }
+
+        // 1 where the ray leaves through the triangle's front, -1 where it enters; UNCLEAR where it comes close to an edge, or
+        // begins close to the triangle. The triple products have the signs of the sides on which the ray passes the edges.
+        private function crossingOf(at:int):int
+        {
+            var x:Number = _x;
+            var y:Number = _y;
+            var z:Number = _z;
+            var dx:Number = _directionX;
+            var dy:Number = _directionY;
+            var dz:Number = _directionZ;
+            var points:Vector.<Number> = corners;
+            var px:Number = points[at] - x;
+            var py:Number = points[int(at + 1)] - y;
+            var pz:Number = points[int(at + 2)] - z;
+            var qx:Number = points[int(at + 3)] - x;
+            var qy:Number = points[int(at + 4)] - y;
+            var qz:Number = points[int(at + 5)] - z;
+            var rx:Number = points[int(at + 6)] - x;
+            var ry:Number = points[int(at + 7)] - y;
+            var rz:Number = points[int(at + 8)] - z;
+            var u:Number = dx * (qy * rz - qz * ry) + dy * (qz * rx - qx * rz) + dz * (qx * ry - qy * rx);
+            var v:Number = dx * (ry * pz - rz * py) + dy * (rz * px - rx * pz) + dz * (rx * py - ry * px);
+            var w:Number = dx * (py * qz - pz * qy) + dy * (pz * qx - px * qz) + dz * (px * qy - py * qx);
+            // a seam's gap is passed by as well
+            var radius:Number = _root.radius;
+            var near:Number = Tolerances.GRAZING * radius;
+            if (near < 2 * widestSeam)
+            {
+                near = 2 * widestSeam;
+            }
+            near *= radius;
+            if ((u > near || v > near || w > near) && (u < -near || v < -near || w < -near))
+            {
+                return 0;
+            }
+            if (!(u > near && v > near && w > near || u < -near && v < -near && w < -near))
+            {
+                return UNCLEAR;
+            }
+            var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
+            var thin:Number = Tolerances.GRAZING * radius * radius * radius;
+            if (volume <= thin && volume >= -thin)
+            {
+                return UNCLEAR;
+            }
+            if (volume > 0 != u > 0)
+            {
+                return 0;
+            }
+            return u > 0 ? 1 : -1;
+        }
+
+        // Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30(2), 1983.
+        private function windingAround(x:Number, y:Number, z:Number):Number
+        {
+            var sum:Number = 0;
+            for (var at:int = 0; at < corners.length; at += 9)
+            {
+                var px:Number = corners[at] - x;
+                var py:Number = corners[at + 1] - y;
+                var pz:Number = corners[at + 2] - z;
+                var qx:Number = corners[at + 3] - x;
+                var qy:Number = corners[at + 4] - y;
+                var qz:Number = corners[at + 5] - z;
+                var rx:Number = corners[at + 6] - x;
+                var ry:Number = corners[at + 7] - y;
+                var rz:Number = corners[at + 8] - z;
+                var p:Number = Math.sqrt(px * px + py * py + pz * pz);
+                var q:Number = Math.sqrt(qx * qx + qy * qy + qz * qz);
+                var r:Number = Math.sqrt(rx * rx + ry * ry + rz * rz);
+                var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
+                sum += Math.atan2(volume, p * q * r + (px * qx + py * qy + pz * qz) * r + (qx * rx + qy * ry + qz * rz) * p
+                        + (rx * px + ry * py + rz * pz) * q);
+            }
+            return sum / (2 * Math.PI);
+        }
+    }
+}

@@ -1,0 +1,223 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.hierarchy.Items;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    use namespace engine;
+
+    /**
+     * Prepares what exact tests and tests for insides need of a hierarchy's triangles, in steps: their corners in the
+     * hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is noted of the surface
+     * spares most of the work if it is true.
+     */
+    internal final class SolidBuilder implements Steps
+    {
+        private static const TRIANGLES_PER_STEP:int = 400;
+
+        private var _hierarchy:SolidHierarchy;
+        private var _order:Vector.<int>;
+        private var _notes:SurfaceNotes;
+        private var _solid:Solid;
+        private var _finder:SurfaceFinder;
+        private var _surface:Surface;
+        private var _parts:PartFinder;
+        private var _extremes:PartExtremes;
+        private var _work:StepSequence = new StepSequence();
+
+        /**
+         * @param hierarchy of triangles; gets the solid, and the notes with which another builder is done sooner
+         */
+        public function SolidBuilder(hierarchy:SolidHierarchy)
+        {
+            _hierarchy = hierarchy;
+            _order = hierarchy.order;
+            _notes = hierarchy.notes;
+            _solid = new Solid(hierarchy.root, _order.length);
+            addSlices(place);
+            if (_notes != null)
+            {
+                _work.begin(newCheck).call(useChecked);
+            }
+            else
+            {
+                addSurface();
+            }
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            return _work.step();
+        }
+
+        private function addSlices(work:Function):StepSequence
+        {
+            return _work.add(new Slices(_order.length, TRIANGLES_PER_STEP, work));
+        }
+
+        private function place(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                placeCorners(i, 3 * _order[i]);
+                Items.writeExtents(_hierarchy.vertices, _hierarchy.triangles, 3 * _order[i], _solid.extents, 6 * i);
+                placePlane(i);
+            }
+        }
+
+        private function newCheck():Steps
+        {
+            _finder = new SurfaceCheck(_hierarchy.vertices, _hierarchy.triangles, _notes.isTurned);
+            return _finder;
+        }
+
+        // What does not hold is found out without it.
+        private function useChecked():void
+        {
+            if (_finder.surface == null)
+            {
+                _notes = null;
+                addSurface();
+                return;
+            }
+            useSurface();
+            if (_parts.joinKnown(_notes.joins))
+            {
+                addSlices(measure).call(conclude);
+                return;
+            }
+            addParts();
+        }
+
+        private function addSurface():void
+        {
+            _work.begin(newSurface).call(useFound);
+        }
+
+        private function newSurface():Steps
+        {
+            _finder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
+            return _finder;
+        }
+
+        private function useFound():void
+        {
+            useSurface();
+            addParts();
+        }
+
+        private function useSurface():void
+        {
+            _surface = _finder.surface;
+            _solid.isClosed = _surface.isClosed;
+            _solid.isOriented = _surface.isOriented;
+            _solid.widestSeam = _surface.widestSeam;
+            if (_surface.isOriented && _surface.isTurned != null)
+            {
+                turnRound();
+            }
+            _extremes = new PartExtremes(_solid, _surface.pieceCount);
+            _parts = new PartFinder(_hierarchy.root, _solid, _surface, _order);
+        }
+
+        private function addParts():void
+        {
+            _work.add(_parts).call(writeNotes);
+            addSlices(measure).call(conclude);
+        }
+
+        private function writeNotes():void
+        {
+            _notes = new SurfaceNotes();
+            _notes.isTurned = _surface.isTurned;
+            _notes.joins = _parts.joins;
+        }
+
+        private function placeCorners(triangle:int, corner:int):void
+        {
+            var vertices:Vector.<Number> = _hierarchy.vertices;
+            var triangles:Vector.<uint> = _hierarchy.triangles;
+            var corners:Vector.<Number> = _solid.corners;
+            var to:int = 9 * triangle;
+            for (var end:int = corner + 3; corner < end; corner++)
+            {
+                var at:int = 3 * triangles[corner];
+                corners[to] = vertices[at];
+                corners[int(to + 1)] = vertices[int(at + 1)];
+                corners[int(to + 2)] = vertices[int(at + 2)];
+                to += 3;
+            }
+        }
+
+        private function placePlane(triangle:int):void
+        {
+            var corners:Vector.<Number> = _solid.corners;
+            var planes:Vector.<Number> = _solid.planes;
+            var at:int = 9 * triangle;
+            var x:Number = corners[at];
+            var y:Number = corners[at + 1];
+            var z:Number = corners[at + 2];
+            var ux:Number = corners[at + 3] - x;
+            var uy:Number = corners[at + 4] - y;
+            var uz:Number = corners[at + 5] - z;
+            var vx:Number = corners[at + 6] - x;
+            var vy:Number = corners[at + 7] - y;
+            var vz:Number = corners[at + 8] - z;
+            var normalX:Number = uy * vz - uz * vy;
+            var normalY:Number = uz * vx - ux * vz;
+            var normalZ:Number = ux * vy - uy * vx;
+            var length:Number = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
+            var to:int = 5 * triangle;
+            if (!(length > 0))
+            {
+                planes[to] = planes[to + 1] = planes[to + 2] = planes[to + 3] = 0;
+                planes[to + 4] = Infinity;
+                return;
+            }
+            normalX /= length;
+            normalY /= length;
+            normalZ /= length;
+            var place:Number = normalX * x + normalY * y + normalZ * z;
+            planes[to] = normalX;
+            planes[to + 1] = normalY;
+            planes[to + 2] = normalZ;
+            planes[to + 3] = place;
+            planes[to + 4] = Math.max(Math.abs(normalX * corners[at + 3] + normalY * corners[at + 4] + normalZ * corners[at + 5] - place),
+                    Math.abs(normalX * corners[at + 6] + normalY * corners[at + 7] + normalZ * corners[at + 8] - place));
+        }
+
+        private function turnRound():void
+        {
+            var corners:Vector.<Number> = _solid.corners;
+            for (var i:int = 0; i < _order.length; i++)
+            {
+                if (_surface.isTurned[_order[i]])
+                {
+                    for (var at:int = 9 * i; at < 9 * i + 3; at++)
+                    {
+                        var coordinate:Number = corners[at];
+                        corners[at] = corners[at + 3];
+                        corners[at + 3] = coordinate;
+                    }
+                }
+            }
+        }
+
+        private function measure(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                _extremes.add(_parts.partOf(i), i);
+            }
+        }
+
+        private function conclude():void
+        {
+            _extremes.finish();
+            _hierarchy.setSolid(_solid, _notes);
+        }
+    }
+}

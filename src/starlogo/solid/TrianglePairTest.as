@@ -1,0 +1,48 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.RelativePose;
+
+    use namespace engine;
+
+    /** Decides by the models' triangles whether leaves touch. What the tests of models that stand still and of those that move have in common. */
+    internal class TrianglePairTest extends LeafTest
+    {
+        /** Pairs of triangles that were tested; set to 0 from outside. */
+        public var triangleTests:int = 0;
+
+        protected var pose:RelativePose;
+        protected var solidA:Solid;
+        protected var solidB:Solid;
+
+        /** How close triangles of these models touch. */
+        protected var touching:Number;
+
+        /**
+         * @param pose where the second model is in the space of the first, whenever two are asked about
+         */
+        public function TrianglePairTest(pose:RelativePose)
+        {
+            this.pose = pose;
+        }
+
+        /**
+         * Prepares for two models that the pose relates.
+         *
+         * @return whether both have triangles; otherwise nothing else may be asked
+         */
+        public function prepare(a:SolidHierarchy, b:SolidHierarchy):Boolean
+        {
+            if (!a.hasTriangles || !b.hasTriangles)
+            {
+                return false;
+            }
+            solidA = a.solid;
+            solidB = b.solid;
+            touching = pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * pose.placement.size);
+            return true;
+        }
+    }
+}

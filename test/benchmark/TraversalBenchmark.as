@@ -1,0 +1,250 @@
+package benchmark
+{
+    import evaluation.Measurement;
+    import evaluation.Table;
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.utils.ByteArray;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.SweptHierarchyTraversal;
+    import support.Fixtures;
+
+    use namespace engine;
+
+    /**
+     * What a pair of hierarchies, or a hierarchy and a structure, costs: bears and spheres near each other, standing and swept, by the kinds
+     * of their nodes and by triangles, and one inside of the other. The last column is a hash of all answers, contacts with them: two
+     * versions that answer alike have the same.
+     */
+    public class TraversalBenchmark
+    {
+        /** What is read. */
+        public static const FIXTURES:Array = ["/assets/bear.obj"];
+
+        private static const ROUNDS:int = 31;
+        private static const PAIRS:int = 400;
+        private static const DEPTH:int = 5;
+
+        private var _standing:HierarchyTraversal = new HierarchyTraversal();
+        private var _swept:SweptHierarchyTraversal = new SweptHierarchyTraversal(_standing);
+        private var _random:SeededRandom = new SeededRandom(2101);
+        private var _hierarchies:Array = [];
+        private var _ball:SolidHierarchy;
+        private var _all:Vector.<Measurement> = new Vector.<Measurement>();
+        private var _hashes:Array = [];
+        private var _hits:Array = [];
+        private var _visits:Array = [];
+
+        /** The table. */
+        public function run():String
+        {
+            var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
+            for (var kind:int = 0; kind < 3; kind++)
+            {
+                _hierarchies[kind] = built(bear, kind);
+            }
+            _ball = built(BuiltInModel.sphere(), BoundingStructure.BOX);
+            var boxes:SolidHierarchy = _hierarchies[BoundingStructure.BOX];
+            var balls:SolidHierarchy = _hierarchies[BoundingStructure.SPHERE];
+            var capsules:SolidHierarchy = _hierarchies[BoundingStructure.CAPSULE];
+            add("boxes, upright, far into each other", boxes, boxes, 0.4, 1, true, false);
+            add("boxes, upright, near", boxes, boxes, 1.3, 1, true, false);
+            add("boxes, leaning, far into each other", boxes, boxes, 0.4, 1, false, false);
+            add("boxes, leaning, near", boxes, boxes, 1.3, 1, false, false);
+            add("spheres, near", balls, balls, 1.3, 1, true, false);
+            add("capsules, near", capsules, capsules, 1.3, 1, true, false);
+            add("boxes and capsules, near", boxes, capsules, 1.3, 1, false, false);
+            add("exact, near", boxes, boxes, 1.3, 1, false, true);
+            add("small balls inside", boxes, _ball, 0.3, 0.02, false, false);
+            addStructures("boxes and structures, near", boxes);
+            addStructures("capsules and structures, near", capsules);
+            addSwept("swept boxes", boxes, boxes, false);
+            addSwept("swept spheres", balls, balls, false);
+            addSwept("swept boxes and capsules", boxes, capsules, false);
+            addSwept("swept exact", boxes, boxes, true);
+            addSweptStructures("swept boxes and structures", boxes);
+            addSweptStructures("swept capsules and structures", capsules);
+            Measurement.runAll(_all, ROUNDS);
+            var table:Table = new Table("a pair", "ns", "hits %", "visits", "hash");
+            for (var i:int = 0; i < _all.length; i++)
+            {
+                table.add(_all[i].name, _all[i].samples.low.toFixed(0), _hits[i], _visits[i], _hashes[i]);
+            }
+            return String(table);
+        }
+
+        private function add(name:String, a:SolidHierarchy, b:SolidHierarchy, spread:Number, size:Number, isUpright:Boolean, exact:Boolean):void
+        {
+            var first:Vector.<Placement> = places(spread, 1, isUpright);
+            var second:Vector.<Placement> = places(spread, size, isUpright);
+            measure(name, function(i:int, answers:ByteArray):void
+                {
+                    var answer:Boolean = _standing.hierarchiesOverlap(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    if (answers != null)
+                    {
+                        answers.writeDouble(answer ? 1 : 0);
+                    }
+                });
+        }
+
+        private function addStructures(name:String, a:SolidHierarchy):void
+        {
+            var first:Vector.<Placement> = places(1.3, 1, true);
+            var second:Vector.<Placement> = places(1.3, 1, true);
+            var structures:Vector.<BoundingStructure> = randomStructures();
+            measure(name, function(i:int, answers:ByteArray):void
+                {
+                    var answer:Boolean = _standing.structureOverlaps(a, first[i], DEPTH, structures[i], second[i]);
+                    if (answers != null)
+                    {
+                        answers.writeDouble(answer ? 1 : 0);
+                    }
+                });
+        }
+
+        private function addSwept(name:String, a:SolidHierarchy, b:SolidHierarchy, exact:Boolean):void
+        {
+            var first:Vector.<Placement> = places(1.6, 1, false);
+            var second:Vector.<Placement> = places(1.6, 1, false);
+            var motions:Vector.<RelativeMotion> = randomMotions();
+            var contact:ContactPoint = new ContactPoint();
+            measure(name, function(i:int, answers:ByteArray):void
+                {
+                    var time:Number = _swept.hierarchiesTouch(a, first[i], DEPTH, b, second[i], DEPTH, exact, motions[i]);
+                    if (answers != null)
+                    {
+                        answers.writeDouble(time);
+                        if (time <= 1)
+                        {
+                            _swept.findContact(a, first[i], DEPTH, b, second[i], DEPTH, exact, motions[i], time, contact);
+                            writeContact(contact, answers);
+                        }
+                    }
+                });
+        }
+
+        private function addSweptStructures(name:String, a:SolidHierarchy):void
+        {
+            var first:Vector.<Placement> = places(1.6, 1, false);
+            var second:Vector.<Placement> = places(1.6, 1, false);
+            var structures:Vector.<BoundingStructure> = randomStructures();
+            var motions:Vector.<RelativeMotion> = randomMotions();
+            var contact:ContactPoint = new ContactPoint();
+            measure(name, function(i:int, answers:ByteArray):void
+                {
+                    var time:Number = _swept.structureTouches(a, first[i], DEPTH, structures[i], second[i], motions[i]);
+                    if (answers != null)
+                    {
+                        answers.writeDouble(time);
+                        if (time <= 1)
+                        {
+                            _swept.findStructureContact(a, first[i], DEPTH, structures[i], second[i], motions[i], time, contact);
+                            writeContact(contact, answers);
+                        }
+                    }
+                });
+        }
+
+        private static function writeContact(contact:ContactPoint, out:ByteArray):void
+        {
+            for each (var number:Number in [contact.x, contact.y, contact.z, contact.normalX, contact.normalY, contact.normalZ, contact.depth])
+            {
+                out.writeDouble(number);
+            }
+        }
+
+        // The pair's number and null, or where its answers are written.
+        private function measure(name:String, pair:Function):void
+        {
+            var answers:ByteArray = new ByteArray();
+            var hits:int = 0;
+            _standing.resetCounts();
+            _swept.resetCounts();
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                var at:int = answers.position;
+                pair(i, answers);
+                var end:int = answers.position;
+                answers.position = at;
+                var first:Number = answers.readDouble();
+                hits += end - at > 8 || first == 1 ? 1 : 0;
+                answers.position = end;
+            }
+            _visits.push(((_standing.nodeVisits + _swept.nodeVisits) / PAIRS).toFixed(2) + ", " + _standing.triangleTests + ", " + _swept.triangleTests);
+            _hits.push((100 * hits / PAIRS).toFixed(0));
+            answers.position = 0;
+            var hash:int = 17;
+            while (answers.bytesAvailable > 0)
+            {
+                hash = hash * 31 + answers.readInt() | 0;
+                hash ^= hash >>> 13;
+            }
+            _hashes.push((hash >>> 0).toString(16));
+            _all.push(new Measurement(name, function():void
+                    {
+                        for (var k:int = 0; k < PAIRS; k++)
+                        {
+                            pair(k, null);
+                        }
+                    }, PAIRS));
+        }
+
+        private function places(spread:Number, size:Number, isUpright:Boolean):Vector.<Placement>
+        {
+            var all:Vector.<Placement> = new Vector.<Placement>();
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                var placement:Placement = new Placement();
+                placement.size = size * _random.logBetween(0.7, 1.4);
+                placement.x = _random.between(-spread, spread) / 2;
+                placement.y = _random.between(-spread, spread) / 2;
+                placement.z = _random.between(-spread, spread) / 2;
+                placement.setRotation(_random.between(0, 360), isUpright ? 0 : _random.between(0, 360), isUpright ? 0 : _random.between(0, 360));
+                all.push(placement);
+            }
+            return all;
+        }
+
+        private function randomStructures():Vector.<BoundingStructure>
+        {
+            var shapes:RandomStructures = new RandomStructures(_random);
+            var all:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                all.push(shapes.ofKind(i % 3, 0.5, 0.5));
+            }
+            return all;
+        }
+
+        private function randomMotions():Vector.<RelativeMotion>
+        {
+            var all:Vector.<RelativeMotion> = new Vector.<RelativeMotion>();
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                var motion:RelativeMotion = new RelativeMotion();
+                motion.endAfter(_random.between(-1.5, 1.5), _random.between(-1.5, 1.5), _random.between(-1.5, 1.5));
+                all.push(motion);
+            }
+            return all;
+        }
+
+        private static function built(model:Model, kind:int):SolidHierarchy
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.boundsKind = kind;
+            library.prepareExact = true;
+            library.add(model.name, model.vertices, model.triangles);
+            return library.hierarchy(model.name);
+        }
+    }
+}

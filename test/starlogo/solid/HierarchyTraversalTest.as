@@ -1,0 +1,197 @@
+package starlogo.solid
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import support.Fixtures;
+
+    use namespace engine;
+
+    /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
+    public class HierarchyTraversalTest
+    {
+        public static const FIXTURES:Array = ["/assets/bear.obj"];
+
+        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
+
+        private static var sHierarchies:Object;
+
+        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+
+        [BeforeClass]
+        public static function begin():void
+        {
+            sHierarchies = {};
+        }
+
+        [AfterClass]
+        public static function forget():void
+        {
+            sHierarchies = null;
+        }
+
+        [Test]
+        public function specksBesideGiants():void
+        {
+            var random:SeededRandom = new SeededRandom(171);
+            for each (var size:Number in [1e-6, 1e-12, 1e-50, 1e-100, 1e-200])
+            {
+                for each (var giant:Number in [1, 1e6, 1e60, 1e100])
+                {
+                    for each (var kind:int in KINDS)
+                    {
+                        checkSpeck(random, size, giant, hierarchyOf(BuiltInModel.cube(), kind), hierarchyOf(BuiltInModel.sphere(), kind));
+                    }
+                }
+            }
+        }
+
+        [Test]
+        public function deeperNeverFindsMoreWhateverTheDepthsAndStructures():void
+        {
+            var random:SeededRandom = new SeededRandom(172);
+            var bear:Model = new ObjModel("bear", Fixtures.text(FIXTURES[0]));
+            var changes:int = 0;
+            for (var i:int = 0; i < 240; i++)
+            {
+                var a:SolidHierarchy = hierarchyOf(random.pick([bear, BuiltInModel.cylinder()]), KINDS[i % 3]);
+                var b:SolidHierarchy = hierarchyOf(random.pick([bear, BuiltInModel.sphere()]), KINDS[int(i / 3) % 3]);
+                var placementA:Placement = placed(random.logBetween(0.5, 2), 0, 0, 0);
+                placementA.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
+                var placementB:Placement = placed(random.logBetween(0.5, 2), random.normal(), random.normal(), random.normal());
+                placementB.setRotation(random.between(0, 360), random.between(0, 360), random.between(0, 360));
+                changes += checkDepths("pair " + i, a, placementA, b, placementB);
+            }
+            assertTrue("changes: " + changes, changes > 60);
+        }
+
+        // How many answers differ from the one of the roots.
+        private function checkDepths(pair:String, a:SolidHierarchy, placementA:Placement, b:SolidHierarchy, placementB:Placement):int
+        {
+            var answers:Array = [];
+            var changes:int = 0;
+            for (var i:int = 0; i < 7; i++)
+            {
+                answers.push([]);
+                for (var k:int = 0; k < 7; k++)
+                {
+                    var isHit:Boolean = _traversal.hierarchiesOverlap(a, placementA, i + 1, b, placementB, k + 1, false);
+                    answers[i].push(isHit);
+                    changes += isHit == answers[0][0] ? 0 : 1;
+                    if (isHit)
+                    {
+                        assertTrue(pair + " at " + i + ", " + k, i == 0 || answers[i - 1][k]);
+                        assertTrue(pair + " at " + i + ", " + k, k == 0 || answers[i][k - 1]);
+                    }
+                }
+            }
+            return changes;
+        }
+
+        [Test]
+        public function depthsBelongToTheirModelsInAnyOrder():void
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.minVerticesToSplit = 1;
+            // two walls far apart, and nothing between them
+            library.add("walls", new <Number>[-0.5, -0.5, 0, -0.5, 0.5, 0, -0.5, 0, 1, 0.5, -0.5, 0, 0.5, 0.5, 0, 0.5, 0, 1], new <uint>[0, 1, 2, 3, 4, 5]);
+            var walls:SolidHierarchy = library.hierarchy("walls");
+            var speck:SolidHierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
+            var large:Placement = placed(1e50, 0, 0, 0);
+            var small:Placement = placed(1, 0, 0, 0.5e50);
+            assertTrue("one box", _traversal.hierarchiesOverlap(walls, large, 1, speck, small, 9, false));
+            assertTrue("one box, the other way round", _traversal.hierarchiesOverlap(speck, small, 9, walls, large, 1, false));
+            assertFalse("two boxes", _traversal.hierarchiesOverlap(walls, large, 9, speck, small, 1, false));
+            assertFalse("two boxes, the other way round", _traversal.hierarchiesOverlap(speck, small, 1, walls, large, 9, false));
+        }
+
+        private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:SolidHierarchy, ball:SolidHierarchy):void
+        {
+            // a corner of the cube, a point of a face, well inside; beside it, far off: x, y, z, whether it collides, and is near
+            var places:Array = [[0.5, 0.5, 1, true, true], [0.5, 0.1, 0.3, true, true], [0.1, 0.2, 0.3, true, true],
+                    [0.50001, 0.1, 0.3, false, true], [5, 4, 3, false, false]];
+            for each (var place:Array in places)
+            {
+                if (!place[3] && place[4] && cube.boundsKind != BoundingStructure.BOX)
+                {
+                    // spheres and capsules reach farther than the model
+                    continue;
+                }
+                var heading:Number = random.pick([0, 90, 180]);
+                var large:Placement = placed(giant, 0, 0, 0);
+                large.setRotation(0, 0, 0);
+                var small:Placement = placed(size * giant, place[0] * giant, place[1] * giant, place[2] * giant);
+                small.setRotation(heading, random.pick([0, 90]), 0);
+                var message:String = [size, giant, place, heading].join(", ");
+                for each (var depth:int in [1, 3, 10])
+                {
+                    assertEquals(message, place[3], _traversal.hierarchiesOverlap(cube, large, depth, ball, small, depth, false));
+                    assertEquals(message, place[3], _traversal.hierarchiesOverlap(ball, small, depth, cube, large, depth, false));
+                    for each (var box:BoundingStructure in structures(0.5))
+                    {
+                        assertEquals(message + box, place[3], _traversal.structureOverlaps(cube, large, depth, box, small));
+                    }
+                    // a cube's sphere and capsule reach farther
+                    if (place[3])
+                    {
+                        for each (box in structures(1))
+                        {
+                            assertTrue(message + box, _traversal.structureOverlaps(ball, small, depth, box, large));
+                        }
+                    }
+                    else
+                    {
+                        assertFalse(message, _traversal.structureOverlaps(ball, small, depth, structures(0.5)[2], large));
+                    }
+                }
+                assertEquals(message, place[3], _traversal.hierarchiesOverlap(cube, large, 1, ball, small, 1, true));
+                assertEquals(message, place[3], _traversal.hierarchiesOverlap(ball, small, 1, cube, large, 1, true));
+            }
+        }
+
+        // About the middle of a model of size 1.
+        private static function structures(half:Number):Array
+        {
+            var middle:Vector3D = new Vector3D(0, 0, 0.5);
+            return [new Sphere(middle, half), new Capsule(new Vector3D(0, 0, 0.3), new Vector3D(0, 0, 0.7), half),
+                    new Box(middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, half, half, half)];
+        }
+
+        private static function placed(size:Number, x:Number, y:Number, z:Number):Placement
+        {
+            var placement:Placement = new Placement();
+            placement.size = size;
+            placement.x = x;
+            placement.y = y;
+            placement.z = z;
+            return placement;
+        }
+
+        private static function hierarchyOf(model:Model, kind:int):SolidHierarchy
+        {
+            var key:String = model.name + " " + kind;
+            sHierarchies[key] ||= built(model, kind);
+            return sHierarchies[key];
+        }
+
+        private static function built(model:Model, kind:int):SolidHierarchy
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.boundsKind = kind;
+            library.add(model.name, model.vertices, model.triangles);
+            return library.hierarchy(model.name);
+        }
+    }
+}

@@ -1,0 +1,29 @@
+package starlogo.solid
+{
+    import starlogo.GreatLand;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /** Everything that exact colliders need of a model as text, to the last digit. */
+    public final class SolidContents
+    {
+        /** The solid of a model, which is prepared if it was not. */
+        public static function of(greatLand:GreatLand, name:String):String
+        {
+            var hierarchy:SolidHierarchy = greatLand.hierarchies.hierarchy(name);
+            if (!hierarchy.hasTriangles)
+            {
+                return "none";
+            }
+            var solid:Solid = hierarchy.solid;
+            return [solid.isClosed, solid.isOriented, solid.widestSeam, solid.leastPartExtent, solid.partPoints, solid.corners,
+                    solid.extents, solid.planes, axesUnder(hierarchy.root)].join("\n");
+        }
+
+        private static function axesUnder(node:HierarchyNode):String
+        {
+            return node.isLeaf ? "." : node.splitAxis + axesUnder(node.left) + axesUnder(node.right);
+        }
+    }
+}

@@ -1,0 +1,231 @@
+package starlogo.solid
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.engine;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import support.Fixtures;
+    import support.SolidAngles;
+    import support.SolidModels;
+    import support.assertWellFormed;
+
+    use namespace engine;
+
+    /** The hierarchies of the game's models: well-formed, and right about what is inside. */
+    public class SolidHierarchyTest
+    {
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/kelp.obj", "/assets/fortress.obj", "/assets/spaceship.obj",
+                "/assets/tree.obj", "/assets/seagull.dae", "/assets/person.dae", "/assets/fireman.dae", "/assets/dragon.dae"];
+
+        [Test]
+        public function smallModelsOfTheGameAreWellFormed():void
+        {
+            FIXTURES.slice(0, 5).forEach(checkModel);
+        }
+
+        [Test]
+        public function largerModelsOfTheGameAreWellFormed():void
+        {
+            FIXTURES.slice(5, 8).forEach(checkModel);
+        }
+
+        [Test]
+        public function theDragonIsWellFormed():void
+        {
+            FIXTURES.slice(8).forEach(checkModel);
+        }
+
+        [Test]
+        public function knowsWhatIsInsideTheBear():void
+        {
+            compareWithSolidAngles("/assets/bear.obj", 151);
+        }
+
+        [Test]
+        public function knowsWhatIsInsideTheFortress():void
+        {
+            compareWithSolidAngles("/assets/fortress.obj", 152);
+        }
+
+        [Test]
+        public function knowsWhatIsInsideTheSeagull():void
+        {
+            compareWithSolidAngles("/assets/seagull.dae", 153);
+        }
+
+        [Test]
+        public function anUnorientedSurfaceHasAnInsideToo():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            for (var i:int = 0; i < triangles.length; i += 6)
+            {
+                var first:uint = triangles[i];
+                triangles[i] = triangles[i + 1];
+                triangles[i + 1] = first;
+            }
+            var hierarchy:SolidHierarchy = hierarchyOf(cube.vertices, triangles);
+            assertTrue(hierarchy.solid.isInside(0.1, 0.2, 0.3));
+            assertTrue(hierarchy.solid.isInside(0, 0, 0.5));
+            assertTrue(!hierarchy.solid.isInside(0.51, 0, 0.5));
+        }
+
+        [Test]
+        public function aHollowSolidHasAnOutsideInside():void
+        {
+            var model:Model = SolidModels.hollow();
+            var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+            assertTrue("in the wall", hierarchy.solid.isInside(0.4, 0, 0.5));
+            assertTrue("in the hollow", !hierarchy.solid.isInside(0, 0, 0.5));
+        }
+
+        [Test]
+        public function piecesThatCrossAreSolidWhereBothAreAndHoweverTheyAreTurned():void
+        {
+            var model:Model = SolidModels.crossed();
+            var triangles:Vector.<uint> = model.triangles.slice();
+            var first:uint = triangles[0];
+            triangles[0] = triangles[1];
+            triangles[1] = first;
+            var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, triangles);
+            var random:SeededRandom = new SeededRandom(154);
+            var inside:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var x:Number = random.between(-0.6, 0.6);
+                var y:Number = random.between(-0.6, 0.6);
+                var z:Number = random.between(-0.2, 1.2);
+                var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
+                inside += expected ? 1 : 0;
+                assertEquals(expected, hierarchy.solid.isInside(x, y, z));
+            }
+            assertTrue("inside: " + inside, inside > 50 && inside < 250);
+        }
+
+        [Test]
+        public function piecesThatTouchAreOnePart():void
+        {
+            var points:int = 3 * Solid.POINTS_PER_PART;
+            for each (var expected:Array in [[SolidModels.crossed(), 2], [SolidModels.hollow(), 2], [SolidModels.apart(), 3], [BuiltInModel.sphere(), 1]])
+            {
+                var hierarchy:SolidHierarchy = hierarchyOf(expected[0].vertices, expected[0].triangles);
+                assertEquals(expected[0].name, expected[1] * points, hierarchy.solid.partPoints.length);
+            }
+            var apart:Model = SolidModels.apart();
+            var least:Number = hierarchyOf(apart.vertices, apart.triangles).solid.leastPartExtent;
+            assertTrue("the least one: " + least, Math.abs(least - 0.2 / 1.15) < 1e-9);
+            // a bear's limbs run into its body
+            var bear:Model = read("/assets/bear.obj");
+            hierarchy = hierarchyOf(bear.vertices, bear.triangles);
+            assertTrue("parts: " + hierarchy.solid.partPoints.length / points, hierarchy.solid.partPoints.length <= 4 * points);
+        }
+
+        [Test]
+        public function insideBehindSeamsThatAreOpenByARounding():void
+        {
+            var random:SeededRandom = new SeededRandom(155);
+            var model:Model = BuiltInModel.sphere();
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < model.triangles.length; i++)
+            {
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    // drawn in a little: along each edge there is a gap
+                    var corner:Number = model.vertices[3 * model.triangles[i] + axis];
+                    var middle:Number = model.vertices[3 * model.triangles[i - i % 3] + axis] / 3 + model.vertices[3 * model.triangles[i - i % 3 + 1] + axis] / 3
+                        + model.vertices[3 * model.triangles[i - i % 3 + 2] + axis] / 3;
+                    vertices.push(corner + 4e-7 * (middle - corner));
+                }
+                triangles.push(i);
+            }
+            checkAlongRays(hierarchyOf(vertices, triangles), model, random);
+        }
+
+        [Test]
+        public function raysThroughEdgesAreNotTrusted():void
+        {
+            var random:SeededRandom = new SeededRandom(156);
+            for each (var address:String in ["/assets/bear.obj", "/assets/fortress.obj"])
+            {
+                var model:Model = read(address);
+                checkAlongRays(hierarchyOf(model.vertices, model.triangles), model, random);
+            }
+            model = BuiltInModel.sphere();
+            checkAlongRays(hierarchyOf(model.vertices, model.triangles), model, random);
+        }
+
+        // Points from which the first ray passes through an edge or a corner.
+        private static function checkAlongRays(hierarchy:SolidHierarchy, model:Model, random:SeededRandom):void
+        {
+            var inside:int = 0;
+            assertTrue("closed", hierarchy.solid.isClosed);
+            for (var i:int = 0; i < 200; i++)
+            {
+                var corner:int = random.integer(0, model.triangles.length - 1);
+                var a:int = 3 * model.triangles[corner];
+                var b:int = 3 * model.triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
+                var t:Number = random.pick([0, random.between(0, 1)]);
+                var back:Number = random.between(0.02, 0.6);
+                var x:Number = model.vertices[a] + t * (model.vertices[b] - model.vertices[a]) - back * Solid.RAYS[0];
+                var y:Number = model.vertices[a + 1] + t * (model.vertices[b + 1] - model.vertices[a + 1]) - back * Solid.RAYS[1];
+                var z:Number = model.vertices[a + 2] + t * (model.vertices[b + 2] - model.vertices[a + 2]) - back * Solid.RAYS[2];
+                var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
+                inside += expected ? 1 : 0;
+                assertEquals(model.name + ", point " + i, expected, hierarchy.solid.isInside(x, y, z));
+            }
+            assertTrue("inside: " + inside, inside > 10 && inside < 190);
+        }
+
+        private static function checkModel(address:String, index:int, all:Array):void
+        {
+            var model:Model = read(address);
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.splitByMean = index % 2 == 1;
+            library.add(address, model.vertices, model.triangles);
+            assertWellFormed(library, address, model.vertices, model.triangles);
+            library.add(address, model.vertices);
+            assertWellFormed(library, address, model.vertices);
+        }
+
+        // Points at random, and right beside the surface.
+        private static function compareWithSolidAngles(address:String, seed:uint):void
+        {
+            var model:Model = read(address);
+            var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
+            assertTrue("closed", hierarchy.solid.isClosed);
+            var random:SeededRandom = new SeededRandom(seed);
+            var inside:int = 0;
+            for (var i:int = 0; i < 150; i++)
+            {
+                var near:int = 3 * random.integer(0, model.vertices.length / 3 - 1);
+                var spread:Number = random.pick([0.2, 0.01]);
+                var x:Number = model.vertices[near] + spread * random.normal();
+                var y:Number = model.vertices[near + 1] + spread * random.normal();
+                var z:Number = model.vertices[near + 2] + spread * random.normal();
+                var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
+                inside += expected ? 1 : 0;
+                assertEquals("point " + i, expected, hierarchy.solid.isInside(x, y, z));
+            }
+            assertTrue("inside: " + inside, inside > 20 && inside < 130);
+        }
+
+        private static function hierarchyOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchy
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.add("model", vertices, triangles);
+            assertWellFormed(library, "model", vertices, triangles);
+            return library.hierarchy("model");
+        }
+
+        private static function read(address:String):Model
+        {
+            return /obj$/.test(address) ? new ObjModel(address, Fixtures.text(address)) : new ColladaModel(address, Fixtures.text(address));
+        }
+    }
+}

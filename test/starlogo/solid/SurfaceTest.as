@@ -1,0 +1,267 @@
+package starlogo.solid
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.SolidModels;
+
+    public class SurfaceTest
+    {
+        [Test]
+        public function theBuiltInModelsAreClosed():void
+        {
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
+            {
+                var surface:Surface = Surface.of(model.vertices, model.triangles);
+                assertTrue(model.name, surface.isClosed);
+                assertTrue(model.name, surface.isOriented);
+                assertEquals("pieces", 1, surface.pieceCount);
+            }
+        }
+
+        [Test]
+        public function aMissingTriangleOpensIt():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var surface:Surface = Surface.of(cube.vertices, cube.triangles.slice(3));
+            assertFalse(surface.isClosed);
+            assertEquals("pieces", 1, surface.pieceCount);
+        }
+
+        [Test]
+        public function aTriangleTurnedRoundLeavesItClosed():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            var first:uint = triangles[0];
+            triangles[0] = triangles[1];
+            triangles[1] = first;
+            var surface:Surface = Surface.of(cube.vertices, triangles);
+            assertTrue(surface.isClosed);
+            assertTrue("turned back", surface.isOriented && surface.isTurned[0]);
+        }
+
+        [Test]
+        public function trianglesWithoutAreaDoNotMatter():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            triangles.fixed = false;
+            triangles.push(3, 3, 5, 7, 7, 7);
+            assertTrue(Surface.of(cube.vertices, triangles).isClosed);
+        }
+
+        [Test]
+        public function countsPieces():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var piece:int = 0; piece < 3; piece++)
+            {
+                // three tetrahedra in a row
+                vertices.push(5 * piece, 0, 0, 5 * piece + 1, 0, 0, 5 * piece, 1, 0, 5 * piece, 0, 1);
+                for each (var corner:int in [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3])
+                {
+                    triangles.push(4 * piece + corner);
+                }
+            }
+            var surface:Surface = Surface.of(vertices, triangles);
+            assertTrue(surface.isClosed);
+            assertEquals(3, surface.pieceCount);
+        }
+
+        [Test]
+        public function aSingleTriangleIsOpen():void
+        {
+            assertFalse(Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
+            // there and back: closed around nothing
+            assertTrue(Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
+            assertFalse(Surface.of(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
+        }
+
+        [Test]
+        public function seamsThatRoundingPartedAreClosed():void
+        {
+            var random:SeededRandom = new SeededRandom(161);
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
+            {
+                // a few last bits of a double, and of single precision on either side
+                for each (var rounding:Number in [4e-16, 1e-12, 6e-8])
+                {
+                    var vertices:Vector.<Number> = new Vector.<Number>();
+                    var triangles:Vector.<uint> = new Vector.<uint>();
+                    for (var i:int = 0; i < model.triangles.length; i++)
+                    {
+                        // a corner of its own for each triangle
+                        for (var axis:int = 0; axis < 3; axis++)
+                        {
+                            vertices.push(model.vertices[3 * model.triangles[i] + axis] + rounding * random.between(-1, 1));
+                        }
+                        triangles.push(i);
+                    }
+                    var surface:Surface = Surface.of(vertices, triangles);
+                    assertTrue(model.name + ", " + rounding, surface.isClosed && surface.isOriented);
+                    assertEquals(1, surface.pieceCount);
+                    assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
+                }
+            }
+        }
+
+        [Test]
+        public function smallFeaturesAreNotWelded():void
+        {
+            // a cube of a millionth of the other beside it, and one on its own that is open by as much
+            var cube:Model = BuiltInModel.cube();
+            var vertices:Vector.<Number> = cube.vertices.slice();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            vertices.fixed = triangles.fixed = false;
+            for (var i:int = 0; i < cube.vertices.length; i++)
+            {
+                vertices.push(i % 3 == 0 ? 0.6 + 1e-6 * cube.vertices[i] : 1e-6 * cube.vertices[i]);
+            }
+            for (i = 0; i < cube.triangles.length; i++)
+            {
+                triangles.push(24 + cube.triangles[i]);
+            }
+            assertEquals(2, Surface.of(vertices, triangles).pieceCount);
+            assertTrue(Surface.of(vertices, triangles).isClosed);
+            assertEquals(0, Surface.of(vertices, triangles).widestSeam);
+            // without a triangle of the small one
+            assertFalse(Surface.of(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+        }
+
+        [Test]
+        public function aWallOfManyCornersTakesNoTime():void
+        {
+            // comparing each with each would take minutes
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 100; i++)
+            {
+                for (var k:int = 0; k < 100; k++)
+                {
+                    var first:uint = vertices.length / 3;
+                    vertices.push(0, i, k, 0, i + 1, k, 0, i + 1, k + 1, 0, i, k + 1);
+                    triangles.push(first, first + 1, first + 2, first, first + 2, first + 3);
+                }
+            }
+            var surface:Surface = Surface.of(vertices, triangles);
+            assertEquals(1, surface.pieceCount);
+            assertFalse(surface.isClosed);
+            // all in one place
+            for (i = 0; i < vertices.length; i++)
+            {
+                vertices[i] = 1;
+            }
+            assertEquals(1, Surface.of(vertices, triangles).pieceCount);
+        }
+
+        [Test]
+        public function trianglesTurnedRoundAreTurnedBack():void
+        {
+            // two cubes that cross, a fifth of each turned round: each keeps its front
+            var model:Model = SolidModels.crossed();
+            var triangles:Vector.<uint> = model.triangles.slice();
+            for (var i:int = 0; i < triangles.length; i += 15)
+            {
+                swap(triangles, i);
+            }
+            var surface:Surface = Surface.of(model.vertices, triangles);
+            assertTrue(surface.isClosed && surface.isOriented);
+            for (i = 0; i < triangles.length; i += 3)
+            {
+                assertEquals("triangle " + i / 3, i % 15 == 0, surface.isTurned[i / 3]);
+            }
+            assertNull(Surface.of(model.vertices, model.triangles).isTurned);
+            // a hollow one stays hollow
+            model = SolidModels.hollow();
+            triangles = model.triangles.slice();
+            swap(triangles, triangles.length - 3);
+            surface = Surface.of(model.vertices, triangles);
+            assertTrue(surface.isOriented && surface.isTurned.indexOf(true) == triangles.length / 3 - 1);
+            assertEquals("no other", -1, surface.isTurned.indexOf(true, triangles.length / 3));
+        }
+
+        [Test]
+        public function ofADrawTheOutsideIsTheFront():void
+        {
+            var cube:Model = BuiltInModel.cube();
+            var triangles:Vector.<uint> = cube.triangles.slice();
+            for (var i:int = 0; i < triangles.length; i += 6)
+            {
+                swap(triangles, i);
+            }
+            var surface:Surface = Surface.of(cube.vertices, triangles);
+            for (i = 0; i < triangles.length; i += 3)
+            {
+                assertEquals(i % 6 == 0, surface.isTurned[i / 3]);
+            }
+        }
+
+        [Test]
+        public function aOneSidedSurfaceHasNoFront():void
+        {
+            // the projective plane: six vertices, each pair of them an edge of two triangles
+            var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
+            var surface:Surface = Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
+            assertTrue(surface.isClosed);
+            assertFalse(surface.isOriented);
+            assertNull(surface.isTurned);
+        }
+
+        [Test]
+        public function aLargeOneIsAsASmallOne():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            addTorus(90, 60, vertices, triangles);
+            var random:SeededRandom = new SeededRandom(5);
+            var isTurned:Vector.<Boolean> = new Vector.<Boolean>(triangles.length / 3);
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                isTurned[i / 3] = random.next() < 0.3;
+                if (isTurned[i / 3])
+                {
+                    swap(triangles, i);
+                }
+            }
+            var surface:Surface = Surface.of(vertices, triangles);
+            assertTrue(surface.isClosed && surface.isOriented);
+            assertEquals(1, surface.pieceCount);
+            assertEquals(isTurned.join(), surface.isTurned.join());
+            assertFalse(Surface.of(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            // a wall from one vertex to the next: three triangles at its edges
+            surface = Surface.of(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
+            assertTrue(surface.isClosed);
+        }
+
+        // Of so many columns and rows of squares, each of two triangles.
+        private static function addTorus(columns:int, rows:int, vertices:Vector.<Number>, triangles:Vector.<uint>):void
+        {
+            for (var i:int = 0; i < columns; i++)
+            {
+                var around:Number = 2 * Math.PI * i / columns;
+                for (var k:int = 0; k < rows; k++)
+                {
+                    var across:Number = 2 * Math.PI * k / rows;
+                    var radius:Number = 3 + Math.cos(across);
+                    vertices.push(radius * Math.cos(around), radius * Math.sin(around), Math.sin(across));
+                    var right:int = (i + 1) % columns * rows;
+                    var above:int = (k + 1) % rows;
+                    triangles.push(i * rows + k, right + k, right + above, i * rows + k, right + above, i * rows + above);
+                }
+            }
+        }
+
+        private static function swap(triangles:Vector.<uint>, at:int):void
+        {
+            var corner:uint = triangles[at];
+            triangles[at] = triangles[at + 1];
+            triangles[at + 1] = corner;
+        }
+    }
+}

@@ -2,15 +2,17 @@ package starlogo
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.libraries.BoundingStructuresLibrary;
+    import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.libraries.ModelBuild;
-    import starlogo.libraries.Revisions;
-    import starlogo.libraries.ShapeStructures;
+    import starlogo.libraries.ShapeEntry;
+    import starlogo.libraries.ShapeTable;
+    import starlogo.libraries.StructuresBuild;
     import starlogo.models.FitsReceiver;
     import starlogo.models.Model;
-    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -24,15 +26,12 @@ package starlogo
      * <p>The flags count for the models that are added from then on.</p>
      *
      * <p>Models are added at once, by <code>addModel()</code>, or while the game runs, by a ModelLoader that is given this
-     * GreatLand. A game may start with the models that are there; an agent of one that is still loading
+     * GreatLand. A game may start with the models that are there; an agent whose model is still loading
      * collides with nothing until then. If two models of a name are added, the one that is there last replaces the other:
      * one that <code>addModel()</code> adds while another is loading serves until then.</p>
      */
     public class GreatLand implements FitsReceiver
     {
-        // in front of every key: a model may be called "hasOwnProperty"
-        private static const PREFIX:String = ":";
-
         /** Whether a model's tightest fitting structure is computed: the TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
 
@@ -48,19 +47,15 @@ package starlogo
          */
         public var fitStore:FitStore = null;
 
-        // the libraries' too
-        private var _revisions:Revisions = new Revisions();
-        private var _models:Object = {};
-
-        // how many models of a name are on their way
-        private var _expected:Object = {};
+        // the libraries have the same
+        private var _shapes:ShapeTable = new ShapeTable();
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
 
         /** A game without models. */
         public function GreatLand()
         {
-            _boundingStructures.revisions = _hierarchies.revisions = _revisions;
+            _boundingStructures.shapes = _hierarchies.shapes = _shapes;
         }
 
         /** The tightest fitting structure of each model. */
@@ -178,7 +173,7 @@ package starlogo
         }
 
         /**
-         * Does what <code>receive()</code> does, but takes what a baked file has in place of computing it: what is damaged, of another
+         * Does what <code>receive()</code> does, but uses what a baked file has in place of computing it: what is damaged, of another
          * model or of other settings is computed. The answers are the same in any case.
          *
          * @param model has the name that agents have as their shape; not to be changed meanwhile
@@ -188,10 +183,14 @@ package starlogo
          */
         public function receiveWithFits(model:Model, baked:ByteArray):Steps
         {
-            var build:ModelBuild = beginBuild(model, baked, fitStore);
+            var build:ModelBuild = newBuild(model, baked, fitStore);
             return new StepSequence().add(build).call(function():void
                 {
-                    store(model, build.hierarchy, build.structures);
+                    // null where there is none: what the name had before is another model's
+                    var shape:ShapeEntry = _shapes.of(model.name);
+                    shape.setHierarchy(build.hierarchy);
+                    shape.structures = build.structures;
+                    shape.model = model;
                 });
         }
 
@@ -206,7 +205,7 @@ package starlogo
          */
         public function bake(model:Model):ByteArray
         {
-            var build:ModelBuild = beginBuild(model, null, null);
+            var build:ModelBuild = newBuild(model, null, null);
             finish(build);
             return build.toFits();
         }
@@ -214,25 +213,25 @@ package starlogo
         /** @inheritDoc */
         public function expect(name:String):void
         {
-            _expected[PREFIX + name] = int(_expected[PREFIX + name]) + 1;
+            _shapes.of(name).loading++;
         }
 
         /** @inheritDoc */
         public function expectNoMore(name:String):void
         {
-            _expected[PREFIX + name] = int(_expected[PREFIX + name]) - 1;
+            _shapes.of(name).loading--;
         }
 
         /** Whether a ModelLoader is loading a model of this name, be there another one of the name or not. */
         public function isLoading(name:String):Boolean
         {
-            return int(_expected[PREFIX + name]) > 0;
+            return _shapes.of(name).loading > 0;
         }
 
         /** Whether a model of this name was added. */
         public function hasModel(name:String):Boolean
         {
-            return _models.hasOwnProperty(PREFIX + name);
+            return _shapes.of(name).model != null;
         }
 
         /**
@@ -248,21 +247,21 @@ package starlogo
             {
                 return false;
             }
-            delete _models[PREFIX + name];
-            _hierarchies.remove(name);
-            _boundingStructures.remove(name);
-            _revisions.note(name);
+            var shape:ShapeEntry = _shapes.of(name);
+            shape.model = null;
+            shape.setHierarchy(null);
+            shape.structures = null;
             return true;
         }
 
         /**
-         * Another number whenever what is known under a name has been replaced or removed: what was kept of it is void.
+         * Another number whenever something that was known of a model has been replaced or removed: what was made of it is void.
          *
          * @private
          */
         engine function get revision():int
         {
-            return _revisions.total;
+            return _shapes.revision;
         }
 
         /**
@@ -272,7 +271,7 @@ package starlogo
          */
         engine function revisionOf(name:String):int
         {
-            return _revisions.of(name);
+            return _shapes.of(name).revision;
         }
 
         /**
@@ -285,28 +284,24 @@ package starlogo
          */
         engine function structureOfKind(name:String, kind:int):BoundingStructure
         {
-            return _boundingStructures.ofKind(name, kind, Model(_models[PREFIX + name]).vertices);
+            return _boundingStructures.ofKind(name, kind, _shapes.of(name).model.vertices);
         }
 
-        private function beginBuild(model:Model, baked:ByteArray, fitStore:FitStore):ModelBuild
+        /**
+         * What finds for a model what the flags ask for; not begun, and nothing of it is added.
+         *
+         * @private
+         */
+        engine function newBuild(model:Model, baked:ByteArray, fitStore:FitStore):ModelBuild
         {
             if (model == null)
             {
                 throw new ArgumentError("model must not be null");
             }
-            return new ModelBuild(model, loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null, baked, fitStore);
-        }
-
-        private function store(model:Model, hierarchy:SolidHierarchyBuilder, structures:ShapeStructures):void
-        {
-            // null where there is none: what the name had before is another model's
-            _hierarchies.store(model.name, hierarchy);
-            _boundingStructures.store(model.name, structures);
-            if (hasModel(model.name))
-            {
-                _revisions.note(model.name);
-            }
-            _models[PREFIX + model.name] = model;
+            var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
+            var hierarchy:SolidHierarchyBuilder = loadHierarchies ? _hierarchies.newBuilderOf(model) : null;
+            var structures:StructuresBuild = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
+            return new ModelBuild(model, structures, hierarchy, settings, baked, fitStore);
         }
     }
 }

@@ -8,21 +8,11 @@ package starlogo.fitting
         /** A fitter of axis-aligned boxes. */
         public function AxisAlignedBoxFitter()
         {
+            super("axis-aligned box");
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "axis-aligned box";
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             return EnclosingStructures.box(session.vertices, new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1]);
         }

@@ -1,7 +1,6 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.steps.StepSequence;
 
     /**
      * The capsule along the longest axis of a box (thesis §3.4.4). Its radius is the largest distance of a vertex from the line
@@ -50,18 +49,16 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            var longest:LongestAxis;
-            var radius:Number;
-            var measuring:StepSequence = new StepSequence().add(_boxFitter.beginOnce(session)).call(function():void
-                {
-                    longest = new LongestAxis(session, _boxFitter);
-                    radius = EnclosingStructures.distanceFromLine(session.vertices, longest.center, longest.axis);
-                });
-            return new Fit(session, function(session:FitSession):BoundingStructure
-                {
-                    var half:Number = Math.max(0, longest.half - radius);
-                    return EnclosingStructures.capsule(session.vertices, longest.center, longest.axis, -half, half, radius);
-                }, measuring);
+            return new Fit(session, findStructure, _boxFitter.beginOnce(session));
+        }
+
+        /** @inheritDoc */
+        override protected function findStructure(session:FitSession):BoundingStructure
+        {
+            var longest:LongestAxis = new LongestAxis(session, _boxFitter);
+            var radius:Number = EnclosingStructures.distanceFromLine(session.vertices, longest.center, longest.axis);
+            var half:Number = Math.max(0, longest.half - radius);
+            return EnclosingStructures.capsule(session.vertices, longest.center, longest.axis, -half, half, radius);
         }
     }
 }

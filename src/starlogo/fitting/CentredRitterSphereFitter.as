@@ -12,26 +12,16 @@ package starlogo.fitting
         /** A fitter of spheres centred on the z axis. */
         public function CentredRitterSphereFitter()
         {
+            super("centred Ritter sphere");
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "centred Ritter sphere";
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             var points:Vector.<Number> = session.hull.points;
             var box:ExtremePoints = new ExtremePoints(points);
-            var z:Number = (box.lowZ + box.highZ) / 2;
-            var radius:Number = (box.highZ - box.lowZ) / 2;
+            var z:Number = box.middle(2);
+            var radius:Number = (box.high[2] - box.low[2]) / 2;
             for (var i:int = 0; i < points.length; i += 3)
             {
                 var across:Number = points[i] * points[i] + points[i + 1] * points[i + 1];

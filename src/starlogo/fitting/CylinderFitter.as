@@ -35,10 +35,11 @@ package starlogo.fitting
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            return new Fit(session, find, _boxFitter.beginOnce(session));
+            return new Fit(session, findStructure, _boxFitter.beginOnce(session));
         }
 
-        private function find(session:FitSession):BoundingStructure
+        /** @inheritDoc */
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             var longest:LongestAxis = new LongestAxis(session, _boxFitter);
             return EnclosingStructures.cylinder(session.vertices, longest.center, longest.axis, longest.half);

@@ -9,8 +9,10 @@ package starlogo.fitting
     /**
      * The last step of every fit: the tightest structure of a given position or direction around all vertices, in double
      * precision. One or two passes over the vertices.
+     *
+     * @private
      */
-    internal final class EnclosingStructures
+    public final class EnclosingStructures
     {
         /** There are no instances. */
         public function EnclosingStructures()
@@ -36,10 +38,7 @@ package starlogo.fitting
                 var toY:Number = vertices[i + 1] - y;
                 var toZ:Number = vertices[i + 2] - z;
                 var square:Number = toX * toX + toY * toY + toZ * toZ;
-                if (square > most)
-                {
-                    most = square;
-                }
+                most = square > most ? square : most;
             }
             return new Sphere(new Vector3D(x, y, z), Math.sqrt(most));
         }
@@ -74,32 +73,14 @@ package starlogo.fitting
                 var y:Number = vertices[i + 1];
                 var z:Number = vertices[i + 2];
                 var along:Number = x * xX + y * xY + z * xZ;
-                if (along < lowX)
-                {
-                    lowX = along;
-                }
-                if (along > highX)
-                {
-                    highX = along;
-                }
+                lowX = along < lowX ? along : lowX;
+                highX = along > highX ? along : highX;
                 along = x * yX + y * yY + z * yZ;
-                if (along < lowY)
-                {
-                    lowY = along;
-                }
-                if (along > highY)
-                {
-                    highY = along;
-                }
+                lowY = along < lowY ? along : lowY;
+                highY = along > highY ? along : highY;
                 along = x * zX + y * zY + z * zZ;
-                if (along < lowZ)
-                {
-                    lowZ = along;
-                }
-                if (along > highZ)
-                {
-                    highZ = along;
-                }
+                lowZ = along < lowZ ? along : lowZ;
+                highZ = along > highZ ? along : highZ;
             }
             x = (lowX + highX) / 2;
             y = (lowY + highY) / 2;
@@ -146,14 +127,8 @@ package starlogo.fitting
                 z -= along * axisZ;
                 var reach:Number = square - (x * x + y * y + z * z);
                 reach = reach > 0 ? Math.sqrt(reach) : 0;
-                if (along + reach < low)
-                {
-                    low = along + reach;
-                }
-                if (along - reach > high)
-                {
-                    high = along - reach;
-                }
+                low = along + reach < low ? along + reach : low;
+                high = along - reach > high ? along - reach : high;
             }
             if (low > high)
             {
@@ -206,10 +181,7 @@ package starlogo.fitting
                 y -= along * axisY;
                 z -= along * axisZ;
                 var square:Number = x * x + y * y + z * z;
-                if (square > most)
-                {
-                    most = square;
-                }
+                most = square > most ? square : most;
             }
             return Math.sqrt(most);
         }

@@ -1,85 +1,59 @@
 package starlogo.fitting
 {
-    /** The least and the greatest coordinates of a set of points, and which points have them. */
+    /** The least and the greatest coordinates of a set of points, and which points have them; each along x, y and z. */
     internal final class ExtremePoints
     {
-        /** The least x; the others alike. */
-        public var lowX:Number = Infinity;
+        /** The least coordinates. */
+        public var low:Vector.<Number> = new Vector.<Number>(3, true);
 
-        /** @copy #lowX */
-        public var lowY:Number = Infinity;
+        /** The greatest coordinates. */
+        public var high:Vector.<Number> = new Vector.<Number>(3, true);
 
-        /** @copy #lowX */
-        public var lowZ:Number = Infinity;
+        /** The first point that has the least. */
+        public var lowest:Vector.<int> = new Vector.<int>(3, true);
 
-        /** The greatest x; the others alike. */
-        public var highX:Number = -Infinity;
-
-        /** @copy #highX */
-        public var highY:Number = -Infinity;
-
-        /** @copy #highX */
-        public var highZ:Number = -Infinity;
-
-        /** The first point whose x is the least; the others alike. */
-        public var lowestX:int;
-
-        /** @copy #lowestX */
-        public var lowestY:int;
-
-        /** @copy #lowestX */
-        public var lowestZ:int;
-
-        /** The first point whose x is the greatest; the others alike. */
-        public var highestX:int;
-
-        /** @copy #highestX */
-        public var highestY:int;
-
-        /** @copy #highestX */
-        public var highestZ:int;
+        /** The first point that has the greatest. */
+        public var highest:Vector.<int> = new Vector.<int>(3, true);
 
         /**
          * @param points x, y, z each
          */
         public function ExtremePoints(points:Vector.<Number>)
         {
-            for (var i:int = 0; i < points.length; i += 3)
+            for (var axis:int = 0; axis < 3; axis++)
             {
-                var x:Number = points[i];
-                var y:Number = points[i + 1];
-                var z:Number = points[i + 2];
-                if (x < lowX)
+                var least:Number = Infinity;
+                var most:Number = -Infinity;
+                for (var i:int = axis; i < points.length; i += 3)
                 {
-                    lowX = x;
-                    lowestX = i / 3;
+                    var coordinate:Number = points[i];
+                    if (coordinate < least)
+                    {
+                        least = coordinate;
+                        lowest[axis] = i / 3;
+                    }
+                    if (coordinate > most)
+                    {
+                        most = coordinate;
+                        highest[axis] = i / 3;
+                    }
                 }
-                if (x > highX)
-                {
-                    highX = x;
-                    highestX = i / 3;
-                }
-                if (y < lowY)
-                {
-                    lowY = y;
-                    lowestY = i / 3;
-                }
-                if (y > highY)
-                {
-                    highY = y;
-                    highestY = i / 3;
-                }
-                if (z < lowZ)
-                {
-                    lowZ = z;
-                    lowestZ = i / 3;
-                }
-                if (z > highZ)
-                {
-                    highZ = z;
-                    highestZ = i / 3;
-                }
+                low[axis] = least;
+                high[axis] = most;
             }
+        }
+
+        /** The middle between the least and the greatest along an axis. */
+        public function middle(axis:int):Number
+        {
+            return (low[axis] + high[axis]) / 2;
+        }
+
+        /** The axis along which the points are farthest apart; the first of equal ones. */
+        public function get widest():int
+        {
+            var result:int = high[1] - low[1] > high[0] - low[0] ? 1 : 0;
+            return high[2] - low[2] > high[result] - low[result] ? 2 : result;
         }
     }
 }

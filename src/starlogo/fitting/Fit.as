@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -9,9 +10,7 @@ package starlogo.fitting
      */
     public final class Fit implements Steps
     {
-        private var _session:FitSession;
-        private var _find:Function;
-        private var _before:Steps;
+        private var _work:StepSequence = new StepSequence();
         private var _structure:BoundingStructure = null;
 
         /**
@@ -24,9 +23,14 @@ package starlogo.fitting
          */
         public function Fit(session:FitSession, find:Function, before:Steps = null)
         {
-            _session = session;
-            _find = find;
-            _before = before;
+            if (before != null)
+            {
+                _work.add(before);
+            }
+            _work.call(function():void
+                {
+                    _structure = find(session);
+                });
         }
 
         /** What was found; null until no step is left. */
@@ -35,20 +39,10 @@ package starlogo.fitting
             return _structure;
         }
 
-        /** @inheritDoc */
+        /** Does the next step; nothing when none is left: what needs a fit that something else has begun goes on with it. */
         public function step():Boolean
         {
-            if (_before != null)
-            {
-                if (!_before.step())
-                {
-                    _before = null;
-                }
-                return true;
-            }
-            // two that need the same fit both go on with it
-            _structure ||= _find(_session);
-            return false;
+            return _work.step();
         }
     }
 }

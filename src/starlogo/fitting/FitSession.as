@@ -9,7 +9,7 @@ package starlogo.fitting
 
     /**
      * The vertices of one model while structures are fitted to them: their convex hull, computed once, and what each fitter
-     * does or has done for them (see <code>Fitter.fitOnce()</code>). Let go of it when the model is done.
+     * does or has done for them (see <code>Fitter.fitOnce()</code>). To be dropped when the model is done.
      *
      * <p>The hull may be computed in steps, which are those of the session.</p>
      */
@@ -17,7 +17,7 @@ package starlogo.fitting
     {
         private var _hull:ConvexHull;
 
-        // The work begun for the vertices, and whose each is.
+        // The work begun for the vertices, and the object that each was begun for.
         private var _owners:Vector.<Object> = new Vector.<Object>();
         private var _works:Vector.<Steps> = new Vector.<Steps>();
 
@@ -69,7 +69,7 @@ package starlogo.fitting
         }
 
         /**
-         * Keeps work for whoever else needs it.
+         * Keeps work, for all that need it.
          *
          * @private
          */

@@ -11,8 +11,8 @@ package starlogo.fitting
      * An algorithm that finds a bounding structure for a model (thesis §3.4): one that encloses every vertex, within 1e-6 of
      * the model's size. That holds for any vertices: one, two, all on a line or in a plane, repeated ones.
      *
-     * <p>This is the abstract base of one class per algorithm; a subclass implements <code>begin()</code> and nothing else. Only
-     * vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the algorithms search with those; a FitSession
+     * <p>This is the abstract base of one class per algorithm; a subclass implements <code>findStructure()</code>, or, to work in
+     * steps, <code>begin()</code>, and nothing else. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the algorithms search with those; a FitSession
      * computes the hull once for all the fitters that are given the same vertices. What they find is then measured in double
      * precision over every vertex.</p>
      *
@@ -21,12 +21,7 @@ package starlogo.fitting
      * <listing>
      * public class OriginSphereFitter extends Fitter
      * {
-     *     override public function begin(session:FitSession):Fit
-     *     {
-     *         return new Fit(session, find);
-     *     }
-     * 
-     *     private function find(session:FitSession):BoundingStructure
+     *     override protected function findStructure(session:FitSession):BoundingStructure
      *     {
      *         var v:Vector.&lt;Number&gt; = session.vertices;
      *         var radius:Number = 0;
@@ -41,9 +36,16 @@ package starlogo.fitting
      */
     public class Fitter
     {
-        /** For subclasses only. */
-        public function Fitter()
+        private var _signature:String;
+
+        /**
+         * For subclasses only.
+         *
+         * @param signature the algorithm and its settings, as <code>signature</code> gives it; null for none
+         */
+        public function Fitter(signature:String = null)
         {
+            _signature = signature;
         }
 
         /**
@@ -53,11 +55,11 @@ package starlogo.fitting
          */
         public function get signature():String
         {
-            return null;
+            return _signature;
         }
 
         /**
-         * Begins to find a structure around the vertices of a session: what a subclass implements. Settings of the fitter
+         * Begins to find a structure around the vertices of a session: for a subclass that works in steps. Settings of the fitter
          * count as they are now.
          *
          * @param session the vertices, and their hull; it may not be there before the first step
@@ -65,7 +67,17 @@ package starlogo.fitting
          */
         public function begin(session:FitSession):Fit
         {
-            throw new IllegalOperationError(this + " does not implement begin");
+            return new Fit(session, findStructure);
+        }
+
+        /**
+         * Finds a structure around the vertices of a session in one go: for a subclass that does not implement <code>begin()</code>.
+         *
+         * @param session the vertices, and their hull
+         */
+        protected function findStructure(session:FitSession):BoundingStructure
+        {
+            throw new IllegalOperationError(this + " implements neither findStructure nor begin");
         }
 
         /**

@@ -36,21 +36,11 @@ package starlogo.fitting
         /** A fitter of smallest boxes. */
         public function MinimalBoxFitter()
         {
+            super("minimal box");
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "minimal box";
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             return EnclosingStructures.box(session.vertices, smallestAxes(session.hull));
         }
@@ -86,10 +76,9 @@ package starlogo.fitting
         // Measures the normals of the hull and directions on the arcs between them.
         private static function sample(hull:ConvexHull):Vector.<DirectionSample>
         {
-            var net:DistinctDirections = directionsOf(hull);
             var box:BoxAlongAxis = new BoxAlongAxis(hull);
             var samples:Vector.<DirectionSample> = new Vector.<DirectionSample>();
-            var directions:Vector.<Number> = net.directions;
+            var directions:Vector.<Number> = directionsOf(hull);
             var least:Number = Infinity;
             for (var i:int = 0; i < directions.length; i += 3)
             {
@@ -100,7 +89,7 @@ package starlogo.fitting
             return samples;
         }
 
-        private static function directionsOf(hull:ConvexHull):DistinctDirections
+        private static function directionsOf(hull:ConvexHull):Vector.<Number>
         {
             var spacing:Number = 1e-7;
             var net:DistinctDirections;
@@ -111,7 +100,7 @@ package starlogo.fitting
                 spacing = Math.max(0.01, 1.4 * spacing);
             }
             while (net.directions.length > 3 * SAMPLES);
-            return net;
+            return net.directions;
         }
 
         private static function addDirections(hull:ConvexHull, net:DistinctDirections):void
@@ -125,16 +114,28 @@ package starlogo.fitting
             {
                 net.add(normals[i], normals[i + 1], normals[i + 2]);
             }
-            var across:Vector.<int> = facesAcross(hull);
-            for (i = 0; i < across.length; i++)
+            // the number of the triangle at each side, by the two corners of the side, and that of the one across
+            var t:Vector.<int> = hull.triangles;
+            var corners:int = hull.indices.length;
+            var triangleAt:Object = {};
+            for (i = 0; i < t.length; i++)
+            {
+                triangleAt[t[i] * corners + cornerAfter(t, i)] = int(i / 3);
+            }
+            for (i = 0; i < t.length; i++)
             {
                 var a:int = i / 3;
-                var b:int = across[i];
+                var b:int = triangleAt[cornerAfter(t, i) * corners + t[i]];
                 if (a < b)
                 {
                     addArc(normals, 3 * a, 3 * b, net);
                 }
             }
+        }
+
+        private static function cornerAfter(t:Vector.<int>, i:int):int
+        {
+            return t[i % 3 == 2 ? i - 2 : i + 1];
         }
 
         private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DistinctDirections):void
@@ -170,25 +171,6 @@ package starlogo.fitting
                 normals[i + 2] = length > 0 ? z / length : 1;
             }
             return normals;
-        }
-
-        // For each side of each triangle the number of the triangle on its other side.
-        private static function facesAcross(hull:ConvexHull):Vector.<int>
-        {
-            var t:Vector.<int> = hull.triangles;
-            var corners:int = hull.indices.length;
-            var faceOf:Object = {};
-            var i:int;
-            for (i = 0; i < t.length; i++)
-            {
-                faceOf[t[i] * corners + t[i % 3 == 2 ? i - 2 : i + 1]] = int(i / 3);
-            }
-            var across:Vector.<int> = new Vector.<int>(t.length);
-            for (i = 0; i < t.length; i++)
-            {
-                across[i] = faceOf[t[i % 3 == 2 ? i - 2 : i + 1] * corners + t[i]];
-            }
-            return across;
         }
     }
 }

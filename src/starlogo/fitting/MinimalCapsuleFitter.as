@@ -5,7 +5,6 @@ package starlogo.fitting
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.fitting.minimal.CapsuleDescent;
-    import starlogo.fitting.minimal.CapsuleSample;
     import starlogo.fitting.minimal.DirectionSample;
     import starlogo.fitting.minimal.SmallestEnclosingBall;
     import starlogo.geometry.ConvexHull;
@@ -33,21 +32,11 @@ package starlogo.fitting
         /** A fitter of capsules that are close to the smallest. */
         public function MinimalCapsuleFitter()
         {
+            super("minimal capsule");
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "minimal capsule";
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             if (session.hull.dimension < 2)
             {
@@ -56,7 +45,7 @@ package starlogo.fitting
             var sphere:Sphere = _sphereFitter.fitOnce(session) as Sphere;
             var best:Capsule = new Capsule(sphere.center, sphere.center, sphere.radius);
             var descent:CapsuleDescent = new CapsuleDescent(session.hull.points);
-            for each (var start:CapsuleSample in DirectionSample.best(samplesOf(session.hull), STARTS, APART))
+            for each (var start:DirectionSample in DirectionSample.best(samplesOf(session.hull), STARTS, APART))
             {
                 for (var i:int = 0; i < 6; i++)
                 {
@@ -115,7 +104,7 @@ package starlogo.fitting
         }
 
         // The axis through the smallest circle, and the radius of the smallest volume.
-        private static function startAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):CapsuleSample
+        private static function startAlong(points:Vector.<Number>, x:Number, y:Number, z:Number):DirectionSample
         {
             var uX:Number = z * z > 0.5 ? z : y;
             var uY:Number = z * z > 0.5 ? 0 : -x;
@@ -136,45 +125,37 @@ package starlogo.fitting
                 heights[i / 3] = points[i] * x + points[i + 1] * y + points[i + 2] * z;
             }
             var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
-            var best:CapsuleSample = new CapsuleSample(x, y, z);
-            for each (var multiple:Number in RADII)
-            {
-                tryRadius(multiple * circle.radius, best, seen, heights, circle);
-            }
             var centerX:Number = circle.x * uX + circle.y * vX;
             var centerY:Number = circle.x * uY + circle.y * vY;
             var centerZ:Number = circle.x * uZ + circle.y * vZ;
-            best.ends = new <Number>[centerX + best.low * x, centerY + best.low * y, centerZ + best.low * z,
-                    centerX + best.high * x, centerY + best.high * y, centerZ + best.high * z];
+            var best:DirectionSample = new DirectionSample(x, y, z);
+            for each (var multiple:Number in RADII)
+            {
+                var radius:Number = multiple * circle.radius;
+                var low:Number = Infinity;
+                var high:Number = -Infinity;
+                for (i = 0; i < heights.length; i++)
+                {
+                    var u:Number = seen[3 * i] - circle.x;
+                    var v:Number = seen[3 * i + 1] - circle.y;
+                    var reach:Number = radius * radius - u * u - v * v;
+                    reach = reach > 0 ? Math.sqrt(reach) : 0;
+                    low = Math.min(low, heights[i] + reach);
+                    high = Math.max(high, heights[i] - reach);
+                }
+                if (low > high)
+                {
+                    low = high = (low + high) / 2;
+                }
+                var volume:Number = Math.PI * radius * radius * (high - low + 4 / 3 * radius);
+                if (volume < best.volume)
+                {
+                    best.volume = volume;
+                    best.ends = new <Number>[centerX + low * x, centerY + low * y, centerZ + low * z,
+                            centerX + high * x, centerY + high * y, centerZ + high * z];
+                }
+            }
             return best;
-        }
-
-        // Takes the capsule of a radius if it is smaller than the best so far.
-        private static function tryRadius(radius:Number, best:CapsuleSample, seen:Vector.<Number>, heights:Vector.<Number>,
-                circle:SmallestEnclosingBall):void
-        {
-            var low:Number = Infinity;
-            var high:Number = -Infinity;
-            for (var i:int = 0; i < heights.length; i++)
-            {
-                var u:Number = seen[3 * i] - circle.x;
-                var v:Number = seen[3 * i + 1] - circle.y;
-                var reach:Number = radius * radius - u * u - v * v;
-                reach = reach > 0 ? Math.sqrt(reach) : 0;
-                low = Math.min(low, heights[i] + reach);
-                high = Math.max(high, heights[i] - reach);
-            }
-            if (low > high)
-            {
-                low = high = (low + high) / 2;
-            }
-            var volume:Number = Math.PI * radius * radius * (high - low + 4 / 3 * radius);
-            if (volume < best.volume)
-            {
-                best.volume = volume;
-                best.low = low;
-                best.high = high;
-            }
         }
     }
 }

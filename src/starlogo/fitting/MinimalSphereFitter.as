@@ -12,21 +12,11 @@ package starlogo.fitting
         /** A fitter of smallest spheres. */
         public function MinimalSphereFitter()
         {
+            super("minimal sphere");
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "minimal sphere";
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             var ball:SmallestEnclosingBall = new SmallestEnclosingBall(session.hull.points);
             // the hull leaves out what is outside of it by less than its grid's step

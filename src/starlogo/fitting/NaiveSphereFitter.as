@@ -11,25 +11,14 @@ package starlogo.fitting
         /** A fitter of naive spheres. */
         public function NaiveSphereFitter()
         {
+            super("naive sphere");
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "naive sphere";
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             var box:ExtremePoints = new ExtremePoints(session.hull.points);
-            return EnclosingStructures.sphere(session.vertices, (box.lowX + box.highX) / 2, (box.lowY + box.highY) / 2,
-                    (box.lowZ + box.highZ) / 2);
+            return EnclosingStructures.sphere(session.vertices, box.middle(0), box.middle(1), box.middle(2));
         }
     }
 }

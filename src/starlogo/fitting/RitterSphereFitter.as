@@ -13,7 +13,7 @@ package starlogo.fitting
         public static const WIDEST_DIMENSION:String = "widestDimension";
 
         /**
-         * Start on a vertex and the one farthest from it. The thesis takes any vertex at random; here it is the hull's first,
+         * Start on a vertex and the one farthest from it. The thesis starts on any vertex at random; here it is the hull's first,
          * so that a model always gets the same sphere.
          */
         public static const FARTHEST_FROM_FIRST:String = "farthestFromFirst";
@@ -28,6 +28,7 @@ package starlogo.fitting
          */
         public function RitterSphereFitter(start:String = WIDEST_DIMENSION)
         {
+            super("Ritter sphere " + start);
             if (start != WIDEST_DIMENSION && start != FARTHEST_FROM_FIRST)
             {
                 throw new ArgumentError("start must be WIDEST_DIMENSION or FARTHEST_FROM_FIRST: " + start);
@@ -42,23 +43,21 @@ package starlogo.fitting
         }
 
         /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "Ritter sphere " + _start;
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            return new Fit(session, find);
-        }
-
-        private function find(session:FitSession):BoundingStructure
+        override protected function findStructure(session:FitSession):BoundingStructure
         {
             var points:Vector.<Number> = session.hull.points;
-            var pair:Vector.<int> = _start == WIDEST_DIMENSION ? widest(points) : farthestFromFirst(points);
-            var a:int = 3 * pair[0];
-            var b:int = 3 * pair[1];
+            var a:int = 0;
+            var b:int = 0;
+            if (_start == WIDEST_DIMENSION)
+            {
+                var box:ExtremePoints = new ExtremePoints(points);
+                a = 3 * box.lowest[box.widest];
+                b = 3 * box.highest[box.widest];
+            }
+            else
+            {
+                b = farthestFromFirst(points);
+            }
             var x:Number = (points[a] + points[b]) / 2;
             var y:Number = (points[a + 1] + points[b + 1]) / 2;
             var z:Number = (points[a + 2] + points[b + 2]) / 2;
@@ -78,33 +77,17 @@ package starlogo.fitting
             return EnclosingStructures.sphere(session.vertices, x, y, z, radius);
         }
 
-        private static function widest(points:Vector.<Number>):Vector.<int>
-        {
-            var box:ExtremePoints = new ExtremePoints(points);
-            var x:Number = box.highX - box.lowX;
-            var y:Number = box.highY - box.lowY;
-            var z:Number = box.highZ - box.lowZ;
-            if (x >= y && x >= z)
-            {
-                return new <int>[box.lowestX, box.highestX];
-            }
-            return y >= z ? new <int>[box.lowestY, box.highestY] : new <int>[box.lowestZ, box.highestZ];
-        }
-
-        private static function farthestFromFirst(points:Vector.<Number>):Vector.<int>
+        private static function farthestFromFirst(points:Vector.<Number>):int
         {
             var farthest:int = 0;
-            var most:Number = -1;
             for (var i:int = 0; i < points.length; i += 3)
             {
-                var distance:Number = square(points, i, points[0], points[1], points[2]);
-                if (distance > most)
+                if (square(points, i, points[0], points[1], points[2]) > square(points, farthest, points[0], points[1], points[2]))
                 {
-                    most = distance;
-                    farthest = i / 3;
+                    farthest = i;
                 }
             }
-            return new <int>[0, farthest];
+            return farthest;
         }
 
         private static function square(points:Vector.<Number>, i:int, x:Number, y:Number, z:Number):Number

@@ -4,6 +4,7 @@ package starlogo.fitting
     import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Tolerances;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -25,15 +26,16 @@ package starlogo.fitting
         private static const MANY:int = 50;
         private static const RARELY:Number = 0.2;
 
+        private var _work:StepSequence = new StepSequence();
         private var _session:FitSession;
-        private var _hull:ConvexHull = null;
+        private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
         private var _matrix:Matrix3D = new Matrix3D();
         private var _raw:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-        // Extreme corners found of late: those of the first rotation about z, then those of one half a right angle on.
+        // Extreme corners found last: those of the first rotation about z, then those of one half a right angle on.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
         private var _asked:int = 0;
         private var _answered:int = 0;
@@ -66,6 +68,7 @@ package starlogo.fitting
             _stepX = stepX;
             _stepY = stepY;
             _stepZ = stepZ;
+            _work.call(prepare).repeat(tryNext);
         }
 
         /**
@@ -86,11 +89,12 @@ package starlogo.fitting
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_hull == null)
-            {
-                prepare();
-                return true;
-            }
+            return _work.step();
+        }
+
+        // All rotations about z that follow the next one about x and y; false if there are no more.
+        private function tryNext():Boolean
+        {
             turn(_aboutX * DEGREE, _aboutY * DEGREE);
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
@@ -173,7 +177,7 @@ package starlogo.fitting
                     -sinY, cosY * sinX, cosY * cosX];
         }
 
-        // About x, then about y. The matrix takes the rows of Ry Rx by columns.
+        // About x, then about y. The matrix has the rows of Ry Rx by columns.
         private function turn(aboutX:Number, aboutY:Number):void
         {
             var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
@@ -189,11 +193,11 @@ package starlogo.fitting
         }
 
         /**
-         * Turns the hull: for tests to take over, with the precision of other players.
+         * Turns the hull: overridden by tests, with the precision of other players.
          *
          * @param matrix a rotation
          * @param points x, y, z each
-         * @param out takes the turned points
+         * @param out gets the turned points
          */
         protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
         {
@@ -248,28 +252,16 @@ package starlogo.fitting
                 var fromY:Number = turned[at + 1];
                 var x:Number = cosine * fromX - sine * fromY;
                 var y:Number = sine * fromX + cosine * fromY;
-                if (x < lowX)
-                {
-                    lowX = x;
-                }
-                if (x > highX)
-                {
-                    highX = x;
-                }
-                if (y < lowY)
-                {
-                    lowY = y;
-                }
-                if (y > highY)
-                {
-                    highY = y;
-                }
+                lowX = x < lowX ? x : lowX;
+                highX = x > highX ? x : highX;
+                lowY = y < lowY ? y : lowY;
+                highY = y > highY ? y : highY;
             }
             return (highX - lowX) * (highY - lowY);
         }
 
         // The corner that is farthest in a direction of the plane of two coordinates that follow each other: 0 for x and y, 1 for
-        // y and z. Nearly all of the search's time goes here, and the hull's support() takes a third coordinate for every neighbour.
+        // y and z. Nearly all of the search's time goes here, and the hull's support() reads a third coordinate of every neighbour.
         private function climb(corner:int, plane:int, alongFirst:Number, alongSecond:Number):int
         {
             var turned:Vector.<Number> = _turned;

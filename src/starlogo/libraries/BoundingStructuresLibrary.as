@@ -22,9 +22,6 @@ package starlogo.libraries
      */
     public final class BoundingStructuresLibrary
     {
-        // in front of every key: a shape may be called "hasOwnProperty"
-        private static const PREFIX:String = ":";
-
         // by the numbers of the kinds
         private static const KINDS:Array = ["sphere", "capsule", "box"];
 
@@ -41,15 +38,14 @@ package starlogo.libraries
         public var keepAll:Boolean = false;
 
         /**
-         * Counts what was replaced or removed.
+         * What is known of each shape; of a GreatLand, the same as its other library has.
          *
          * @private
          */
-        engine var revisions:Revisions = new Revisions();
+        engine var shapes:ShapeTable = new ShapeTable();
 
         private var _cheaperTestsFactor:Number = 1;
         private var _orientedBoxFitter:OrientedBoxFitter;
-        private var _shapes:Object = {};
 
         /**
          * A library without models, with the three fitters of the thesis.
@@ -111,15 +107,15 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {
-            var build:StructuresBuild = begin(name, vertices);
+            var build:StructuresBuild = newBuild(name, vertices);
             finish(build);
-            store(name, build.structures);
+            shapes.of(name).structures = build.structures;
         }
 
         /** Whether there are structures for a shape. */
         public function has(name:String):Boolean
         {
-            return _shapes[PREFIX + name] is ShapeStructures;
+            return shapes.of(name).structures != null;
         }
 
         /**
@@ -139,7 +135,7 @@ package starlogo.libraries
          */
         public function sphere(name:String):Sphere
         {
-            return Sphere(kept(find(name).sphere, name, "sphere"));
+            return Sphere(kept(name, BoundingStructure.SPHERE));
         }
 
         /**
@@ -149,7 +145,7 @@ package starlogo.libraries
          */
         public function box(name:String):Box
         {
-            return Box(kept(find(name).box, name, "box"));
+            return Box(kept(name, BoundingStructure.BOX));
         }
 
         /**
@@ -159,14 +155,14 @@ package starlogo.libraries
          */
         public function capsule(name:String):Capsule
         {
-            return Capsule(kept(find(name).capsule, name, "capsule"));
+            return Capsule(kept(name, BoundingStructure.CAPSULE));
         }
 
         /** Whether the sphere, the box and the capsule of a shape were all kept. */
         public function hasAll(name:String):Boolean
         {
-            var shape:ShapeStructures = _shapes[PREFIX + name] as ShapeStructures;
-            return shape != null && shape.sphere != null && shape.capsule != null && shape.box != null;
+            var shape:ShapeStructures = shapes.of(name).structures;
+            return shape != null && shape.keepsAll && shape.smallest.indexOf(null) < 0;
         }
 
         /**
@@ -181,19 +177,17 @@ package starlogo.libraries
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
             var shape:ShapeStructures = find(name);
-            var structure:BoundingStructure = shape.ofKind(kind);
-            if (structure == null && shape.offered != null)
+            if (shape.ofKind(kind) == null)
             {
-                lookAtOffered(shape, vertices);
-                structure = shape.ofKind(kind);
+                shape.checkRest(vertices);
             }
-            if (structure == null && shape.late == null)
+            if (shape.ofKind(kind) == null && shape.foundLater == null)
             {
                 var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, true);
                 finish(build);
-                shape.late = build.structures;
-                structure = shape.ofKind(kind);
+                shape.foundLater = build.structures;
             }
+            var structure:BoundingStructure = shape.ofKind(kind);
             if (structure == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" cannot be a " + KINDS[kind] + ": none of the library's fitters finds one");
@@ -202,79 +196,35 @@ package starlogo.libraries
         }
 
         /**
-         * Begins to find what store takes; changes nothing.
+         * What finds the structures of a shape, not begun.
          *
          * @private
          */
-        engine function begin(name:String, vertices:Vector.<Number>):StructuresBuild
+        engine function newBuild(name:String, vertices:Vector.<Number>):StructuresBuild
         {
-            if (name == null || name == "")
-            {
-                throw new ArgumentError("a shape must have a name: " + name);
-            }
+            ShapeTable.checkName(name);
             return new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, keepAll);
-        }
-
-        /**
-         * Stores what a build found; null for nothing.
-         *
-         * @private
-         */
-        engine function store(name:String, found:ShapeStructures):void
-        {
-            remove(name);
-            if (found != null)
-            {
-                _shapes[PREFIX + name] = found;
-            }
-        }
-
-        /**
-         * Forgets a shape; returns whether it was there.
-         *
-         * @private
-         */
-        engine function remove(name:String):Boolean
-        {
-            if (!has(name))
-            {
-                return false;
-            }
-            delete _shapes[PREFIX + name];
-            revisions.note(name);
-            return true;
-        }
-
-        private static function lookAtOffered(shape:ShapeStructures, vertices:Vector.<Number>):void
-        {
-            var check:EnclosureCheck = new EnclosureCheck(shape.offered, vertices);
-            finish(check);
-            if (check.holds)
-            {
-                shape.found = shape.offered;
-            }
-            shape.offered = null;
         }
 
         private function find(name:String):ShapeStructures
         {
-            var shape:ShapeStructures = _shapes[PREFIX + name] as ShapeStructures;
+            var shape:ShapeStructures = shapes.of(name).structures;
             if (shape == null)
             {
-                throw new ArgumentError("there is no bounding structure for shape \"" + name
-                        + "\": add its model first, with loadTightestFit set");
+                throw ShapeTable.missing("bounding structure", name, "loadTightestFit");
             }
             return shape;
         }
 
-        private static function kept(structure:BoundingStructure, name:String, kind:String):BoundingStructure
+        private function kept(name:String, kind:int):BoundingStructure
         {
-            if (structure == null)
+            var shape:ShapeStructures = find(name);
+            if (!shape.keepsAll || shape.smallest[kind] == null)
             {
-                throw new ArgumentError("shape \"" + name + "\" has no " + kind + " of its own: set loadAllBoundingStructures (keepAll)"
+                throw new ArgumentError("shape \"" + name + "\" has no " + KINDS[kind] + " of its own: set loadAllBoundingStructures (keepAll)"
                         + " before the model is added, and have a fitter that finds one in the list");
             }
-            return structure;
+            return shape.smallest[kind];
         }
     }
 }

@@ -8,7 +8,7 @@ package starlogo.libraries
 
     /**
      * Every setting that decides what the libraries compute for a model, as it is when this is made: fits that were computed with
-     * other settings are not taken for these. What is only chosen among what was computed does not count: cheaperTestsFactor,
+     * other settings do not count as these. What is only chosen among what was computed does not count: cheaperTestsFactor,
      * keepAll, boundsKind.
      */
     public final class FitSettings
@@ -68,8 +68,19 @@ package starlogo.libraries
         /** All of them in sixteen hexadecimal digits. */
         public function toString():String
         {
-            var all:Fingerprint = fingerprintOf([structures, hierarchy, wantsSurface].join());
-            return all.toString();
+            return fingerprintOf([structures, hierarchy, wantsSurface].join()).toString();
+        }
+
+        /**
+         * What a section of a .fits file depends on: 0 is the structures, 1 the hierarchy, 2 the surface.
+         *
+         * @return null if the section is not wanted, or cannot be kept
+         *
+         * @private
+         */
+        engine function ofSection(section:int):Fingerprint
+        {
+            return section == 0 ? structures : hierarchy;
         }
 
         // null if one of the fitters has no signature

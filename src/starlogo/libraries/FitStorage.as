@@ -3,8 +3,8 @@ package starlogo.libraries
     import flash.utils.ByteArray;
 
     /**
-     * Where a FitStore keeps bytes from one game to the next, by name. It may lose them, change them or refuse to take more:
-     * whoever uses it checks what comes back.
+     * Where a FitStore keeps bytes from one game to the next, by name. It may lose them, change them or refuse more of them:
+     * a FitStore checks what comes back.
      */
     public interface FitStorage
     {

@@ -81,9 +81,10 @@ package starlogo.libraries
             {
                 return null;
             }
-            var reader:FitsReader = new FitsReader(bytes, geometry, settings, model.triangles == null ? 0 : model.triangles.length / 3);
+            var fits:ModelFits = new ModelFits();
+            var reader:FitsReader = new FitsReader(bytes, model, geometry, settings, fits);
             finish(reader);
-            return reader.fits;
+            return reader.areFits ? fits : null;
         }
 
         /**
@@ -134,12 +135,13 @@ package starlogo.libraries
         }
 
         /**
-         * Whether fits of so many triangles or vertices may have room.
+         * Whether fits of a model may have room.
          *
          * @private
          */
-        engine function mayHold(itemCount:int):Boolean
+        engine function mayHold(model:Model):Boolean
         {
+            var itemCount:int = (model.triangles == null ? model.vertices.length : model.triangles.length) / 3;
             return !_isOff && itemCount * TreeWriter.widthFor(itemCount) <= _capacity;
         }
 

@@ -3,10 +3,10 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.VertexData;
-    import starlogo.hierarchy.HierarchyNode;
-    import starlogo.models.Model;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SolidHierarchyBuilder;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.models.Model;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -23,9 +23,6 @@ package starlogo.libraries
      */
     public final class HierarchiesLibrary
     {
-        // in front of every key: a shape may be called "hasOwnProperty"
-        private static const PREFIX:String = ":";
-
         /**
          * A node of no more vertices than this is a leaf (§4.4; §4.8 would split one of just as many), and so is a single
          * triangle. The vertices of a node's triangles count once each. At least 1.
@@ -55,13 +52,11 @@ package starlogo.libraries
         public var prepareExact:Boolean = false;
 
         /**
-         * Counts what was replaced or removed.
+         * What is known of each shape; of a GreatLand, the same as its other library has.
          *
          * @private
          */
-        engine var revisions:Revisions = new Revisions();
-
-        private var _hierarchies:Object = {};
+        engine var shapes:ShapeTable = new ShapeTable();
 
         /** A library without models. */
         public function HierarchiesLibrary()
@@ -82,15 +77,15 @@ package starlogo.libraries
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
-            var builder:SolidHierarchyBuilder = begin(name, vertices, triangles);
+            var builder:SolidHierarchyBuilder = newBuilder(name, vertices, triangles);
             finish(builder);
-            store(name, builder);
+            shapes.of(name).setHierarchy(builder);
         }
 
         /** Whether there is a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return name != null && _hierarchies.hasOwnProperty(PREFIX + name);
+            return shapes.of(name).hasHierarchy;
         }
 
         /**
@@ -104,73 +99,6 @@ package starlogo.libraries
         }
 
         /**
-         * Begins to build what store takes; changes nothing.
-         *
-         * @private
-         */
-        engine function begin(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
-        {
-            if (name == null || name == "")
-            {
-                throw new ArgumentError("a shape must have a name: " + name);
-            }
-            checkSettings();
-            refuse(name, VertexData.vertexProblem(vertices));
-            if (triangles != null && triangles.length == 0)
-            {
-                triangles = null;
-            }
-            if (triangles != null)
-            {
-                refuse(name, VertexData.triangleProblem(triangles, vertices.length / 3));
-            }
-            return newBuilder(vertices.concat(), triangles == null ? null : triangles.concat());
-        }
-
-        /**
-         * Begins to build what store takes of a model, which never changes and is in order; changes nothing.
-         *
-         * @private
-         */
-        engine function beginModel(model:Model):SolidHierarchyBuilder
-        {
-            checkSettings();
-            return newBuilder(model.vertices, model.triangles);
-        }
-
-        /**
-         * Stores what a builder makes; null for nothing. One that has not begun is not asked before somebody asks for the hierarchy.
-         *
-         * @private
-         */
-        engine function store(name:String, builder:SolidHierarchyBuilder):void
-        {
-            remove(name);
-            if (builder != null)
-            {
-                _hierarchies[PREFIX + name] = builder.isDone ? builder.hierarchy : builder;
-            }
-        }
-
-        /**
-         * Forgets the hierarchy of a shape.
-         *
-         * @return whether there was one
-         *
-         * @private
-         */
-        engine function remove(name:String):Boolean
-        {
-            if (!has(name))
-            {
-                return false;
-            }
-            delete _hierarchies[PREFIX + name];
-            revisions.note(name);
-            return true;
-        }
-
-        /**
          * The hierarchy of a shape; throws an ArgumentError if there is none.
          *
          * @private
@@ -179,18 +107,41 @@ package starlogo.libraries
         {
             if (!has(name))
             {
-                throw new ArgumentError("there is no hierarchy for shape \"" + name
-                        + "\": add its model first, with loadHierarchies set");
+                throw ShapeTable.missing("hierarchy", name, "loadHierarchies");
             }
-            var builder:SolidHierarchyBuilder = _hierarchies[PREFIX + name] as SolidHierarchyBuilder;
-            if (builder != null)
-            {
-                _hierarchies[PREFIX + name] = builder.finished;
-            }
-            return _hierarchies[PREFIX + name];
+            return shapes.of(name).hierarchy;
         }
 
-        private function newBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
+        /**
+         * What builds the hierarchy of a shape, not begun.
+         *
+         * @private
+         */
+        engine function newBuilder(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
+        {
+            ShapeTable.checkName(name);
+            checkSettings();
+            refuse(name, VertexData.vertexProblem(vertices));
+            if (triangles == null || triangles.length == 0)
+            {
+                return begin(vertices.concat(), null);
+            }
+            refuse(name, VertexData.triangleProblem(triangles, vertices.length / 3));
+            return begin(vertices.concat(), triangles.concat());
+        }
+
+        /**
+         * What builds the hierarchy of a model, which is in order and never changes; not begun.
+         *
+         * @private
+         */
+        engine function newBuilderOf(model:Model):SolidHierarchyBuilder
+        {
+            checkSettings();
+            return begin(model.vertices, model.triangles);
+        }
+
+        private function begin(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
             var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
             builder.begin(vertices, triangles);

@@ -73,12 +73,11 @@ package starlogo.libraries
             var fits:ModelFits = new ModelFits();
             if (shape != null)
             {
-                fits.structures = shape.offered || shape.found;
+                fits.structures = shape.unchecked || shape.smallest;
             }
             if (hierarchy != null)
             {
-                fits.tree = new ByteArray();
-                fits.tree.endian = FitsWriter.ENDIAN;
+                fits.tree = FitsWriter.newBytes();
                 TreeWriter.write(hierarchy, fits.tree);
                 fits.tree.position = 0;
                 fits.notes = hierarchy.isPrepared ? hierarchy.notes : null;

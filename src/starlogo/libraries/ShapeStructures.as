@@ -1,57 +1,53 @@
 package starlogo.libraries
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
 
     /**
-     * What the BoundingStructuresLibrary keeps of one shape.
+     * What the BoundingStructuresLibrary has of one shape. Structures are listed by the numbers of their kinds, which are numbered by the
+     * cost of their tests.
      *
      * @private
      */
     public final class ShapeStructures
     {
+        /** The smallest structure of each kind, or null: kept for the client or not, it need not be found again. */
+        public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+
         /** What has the least volume, or the cheapest tests within the factor. */
-        public var tightest:BoundingStructure;
+        public var tightest:BoundingStructure = null;
 
-        /** The smallest one found, or null. */
-        public var sphere:Sphere;
+        /** Whether the client is given the smallest of each kind. */
+        public var keepsAll:Boolean;
 
-        /** The smallest one found, or null. */
-        public var capsule:Capsule;
+        /** What was read as the smallest of each kind, but was not checked yet; null for nothing. */
+        public var unchecked:Vector.<BoundingStructure> = null;
 
-        /** The smallest one found, or null. */
-        public var box:Box;
-
-        /** By the numbers of the kinds, the smallest one found of each, or null: kept or not, it need not be found again. */
-        public var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        /** What fitters found when a kind was asked for that there was none of; or null. */
+        public var foundLater:ShapeStructures = null;
 
         /**
-         * By the numbers of the kinds, what is said to be the smallest of each, but has not been looked at; null for nothing.
-         */
-        public var offered:Vector.<BoundingStructure> = null;
-
-        /** All of them, found when one was asked for that was not kept; or null. */
-        public var late:ShapeStructures = null;
-
-        /**
-         * @param found all that were found
+         * @param found all structures that were found; null among them is left out
          * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
-         * @param keepsAll whether the smallest one of each kind is kept beside the tightest
+         * @param keepsAll whether the client is given the smallest of each kind
          */
         public function ShapeStructures(found:Vector.<BoundingStructure>, cheaperTestsFactor:Number, keepsAll:Boolean)
         {
-            tightest = choose(found, cheaperTestsFactor);
-            for (var kind:int = 0; kind < this.found.length; kind++)
+            this.keepsAll = keepsAll;
+            var least:Number = Infinity;
+            for each (var structure:BoundingStructure in found)
             {
-                this.found[kind] = smallest(found, kind);
+                if (structure != null && (smallest[structure.kind] == null || structure.volume < smallest[structure.kind].volume))
+                {
+                    smallest[structure.kind] = structure;
+                    least = Math.min(least, structure.volume);
+                }
             }
-            if (keepsAll)
+            for each (structure in smallest)
             {
-                sphere = this.found[BoundingStructure.SPHERE] as Sphere;
-                capsule = this.found[BoundingStructure.CAPSULE] as Capsule;
-                box = this.found[BoundingStructure.BOX] as Box;
+                if (tightest == null && structure != null && structure.volume <= least * cheaperTestsFactor)
+                {
+                    tightest = structure;
+                }
             }
         }
 
@@ -63,56 +59,41 @@ package starlogo.libraries
          */
         public function ofKind(kind:int):BoundingStructure
         {
-            if (tightest.kind == kind)
-            {
-                return tightest;
-            }
-            return found[kind] == null && late != null ? late.ofKind(kind) : found[kind];
+            return smallest[kind] == null && foundLater != null ? foundLater.smallest[kind] : smallest[kind];
         }
 
-        /** Leaves nothing but the tightest; the others are offered. */
-        public function offer():void
+        /** Leaves nothing but the tightest: the others are not checked yet. */
+        public function trustTightestOnly():void
         {
-            offered = found;
-            found = new Vector.<BoundingStructure>(offered.length, true);
-            found[tightest.kind] = tightest;
+            unchecked = smallest;
+            smallest = new Vector.<BoundingStructure>(unchecked.length, true);
+            smallest[tightest.kind] = tightest;
         }
 
-        private static function choose(found:Vector.<BoundingStructure>, factor:Number):BoundingStructure
+        /**
+         * Checks what was not checked yet, and takes it if all of it holds.
+         *
+         * @param vertices the model's, x, y, z each
+         */
+        public function checkRest(vertices:Vector.<Number>):void
         {
-            var least:Number = Infinity;
-            for each (var structure:BoundingStructure in found)
+            if (unchecked != null && areEnclosing(unchecked, vertices))
             {
-                least = Math.min(least, structure.volume);
+                smallest = unchecked;
             }
-            var chosen:BoundingStructure = null;
-            for each (structure in found)
+            unchecked = null;
+        }
+
+        private static function areEnclosing(structures:Vector.<BoundingStructure>, vertices:Vector.<Number>):Boolean
+        {
+            for each (var structure:BoundingStructure in structures)
             {
-                if (structure.volume <= least * factor && (chosen == null || isCheaper(structure, chosen)))
+                if (structure != null && !encloses(structure, vertices))
                 {
-                    chosen = structure;
+                    return false;
                 }
             }
-            return chosen;
-        }
-
-        // The kinds are numbered by the cost of their tests.
-        private static function isCheaper(a:BoundingStructure, b:BoundingStructure):Boolean
-        {
-            return a.kind == b.kind ? a.volume < b.volume : a.kind < b.kind;
-        }
-
-        private static function smallest(found:Vector.<BoundingStructure>, kind:int):BoundingStructure
-        {
-            var best:BoundingStructure = null;
-            for each (var structure:BoundingStructure in found)
-            {
-                if (structure.kind == kind && (best == null || structure.volume < best.volume))
-                {
-                    best = structure;
-                }
-            }
-            return best;
+            return true;
         }
     }
 }

@@ -8,8 +8,8 @@ package starlogo.libraries
      * Keeps fits as shared objects, one for each name (thesis §7.9): in the player on the user's disk, in the ES module in the
      * page's local storage. Where these are switched off nothing is kept.
      *
-     * <p>The player lets a site have 100 KB unasked. It asks the user about more, which nobody waits for: what he has to be asked
-     * about is not kept.</p>
+     * <p>The player lets a site have 100 KB unasked. It asks the user about more, and a game does not wait for the answer: what would need it is
+     * not kept.</p>
      */
     public final class SharedFitStorage implements FitStorage
     {
@@ -36,10 +36,17 @@ package starlogo.libraries
             {
                 return false;
             }
-            shared.data.bytes = copyOf(bytes);
-            if (isFlushed(shared))
+            try
             {
-                return true;
+                shared.data.bytes = copyOf(bytes);
+                if (shared.flush() == SharedObjectFlushStatus.FLUSHED)
+                {
+                    return true;
+                }
+            }
+            catch (error:Error)
+            {
+                // there is no room, or the user has refused it
             }
             shared.clear();
             return false;
@@ -64,22 +71,9 @@ package starlogo.libraries
             }
             catch (error:Error)
             {
-                return null;
+                // null
             }
             return null;
-        }
-
-        private static function isFlushed(shared:SharedObject):Boolean
-        {
-            try
-            {
-                return shared.flush() == SharedObjectFlushStatus.FLUSHED;
-            }
-            catch (error:Error)
-            {
-                return false;
-            }
-            return false;
         }
 
         private static function copyOf(bytes:ByteArray):ByteArray

@@ -4,6 +4,8 @@ package starlogo.libraries
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -20,17 +22,16 @@ package starlogo.libraries
         private var _keepsAll:Boolean;
         private var _fitters:Vector.<Fitter>;
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
-        private var _left:Vector.<Steps>;
+        private var _work:StepSequence = new StepSequence();
         private var _structures:ShapeStructures = null;
-        private var _kept:Vector.<BoundingStructure> = null;
-        private var _check:EnclosureCheck = null;
+        private var _isRead:Boolean = false;
 
         /**
          * @param name the shape's name
          * @param vertices x, y, z each; not to be changed until the last step is done
          * @param fitters what to compare; copied
          * @param cheaperTestsFactor how much larger than the smallest one the tightest may be for cheaper tests
-         * @param keepsAll whether the smallest one of each kind is kept beside the tightest
+         * @param keepsAll whether the client is given the smallest one of each kind
          * @throws ArgumentError if there are no fitters, or one is null; the message names the shape
          */
         public function StructuresBuild(name:String, vertices:Vector.<Number>, fitters:Vector.<Fitter>, cheaperTestsFactor:Number,
@@ -50,30 +51,50 @@ package starlogo.libraries
             }
             _fitters = fitters.concat();
             var session:FitSession = new FitSession(vertices, false);
-            _left = new <Steps>[session];
+            _work.add(session);
             for each (var fitter:Fitter in _fitters)
             {
-                _fits.push(fitter.beginOnce(session));
-                _left.push(_fits[_fits.length - 1]);
+                var fit:Fit = fitter.beginOnce(session);
+                _fits.push(fit);
+                _work.add(fit);
             }
+            _work.call(choose);
         }
 
         /**
          * Spares the fitters their work, if the structures enclose the model. To be called before the first step.
          *
-         * @param kept by the numbers of the kinds, the smallest of each that the fitters found, or null
+         * @param read by the numbers of the kinds, the smallest of each that the fitters once found, or null
          */
-        public function take(kept:Vector.<BoundingStructure>):void
+        public function useRead(read:Vector.<BoundingStructure>):void
         {
-            _kept = kept;
-            _structures = new ShapeStructures(kept.filter(isThere), _cheaperTestsFactor, _keepsAll);
-            _check = new EnclosureCheck(_keepsAll ? kept : new <BoundingStructure>[_structures.tightest], _vertices);
+            var fitting:Steps = _work;
+            var chosen:ShapeStructures = new ShapeStructures(read, _cheaperTestsFactor, _keepsAll);
+            _isRead = true;
+            var check:Function = function(kind:int, end:int):void
+            {
+                var structure:BoundingStructure = read[kind];
+                _isRead &&= structure == null || !_keepsAll && structure != chosen.tightest || encloses(structure, _vertices);
+            };
+            _work = new StepSequence().add(new Slices(read.length, 1, check)).begin(function():Steps
+                {
+                    if (!_isRead)
+                    {
+                        return fitting;
+                    }
+                    if (!_keepsAll)
+                    {
+                        chosen.trustTightestOnly();
+                    }
+                    _structures = chosen;
+                    return null;
+                });
         }
 
-        /** Whether what was found was there from the beginning, when no step is left. */
-        public function get wasTaken():Boolean
+        /** Whether what was found is what was read, when no step is left. */
+        public function get isRead():Boolean
         {
-            return _kept != null;
+            return _isRead;
         }
 
         /** What was found, when no step is left. */
@@ -92,58 +113,18 @@ package starlogo.libraries
         {
             try
             {
-                advance();
+                return _work.step();
             }
             catch (error:ArgumentError)
             {
                 throw named(error.message);
             }
-            return _structures == null || _check != null;
+            return false;
         }
 
-        private function advance():void
+        private function choose():void
         {
-            if (_check != null)
-            {
-                check();
-                return;
-            }
-            if (!_left[0].step())
-            {
-                _left.shift();
-            }
-            if (_left.length == 0)
-            {
-                _structures = new ShapeStructures(found(), _cheaperTestsFactor, _keepsAll);
-            }
-        }
-
-        private function check():void
-        {
-            if (_check.step())
-            {
-                return;
-            }
-            if (!_check.holds)
-            {
-                _structures = null;
-                _kept = null;
-            }
-            else if (!_keepsAll)
-            {
-                _structures.offer();
-            }
-            _check = null;
-        }
-
-        private static function isThere(structure:BoundingStructure, index:int, all:Vector.<BoundingStructure>):Boolean
-        {
-            return structure != null;
-        }
-
-        private function found():Vector.<BoundingStructure>
-        {
-            var all:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             for (var i:int = 0; i < _fits.length; i++)
             {
                 var structure:BoundingStructure = _fits[i].structure;
@@ -152,9 +133,9 @@ package starlogo.libraries
                     throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + _fitters[i]
                             + " found " + structure);
                 }
-                all.push(widened(structure));
+                found.push(widened(structure));
             }
-            return all;
+            _structures = new ShapeStructures(found, _cheaperTestsFactor, _keepsAll);
         }
 
         private function named(problem:String):ArgumentError

@@ -9,10 +9,10 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.engine;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
-    import starlogo.solid.SolidHierarchyBuilder;
     import support.assertThrows;
     import support.assertWellFormed;
 
@@ -269,24 +269,24 @@ package starlogo.libraries
         public function forgetsAndCountsWhatIsVoid():void
         {
             var vertices:Vector.<Number> = new <Number>[0, 0, 0];
-            assertEquals(0, _library.revisions.total);
-            assertFalse(_library.remove("a"));
+            assertEquals(0, _library.shapes.revision);
+            _library.shapes.of("a").setHierarchy(null);
             add("a", vertices);
             add("b", vertices);
-            assertEquals("nothing was kept of these", 0, _library.revisions.total);
+            assertEquals("nothing was kept of these", 0, _library.shapes.revision);
             add("a", vertices);
-            assertEquals(1, _library.revisions.total);
-            assertTrue(_library.remove("a"));
-            assertEquals(2, _library.revisions.total);
+            assertEquals(1, _library.shapes.revision);
+            _library.shapes.of("a").setHierarchy(null);
+            assertEquals(2, _library.shapes.revision);
             assertFalse(_library.has("a"));
             assertTrue(_library.has("b"));
-            assertFalse(_library.remove("a"));
-            assertFalse(_library.remove(null));
-            _library.store("b", null);
+            _library.shapes.of("a").setHierarchy(null);
+            assertFalse(_library.has(null));
+            _library.shapes.of("b").setHierarchy(null);
             assertFalse(_library.has("b"));
-            assertEquals(3, _library.revisions.total);
+            assertEquals(3, _library.shapes.revision);
             assertThrows(ArgumentError, /finite/, _library.add, "c", new <Number>[NaN, 0, 0]);
-            assertEquals(3, _library.revisions.total);
+            assertEquals(3, _library.shapes.revision);
         }
 
         [Test]
@@ -295,13 +295,13 @@ package starlogo.libraries
             var model:Model = BuiltInModel.sphere();
             _library.add("at first need", model.vertices, model.triangles);
             _library.prepareExact = true;
-            var plain:int = stepsOf(_library.begin("points", model.vertices, null));
+            var plain:int = stepsOf(_library.newBuilder("points", model.vertices, null));
             _library.prepareExact = false;
-            assertEquals("points have no surface", plain, stepsOf(_library.begin("points", model.vertices, null)));
-            plain = stepsOf(_library.begin("sphere", model.vertices, model.triangles));
+            assertEquals("points have no surface", plain, stepsOf(_library.newBuilder("points", model.vertices, null)));
+            plain = stepsOf(_library.newBuilder("sphere", model.vertices, model.triangles));
             assertFalse(_library.hierarchy("at first need").isPrepared);
             _library.prepareExact = true;
-            var builder:SolidHierarchyBuilder = _library.begin("sphere", model.vertices, model.triangles);
+            var builder:SolidHierarchyBuilder = _library.newBuilder("sphere", model.vertices, model.triangles);
             assertTrue("many steps more", stepsOf(builder) > plain + 8);
             assertTrue(builder.hierarchy.isPrepared);
         }

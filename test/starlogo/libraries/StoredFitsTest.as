@@ -219,7 +219,7 @@ package starlogo.libraries
         private function assertComputedAgain(model:Model, damaged:ByteArray, expected:String):void
         {
             var build:ModelBuild = newBuild(model, damaged);
-            assertFalse("structures are computed", build.areStructuresTaken);
+            assertFalse("structures are computed", build.areStructuresRead);
             assertFalse("so is the hierarchy", build.hierarchy.isTaken);
             if (expected != null)
             {
@@ -425,12 +425,12 @@ package starlogo.libraries
         private function isTaken(model:Model, baked:ByteArray, structures:Boolean):Boolean
         {
             var build:ModelBuild = newBuild(model, baked);
-            return structures ? build.areStructuresTaken : build.hierarchy.isTaken;
+            return structures ? build.areStructuresRead : build.hierarchy.isTaken;
         }
 
         private function newBuild(model:Model, baked:ByteArray):ModelBuild
         {
-            var build:ModelBuild = new ModelBuild(model, _greatLand.boundingStructures, _greatLand.hierarchies, baked, null);
+            var build:ModelBuild = _greatLand.newBuild(model, baked, null);
             finish(build);
             build.hierarchy.finished;
             return build;

@@ -9,6 +9,8 @@ package starlogo.fitting.minimal
      * ACM 18(7), 1975).
      *
      * <p>One object is good for many directions; those close to the one before are the fastest (see HullOutline).</p>
+     *
+     * @private
      */
     public final class BoxAlongAxis
     {

@@ -9,6 +9,8 @@ package starlogo.fitting.minimal
      * edge of the hull, and is smallest on such a crease, if not where two meet. So beside steps to all sides it tries steps
      * on and along the creases of the edges at the two corners that hold the box; and the directions of the box's other sides,
      * which the volume depends on just as well.</p>
+     *
+     * @private
      */
     public final class BoxDescent
     {

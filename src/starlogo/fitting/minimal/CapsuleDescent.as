@@ -10,6 +10,8 @@ package starlogo.fitting.minimal
      * true volume shrinks; if not, the price goes up (the minimax method of Pshenichny and Danilin, "Numerical
      * Methods in Extremal Problems", 1978). The small quadratic program is solved in its dual, one multiplier after the other
      * (Hildreth, "A Quadratic Programming Procedure", Naval Research Logistics Quarterly 4(1), 1957).</p>
+     *
+     * @private
      */
     public final class CapsuleDescent
     {
@@ -121,10 +123,7 @@ package starlogo.fitting.minimal
                 z -= t * alongZ;
                 var distance:Number = x * x + y * y + z * z;
                 _distances[i] = distance;
-                if (distance > most)
-                {
-                    most = distance;
-                }
+                most = distance > most ? distance : most;
             }
             return Math.sqrt(most);
         }
@@ -171,10 +170,7 @@ package starlogo.fitting.minimal
                 var count:int = 0;
                 for (var i:int = 0; i < _distances.length; i++)
                 {
-                    if (_distances[i] >= least)
-                    {
-                        count++;
-                    }
+                    count += _distances[i] >= least ? 1 : 0;
                 }
                 share /= 2;
             }
@@ -212,10 +208,7 @@ package starlogo.fitting.minimal
                         square += tangent * tangent;
                     }
                     var multiplier:Number = _multipliers[i] + excess / square;
-                    if (multiplier < 0)
-                    {
-                        multiplier = 0;
-                    }
+                    multiplier = multiplier < 0 ? 0 : multiplier;
                     var difference:Number = multiplier - _multipliers[i];
                     if (difference == 0)
                     {

@@ -1,7 +1,11 @@
 package starlogo.fitting.minimal
 {
-    /** A direction that a search may go on from, and the volume of what was found along it. */
-    public class DirectionSample
+    /**
+     * A direction that a search may go on from, and the volume of what was found along it.
+     *
+     * @private
+     */
+    public final class DirectionSample
     {
         /** Of the direction, a unit vector. */
         public var x:Number;
@@ -14,6 +18,9 @@ package starlogo.fitting.minimal
 
         /** Of what was found. */
         public var volume:Number;
+
+        /** Of a capsule that was found: its ends, x, y, z of either. */
+        public var ends:Vector.<Number> = null;
 
         /**
          * @param x of the direction

@@ -1,6 +1,10 @@
 package starlogo.fitting.minimal
 {
-    /** Directions without regard to sign, at most one of those that are close to each other. */
+    /**
+     * Directions without regard to sign, at most one of those that are close to each other.
+     *
+     * @private
+     */
     public final class DistinctDirections
     {
         private var _directions:Vector.<Number> = new Vector.<Number>();

@@ -7,6 +7,8 @@ package starlogo.fitting.minimal
      * The outline of a hull seen along a direction, found by walking along the hull's edges: the next corner is the neighbour
      * that leaves all others to the left. So it costs about the square root of the number of corners, not the number itself. One
      * object is good for many directions; those close to the one before are the fastest.
+     *
+     * @private
      */
     internal final class HullOutline
     {
@@ -66,7 +68,21 @@ package starlogo.fitting.minimal
          */
         public function look(x:Number, y:Number, z:Number):void
         {
-            setPicture(x, y, z);
+            if (x * x <= y * y && x * x <= z * z)
+            {
+                setFirstAxis(0, z, -y);
+            }
+            else if (y * y <= z * z)
+            {
+                setFirstAxis(-z, 0, x);
+            }
+            else
+            {
+                setFirstAxis(y, -x, 0);
+            }
+            vX = y * uZ - z * uY;
+            vY = z * uX - x * uZ;
+            vZ = x * uY - y * uX;
             walk();
         }
 
@@ -90,26 +106,7 @@ package starlogo.fitting.minimal
             return sum / 2;
         }
 
-        private function setPicture(x:Number, y:Number, z:Number):void
-        {
-            if (x * x <= y * y && x * x <= z * z)
-            {
-                setFirst(0, z, -y);
-            }
-            else if (y * y <= z * z)
-            {
-                setFirst(-z, 0, x);
-            }
-            else
-            {
-                setFirst(y, -x, 0);
-            }
-            vX = y * uZ - z * uY;
-            vY = z * uX - x * uZ;
-            vZ = x * uY - y * uX;
-        }
-
-        private function setFirst(x:Number, y:Number, z:Number):void
+        private function setFirstAxis(x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             uX = x / length;
@@ -160,7 +157,7 @@ package starlogo.fitting.minimal
             }
         }
 
-        // The neighbour that leaves all others to the left of the way to it; -1 if the picture is a point.
+        // The neighbour that leaves all others to the left of the line to it; -1 if the picture is a point.
         private function next(corner:int, fromU:Number, fromV:Number, alongU:Number, alongV:Number):int
         {
             var best:int = -1;

@@ -9,121 +9,133 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.Tolerances;
+    import starlogo.solid.SurfaceNotes;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.ModelFits;
-    import starlogo.solid.SurfaceNotes;
+    import starlogo.models.Model;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     use namespace engine;
 
     /**
      * Reads what FitsWriter wrote, in steps, and believes nothing: bytes that are no fits of this geometry, that are cut off or
-     * have changed, or that hold impossible numbers are no fits, and sections of other settings are left out. What a section
-     * says of the model is checked by whoever uses it.
+     * have changed, or that hold impossible numbers are no fits, and sections of other settings are left out. Whether what a section
+     * says is true of the model is checked where it is used.
+     *
+     * @private
      */
     public final class FitsReader implements Steps
     {
-        private static const WORDS_A_STEP:int = 4000;
+        private static const WORDS_PER_STEP:int = 4000;
         private static const LARGEST_LENGTH:int = 0x10000000;
         private static const KINDS:int = 7;
 
         private var _bytes:ByteArray;
+        private var _model:Model;
         private var _geometry:Fingerprint;
         private var _settings:FitSettings;
-        private var _triangleCount:int;
-        private var _whole:Fingerprint = null;
-        private var _wordsLeft:int;
-        private var _fits:ModelFits = null;
+        private var _fits:ModelFits;
+        private var _whole:Fingerprint = new Fingerprint();
+        private var _work:StepSequence = new StepSequence();
+        private var _areFits:Boolean = false;
 
         /**
          * @param bytes what may be fits; changed in nothing but position and byte order
-         * @param geometry the model's
+         * @param model the model
+         * @param geometry its fingerprint
          * @param settings what is wanted
-         * @param triangleCount how many triangles the model has
+         * @param fits gets what is read; what it has already stays
          */
-        public function FitsReader(bytes:ByteArray, geometry:Fingerprint, settings:FitSettings, triangleCount:int)
+        public function FitsReader(bytes:ByteArray, model:Model, geometry:Fingerprint, settings:FitSettings, fits:ModelFits)
         {
             _bytes = bytes;
+            _model = model;
             _geometry = geometry;
             _settings = settings;
-            _triangleCount = triangleCount;
+            _fits = fits;
+            _work.begin(readHead);
         }
 
-        /** What was read, when no step is left; null if they are no fits of this model. */
-        public function get fits():ModelFits
+        /** Whether the bytes were fits of this model, when no step is left. */
+        public function get areFits():Boolean
         {
-            return _fits;
+            return _areFits;
         }
 
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_whole == null)
-            {
-                return beginsWell();
-            }
-            var words:int = Math.min(WORDS_A_STEP, _wordsLeft);
-            _whole.addBytes(_bytes, words);
-            _wordsLeft -= words;
-            if (_wordsLeft == 0 && _whole.isNextOf(_bytes))
-            {
-                readSections();
-            }
-            return _wordsLeft > 0;
+            return _work.step();
         }
 
-        private function beginsWell():Boolean
+        private function readHead():Steps
         {
             var bytes:ByteArray = _bytes;
             var length:int = bytes.length;
             if (length < FitsWriter.HEAD_LENGTH + Fingerprint.LENGTH || length > LARGEST_LENGTH || length % Fingerprint.LENGTH != 0)
             {
-                return false;
+                return null;
             }
             bytes.endian = FitsWriter.ENDIAN;
             bytes.position = 0;
             if (bytes.readInt() != FitsWriter.MAGIC || bytes.readInt() != FitsWriter.VERSION || bytes.readInt() != length
                     || bytes.readInt() != 0 || !_geometry.isNextOf(bytes))
             {
-                return false;
+                return null;
             }
             bytes.position = 0;
-            _whole = new Fingerprint();
-            _wordsLeft = length / Fingerprint.LENGTH - 1;
-            return true;
+            return new StepSequence().add(new Slices(length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, addWords)).call(readSections);
+        }
+
+        private function addWords(first:int, end:int):void
+        {
+            _whole.addBytes(_bytes, end - first);
         }
 
         private function readSections():void
         {
-            var bytes:ByteArray = _bytes;
-            var begin:int = FitsWriter.HEAD_LENGTH;
-            var end:int = bytes.length - Fingerprint.LENGTH;
-            var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
-            for (var i:int = 0; i < 3; i++)
+            if (!_whole.isNextOf(_bytes))
             {
-                bytes.position = FitsWriter.HEAD_LENGTH - 16 * (3 - i);
-                var wanted:Fingerprint = i == 0 ? _settings.structures : _settings.hierarchy;
-                var isWanted:Boolean = wanted != null && wanted.isNextOf(bytes);
-                bytes.position = FitsWriter.HEAD_LENGTH - 16 * (3 - i) + Fingerprint.LENGTH;
-                var length:int = bytes.readInt();
-                if (length < 0 || length > end - begin)
+                return;
+            }
+            var sections:Vector.<ByteArray> = new Vector.<ByteArray>();
+            var start:int = FitsWriter.HEAD_LENGTH;
+            var end:int = _bytes.length - Fingerprint.LENGTH;
+            for (var i:int = 0; i < FitsWriter.SECTIONS; i++)
+            {
+                _bytes.position = FitsWriter.HEAD_LENGTH - FitsWriter.ENTRY_LENGTH * (FitsWriter.SECTIONS - i);
+                var wanted:Fingerprint = _settings.ofSection(i) || new Fingerprint();
+                var isWanted:Boolean = wanted.isNextOf(_bytes) && _settings.ofSection(i) != null;
+                var length:int = _bytes.readInt();
+                if (length < 0 || length > end - start)
                 {
                     return;
                 }
-                sections.push(isWanted && length > 0 ? sectionAt(begin, length) : null);
-                begin += FitsWriter.roundedUp(length);
+                sections.push(isWanted && length > 0 ? sectionAt(start, length) : null);
+                start += FitsWriter.roundedUp(length);
             }
-            _fits = new ModelFits();
-            _fits.structures = readStructures(sections[0]);
-            _fits.tree = sections[1];
-            _fits.notes = sections[2] == null ? null : SurfaceNotes.read(sections[2], _triangleCount);
+            _areFits = true;
+            addToFits(readStructures(sections[0]), sections[1], sections[2]);
         }
 
-        private function sectionAt(begin:int, length:int):ByteArray
+        private function addToFits(structures:Vector.<BoundingStructure>, tree:ByteArray, surface:ByteArray):void
         {
-            var section:ByteArray = new ByteArray();
-            section.endian = FitsWriter.ENDIAN;
-            section.writeBytes(_bytes, begin, length);
+            var triangleCount:int = _model.triangles == null ? 0 : _model.triangles.length / 3;
+            var notes:SurfaceNotes = surface == null ? null : SurfaceNotes.read(surface, triangleCount);
+            _fits.structures ||= structures;
+            if (_fits.tree == null || _fits.notes == null && notes != null)
+            {
+                _fits.tree = tree;
+                _fits.notes = notes;
+            }
+        }
+
+        private function sectionAt(start:int, length:int):ByteArray
+        {
+            var section:ByteArray = FitsWriter.newBytes();
+            section.writeBytes(_bytes, start, length);
             section.position = 0;
             return section;
         }
@@ -135,37 +147,25 @@ package starlogo.libraries.cooked
                 return null;
             }
             var kinds:int = bytes.readInt();
-            var numbers:int = ((kinds & 1) != 0 ? 4 : 0) + ((kinds & 2) != 0 ? 7 : 0) + ((kinds & 4) != 0 ? 15 : 0);
+            var hasSphere:Boolean = (kinds & 1) != 0;
+            var hasCapsule:Boolean = (kinds & 2) != 0;
+            var hasBox:Boolean = (kinds & 4) != 0;
+            var numbers:int = (hasSphere ? 4 : 0) + (hasCapsule ? 7 : 0) + (hasBox ? 15 : 0);
             if (kinds <= 0 || kinds > KINDS || bytes.bytesAvailable != 8 * numbers)
             {
                 return null;
             }
-            var structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
             try
             {
-                structures[BoundingStructure.SPHERE] = (kinds & 1) != 0 ? readSphere(bytes) : null;
-                structures[BoundingStructure.CAPSULE] = (kinds & 2) != 0 ? readCapsule(bytes) : null;
-                structures[BoundingStructure.BOX] = (kinds & 4) != 0 ? readBox(bytes) : null;
+                var sphere:Sphere = hasSphere ? new Sphere(readVector(bytes), bytes.readDouble()) : null;
+                var capsule:Capsule = hasCapsule ? new Capsule(readVector(bytes), readVector(bytes), bytes.readDouble()) : null;
+                return new <BoundingStructure>[sphere, capsule, hasBox ? readBox(bytes) : null];
             }
             catch (error:Error)
             {
                 // the constructors refuse what is no structure
-                return null;
             }
-            return structures;
-        }
-
-        private static function readSphere(bytes:ByteArray):Sphere
-        {
-            var center:Vector3D = readVector(bytes);
-            return new Sphere(center, bytes.readDouble());
-        }
-
-        private static function readCapsule(bytes:ByteArray):Capsule
-        {
-            var start:Vector3D = readVector(bytes);
-            var end:Vector3D = readVector(bytes);
-            return new Capsule(start, end, bytes.readDouble());
+            return null;
         }
 
         // The constructor straightens the axes once more, which may change their last bits.
@@ -175,9 +175,7 @@ package starlogo.libraries.cooked
             var axisX:Vector3D = readVector(bytes);
             var axisY:Vector3D = readVector(bytes);
             var axisZ:Vector3D = readVector(bytes);
-            var halfX:Number = bytes.readDouble();
-            var halfY:Number = bytes.readDouble();
-            var box:Box = new Box(center, axisX, axisY, axisZ, halfX, halfY, bytes.readDouble());
+            var box:Box = new Box(center, axisX, axisY, axisZ, bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
             if (areApart(box.axisX, axisX) || areApart(box.axisY, axisY) || areApart(box.axisZ, axisZ))
             {
                 throw new ArgumentError("axes that were written are straight: " + [axisX, axisY, axisZ]);
@@ -195,9 +193,7 @@ package starlogo.libraries.cooked
 
         private static function readVector(bytes:ByteArray):Vector3D
         {
-            var x:Number = bytes.readDouble();
-            var y:Number = bytes.readDouble();
-            return new Vector3D(x, y, bytes.readDouble());
+            return new Vector3D(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
         }
     }
 }

@@ -27,6 +27,8 @@ package starlogo.libraries.cooked
      *   72   the sections, filled up to a multiple of 8 with zeros
      *   end  the fingerprint of all before
      * </pre>
+     *
+     * @private
      */
     public final class FitsWriter
     {
@@ -39,8 +41,14 @@ package starlogo.libraries.cooked
         /** The version of the form. */
         public static const VERSION:int = 1;
 
-        /** Where the sections begin. */
+        /** Where the sections start. */
         public static const HEAD_LENGTH:int = 72;
+
+        /** How many sections there are. */
+        public static const SECTIONS:int = 3;
+
+        /** How many bytes of the head tell of each. */
+        public static const ENTRY_LENGTH:int = 16;
 
         /** All is static. */
         public function FitsWriter()
@@ -56,72 +64,71 @@ package starlogo.libraries.cooked
          */
         public static function write(fits:ModelFits, geometry:Fingerprint, settings:FitSettings):ByteArray
         {
-            var structures:ByteArray = newBytes();
-            var tree:ByteArray = newBytes();
-            var surface:ByteArray = newBytes();
+            var sections:Vector.<ByteArray> = new <ByteArray>[newBytes(), newBytes(), newBytes()];
             if (fits.structures != null && settings.structures != null)
             {
-                writeStructures(fits.structures, structures);
+                writeStructures(fits.structures, sections[0]);
             }
             if (fits.tree != null && settings.hierarchy != null)
             {
-                tree.writeBytes(fits.tree);
+                sections[1].writeBytes(fits.tree);
                 if (fits.notes != null)
                 {
-                    fits.notes.writeTo(surface);
+                    fits.notes.writeTo(sections[2]);
                 }
+            }
+            var length:int = HEAD_LENGTH + Fingerprint.LENGTH;
+            for each (var section:ByteArray in sections)
+            {
+                length += roundedUp(section.length);
             }
             var out:ByteArray = newBytes();
             out.writeInt(MAGIC);
             out.writeInt(VERSION);
-            out.writeInt(HEAD_LENGTH + roundedUp(structures.length) + roundedUp(tree.length) + roundedUp(surface.length)
-                    + Fingerprint.LENGTH);
+            out.writeInt(length);
             out.writeInt(0);
             geometry.writeTo(out);
-            writeEntry(settings.structures, structures.length, out);
-            writeEntry(settings.hierarchy, tree.length, out);
-            writeEntry(settings.hierarchy, surface.length, out);
-            writeSection(structures, out);
-            writeSection(tree, out);
-            writeSection(surface, out);
-            var whole:Fingerprint = new Fingerprint();
-            out.position = 0;
-            whole.addBytes(out, out.length / Fingerprint.LENGTH);
-            whole.writeTo(out);
-            out.position = 0;
+            for (var i:int = 0; i < SECTIONS; i++)
+            {
+                var computedWith:Fingerprint = settings.ofSection(i) || new Fingerprint();
+                computedWith.writeTo(out);
+                out.writeInt(sections[i].length);
+                out.writeInt(0);
+            }
+            for each (section in sections)
+            {
+                out.writeBytes(section);
+                while (out.length % Fingerprint.LENGTH != 0)
+                {
+                    out.writeByte(0);
+                }
+            }
+            seal(out);
             return out;
         }
 
-        /** A length filled up to a multiple of 8. */
-        public static function roundedUp(length:int):int
+        /** Writes the fingerprint of bytes, a multiple of 8, behind them; the position is their first then. */
+        public static function seal(bytes:ByteArray):void
         {
-            return length + 7 & ~7;
+            var whole:Fingerprint = new Fingerprint();
+            bytes.position = 0;
+            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH);
+            whole.writeTo(bytes);
+            bytes.position = 0;
         }
 
-        private static function newBytes():ByteArray
+        /** No bytes, in the byte order that fits have. */
+        public static function newBytes():ByteArray
         {
             var bytes:ByteArray = new ByteArray();
             bytes.endian = ENDIAN;
             return bytes;
         }
 
-        private static function writeEntry(settings:Fingerprint, length:int, out:ByteArray):void
+        /** A length filled up to a multiple of 8. */
+        public static function roundedUp(length:int):int
         {
-            (settings || new Fingerprint()).writeTo(out);
-            out.writeInt(length);
-            out.writeInt(0);
-        }
-
-        private static function writeSection(section:ByteArray, out:ByteArray):void
-        {
-            if (section.length > 0)
-            {
-                out.writeBytes(section);
-            }
-            while (out.length % Fingerprint.LENGTH != 0)
-            {
-                out.writeByte(0);
-            }
+            return length + 7 & ~7;
         }
 
         // For each kind whether there is one, then their numbers.

@@ -3,7 +3,11 @@ package starlogo.libraries.cooked
     import flash.utils.ByteArray;
     import starlogo.geometry.Fingerprint;
 
-    /** Which entries a FitStore has, and how long each is: a list that is itself kept as bytes. */
+    /**
+     * Which entries a FitStore has, and how long each is: a list that is itself kept as bytes.
+     *
+     * @private
+     */
     public final class StoreIndex
     {
         private static const NAME:RegExp = /^[0-9a-f]{32}$/;
@@ -20,7 +24,7 @@ package starlogo.libraries.cooked
         {
         }
 
-        /** The index that some bytes are; an empty one if they are none. */
+        /** Reads what toBytes made; an empty index if the bytes are none. */
         public static function read(bytes:ByteArray):StoreIndex
         {
             if (bytes == null || bytes.length % ENTRY_LENGTH != Fingerprint.LENGTH)
@@ -34,21 +38,17 @@ package starlogo.libraries.cooked
             return whole.isNextOf(bytes) ? readEntries(bytes) : new StoreIndex();
         }
 
-        /** The bytes that read takes. */
+        /** The index as bytes. */
         public function toBytes():ByteArray
         {
-            var bytes:ByteArray = new ByteArray();
-            bytes.endian = FitsWriter.ENDIAN;
+            var bytes:ByteArray = FitsWriter.newBytes();
             for (var i:int = 0; i < names.length; i++)
             {
                 bytes.writeUTFBytes(names[i]);
                 bytes.writeInt(_lengths[i]);
                 bytes.writeInt(0);
             }
-            var whole:Fingerprint = new Fingerprint();
-            bytes.position = 0;
-            whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH);
-            whole.writeTo(bytes);
+            FitsWriter.seal(bytes);
             return bytes;
         }
 

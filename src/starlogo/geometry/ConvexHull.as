@@ -1,5 +1,11 @@
 package starlogo.geometry
 {
+    import starlogo.geometry.hull.HullGrid;
+    import starlogo.geometry.hull.HullMesh;
+    import starlogo.geometry.hull.InitialSimplex;
+    import starlogo.geometry.hull.PlanarHull;
+    import starlogo.geometry.hull.QuickHull;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
@@ -18,12 +24,6 @@ package starlogo.geometry
      */
     public final class ConvexHull implements Steps
     {
-        private static const SPANNING:int = 0;
-        private static const SNAPPING:int = 1;
-        private static const HULLING:int = 2;
-        private static const MESHING:int = 3;
-        private static const DONE:int = 4;
-
         private var _vertices:Vector.<Number>;
         private var _dimension:int;
         private var _axes:Vector.<Number>;
@@ -37,8 +37,8 @@ package starlogo.geometry
         private var _neighbors:Vector.<int>;
         private var _volume:Number = NaN;
 
-        // The work under way.
-        private var _phase:int = SPANNING;
+        // the work under way
+        private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
         private var _planarHull:PlanarHull;
         private var _quickHull:QuickHull;
@@ -57,6 +57,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
+            _work.add(_simplex).begin(newGrid).begin(newHull).begin(newMesh).call(keepMesh);
             if (atOnce)
             {
                 finish(this);
@@ -70,31 +71,7 @@ package starlogo.geometry
          */
         public function step():Boolean
         {
-            switch (_phase)
-            {
-                case SPANNING:
-                    if (!_simplex.step())
-                    {
-                        takeSimplex();
-                    }
-                    break;
-                case SNAPPING:
-                    if (!_grid.step())
-                    {
-                        beginHull();
-                    }
-                    break;
-                case HULLING:
-                    hull();
-                    break;
-                case MESHING:
-                    if (!_mesh.step())
-                    {
-                        takeMesh();
-                    }
-                    break;
-            }
-            return _phase != DONE;
+            return _work.step();
         }
 
         /** The vertices that it was made of, x, y, z each: read only. */
@@ -223,60 +200,46 @@ package starlogo.geometry
             return corner;
         }
 
-        private function takeSimplex():void
+        private function newGrid():Steps
         {
             _dimension = _simplex.dimension;
             _axes = _simplex.axes;
             _extent = _simplex.extent;
-            if (_dimension < 2)
+            if (_dimension > 1)
             {
-                join(_simplex.corners.slice(0, _dimension + 1));
-                return;
+                // along the coordinate axes sides that are flat stay flat
+                var gridAxes:Vector.<Number> = _dimension == 2 || _simplex.isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+                _grid = new HullGrid(_vertices, gridAxes, _dimension);
             }
-            // along the coordinate axes sides that are flat stay flat
-            var gridAxes:Vector.<Number> = _dimension == 2 || _simplex.isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-            _grid = new HullGrid(_vertices, gridAxes, _dimension);
-            _phase = SNAPPING;
+            return _grid;
         }
 
-        private function beginHull():void
+        private function newHull():Steps
         {
-            if (_dimension == 2)
-            {
-                _planarHull = new PlanarHull(_grid.points);
-            }
-            else
-            {
-                _quickHull = new QuickHull(_grid.points, _simplex.corners);
-            }
-            _phase = HULLING;
+            _planarHull = _dimension == 2 ? new PlanarHull(_grid.points) : null;
+            _quickHull = _dimension == 3 ? new QuickHull(_grid.points, _simplex.corners) : null;
+            return _quickHull || _planarHull;
         }
 
-        private function hull():void
+        private function newMesh():Steps
         {
-            if (_dimension == 2)
+            var corners:Vector.<int>;
+            switch (_dimension)
             {
-                if (!_planarHull.step())
-                {
-                    join(_planarHull.corners);
-                }
+                case 3:
+                    corners = _quickHull.triangles;
+                    break;
+                case 2:
+                    corners = _planarHull.corners;
+                    break;
+                default:
+                    corners = _simplex.corners.slice(0, _dimension + 1);
             }
-            else if (!_quickHull.step())
-            {
-                _mesh = new HullMesh(_vertices, _quickHull.faces);
-                _phase = MESHING;
-            }
+            _mesh = new HullMesh(_vertices, corners, _dimension == 3);
+            return _mesh;
         }
 
-        private function join(loop:Vector.<int>):void
-        {
-            _mesh = new HullMesh(_vertices);
-            _mesh.join(loop);
-            takeMesh();
-        }
-
-        // Lets go of what was needed on the way, too.
-        private function takeMesh():void
+        private function keepMesh():void
         {
             _indices = _mesh.indices;
             _points = _mesh.points;
@@ -287,7 +250,6 @@ package starlogo.geometry
             _planarHull = null;
             _quickHull = null;
             _mesh = null;
-            _phase = DONE;
         }
 
         private function placeOnGrid():Vector.<Number>

@@ -25,9 +25,6 @@ package starlogo.geometry
     public final class ConvexHull implements Steps
     {
         private var _vertices:Vector.<Number>;
-        private var _dimension:int;
-        private var _axes:Vector.<Number>;
-        private var _extent:Number = 0;
         private var _indices:Vector.<int>;
         private var _points:Vector.<Number>;
         private var _convexPoints:Vector.<Number>;
@@ -83,13 +80,13 @@ package starlogo.geometry
         /** 3 for a set that spans a volume, 2 for one in a plane, 1 on a line, 0 in a point. */
         public function get dimension():int
         {
-            return _dimension;
+            return _simplex.dimension;
         }
 
         /** The longest side of the axis-aligned box around the vertices. */
         public function get extent():Number
         {
-            return _extent;
+            return _simplex.extent;
         }
 
         /**
@@ -98,7 +95,7 @@ package starlogo.geometry
          */
         public function get axes():Vector.<Number>
         {
-            return _axes;
+            return _simplex.axes;
         }
 
         /** The hull's corners in ascending order, as positions in <code>vertices</code> (0 is the first vertex). */
@@ -202,29 +199,26 @@ package starlogo.geometry
 
         private function newGrid():Steps
         {
-            _dimension = _simplex.dimension;
-            _axes = _simplex.axes;
-            _extent = _simplex.extent;
-            if (_dimension > 1)
+            if (dimension > 1)
             {
                 // along the coordinate axes sides that are flat stay flat
-                var gridAxes:Vector.<Number> = _dimension == 2 || _simplex.isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-                _grid = new HullGrid(_vertices, gridAxes, _dimension);
+                var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+                _grid = new HullGrid(_vertices, gridAxes, dimension);
             }
             return _grid;
         }
 
         private function newHull():Steps
         {
-            _planarHull = _dimension == 2 ? new PlanarHull(_grid.points) : null;
-            _quickHull = _dimension == 3 ? new QuickHull(_grid.points, _simplex.corners) : null;
+            _planarHull = dimension == 2 ? new PlanarHull(_grid.points) : null;
+            _quickHull = dimension == 3 ? new QuickHull(_grid.points, _simplex.corners) : null;
             return _quickHull || _planarHull;
         }
 
         private function newMesh():Steps
         {
             var corners:Vector.<int>;
-            switch (_dimension)
+            switch (dimension)
             {
                 case 3:
                     corners = _quickHull.triangles;
@@ -233,9 +227,9 @@ package starlogo.geometry
                     corners = _planarHull.corners;
                     break;
                 default:
-                    corners = _simplex.corners.slice(0, _dimension + 1);
+                    corners = _simplex.corners.slice(0, dimension + 1);
             }
-            _mesh = new HullMesh(_vertices, corners, _dimension == 3);
+            _mesh = new HullMesh(_vertices, corners, dimension == 3);
             return _mesh;
         }
 
@@ -246,7 +240,6 @@ package starlogo.geometry
             _triangles = _mesh.triangles;
             _firstNeighbor = _mesh.firstNeighbor;
             _neighbors = _mesh.neighbors;
-            _simplex = null;
             _planarHull = null;
             _quickHull = null;
             _mesh = null;
@@ -255,8 +248,8 @@ package starlogo.geometry
         private function placeOnGrid():Vector.<Number>
         {
             // the points of a plane have the same place along its normal
-            var height:Number = _dimension == 2 ? _points[0] * _axes[6] + _points[1] * _axes[7] + _points[2] * _axes[8] : 0;
-            return _grid.placesOf(_indices, height * _axes[6], height * _axes[7], height * _axes[8]);
+            var height:Number = dimension == 2 ? _points[0] * axes[6] + _points[1] * axes[7] + _points[2] * axes[8] : 0;
+            return _grid.placesOf(_indices, height * axes[6], height * axes[7], height * axes[8]);
         }
 
         // The sum of the tetrahedra from the first corner to each triangle.

@@ -23,14 +23,17 @@ package starlogo.models.collada
          */
         internal static function of(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
+            var v:Vector.<Number>;
             switch (element.name)
             {
                 case "matrix":
                     return matrix(document, element);
                 case "translate":
-                    return translation(document.numbers(element, 3));
+                    v = document.numbers(element, 3);
+                    return new ColladaTransform(new <Number>[1, 0, 0, v[0], 0, 1, 0, v[1], 0, 0, 1, v[2]]);
                 case "scale":
-                    return scaling(document.numbers(element, 3));
+                    v = document.numbers(element, 3);
+                    return new ColladaTransform(new <Number>[v[0], 0, 0, 0, 0, v[1], 0, 0, 0, 0, v[2], 0]);
                 case "rotate":
                     return rotation(document, element);
                 case "lookat":
@@ -120,16 +123,6 @@ package starlogo.models.collada
                 throw document.error(element, "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "));
             }
             return new ColladaTransform(m.slice(0, 12));
-        }
-
-        private static function translation(v:Vector.<Number>):ColladaTransform
-        {
-            return new ColladaTransform(new <Number>[1, 0, 0, v[0], 0, 1, 0, v[1], 0, 0, 1, v[2]]);
-        }
-
-        private static function scaling(v:Vector.<Number>):ColladaTransform
-        {
-            return new ColladaTransform(new <Number>[v[0], 0, 0, 0, 0, v[1], 0, 0, 0, 0, v[2], 0]);
         }
 
         /** About an axis (three numbers) by degrees (the fourth); no axis at all is taken for no rotation. */

@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.NextOfTwo;
     import starlogo.models.TextTokens;
     import starlogo.steps.Steps;
 
@@ -13,11 +14,10 @@ package starlogo.models.collada
 
         private var _elements:Vector.<ColladaElement>;
         private var _element:int = 0;
-        // the text that is being read, where its next piece begins, and the white space next to each piece's end
+        // the text that is being read, where its next piece begins, and where words end in it
         private var _text:String = null;
         private var _start:int;
-        private var _space:int;
-        private var _lineEnd:int;
+        private var _ends:NextOfTwo;
 
         /**
          * @param elements whose words they are
@@ -36,17 +36,17 @@ package starlogo.models.collada
                 {
                     _text = _elements[_element].text;
                     _start = 0;
-                    _space = _lineEnd = -1;
+                    _ends = new NextOfTwo(_text, " ", "\n");
                 }
                 read += readPiece();
             }
             return _element < _elements.length;
         }
 
-        // How many characters it had.
+        // Words stay whole; returns how many characters it had.
         private function readPiece():int
         {
-            var end:int = endOfPiece(_start + CHARACTERS_PER_STEP);
+            var end:int = _text.length - _start > CHARACTERS_PER_STEP ? _ends.after(_start + CHARACTERS_PER_STEP) : _text.length;
             add(TextTokens.of(_text.substring(_start, end)));
             var count:int = end - _start;
             _start = end;
@@ -69,30 +69,6 @@ package starlogo.models.collada
             {
                 words.push(word);
             }
-        }
-
-        // Words stay whole.
-        private function endOfPiece(from:int):int
-        {
-            if (from >= _text.length)
-            {
-                return _text.length;
-            }
-            if (_space < from)
-            {
-                _space = placeOf(" ", from);
-            }
-            if (_lineEnd < from)
-            {
-                _lineEnd = placeOf("\n", from);
-            }
-            return Math.min(_space, _lineEnd);
-        }
-
-        private function placeOf(what:String, from:int):int
-        {
-            var place:int = _text.indexOf(what, from);
-            return place < 0 ? _text.length : place;
         }
     }
 }

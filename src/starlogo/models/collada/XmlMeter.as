@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
-    import starlogo.models.ModelError;
+    import starlogo.models.NextOfTwo;
+    import starlogo.models.refuseIf;
     import starlogo.steps.Steps;
 
     /**
@@ -29,9 +30,7 @@ package starlogo.models.collada
         private var _depth:int = 0;
         private var _elements:int = 0;
 
-        // the next ones, looked for anew when they are passed
-        private var _double:int = -1;
-        private var _single:int = -1;
+        private var _quotes:NextOfTwo;
 
         /**
          * @param name the model's name
@@ -41,6 +40,7 @@ package starlogo.models.collada
         {
             _name = name;
             _source = source;
+            _quotes = new NextOfTwo(source, "\"", "'");
         }
 
         /**
@@ -88,55 +88,27 @@ package starlogo.models.collada
 
         private function passElement():void
         {
-            check(++_elements <= MAX_ELEMENTS, "has more than " + MAX_ELEMENTS + " elements");
+            refuseIf(++_elements > MAX_ELEMENTS, _name, "the document has more than " + MAX_ELEMENTS + " elements");
             var end:int = _source.indexOf(">", _at);
             var attributes:int = 0;
-            for (var quote:int = nextQuote(_at); quote >= 0 && quote < end; quote = nextQuote(_at))
+            for (var quote:int = _quotes.after(_at); quote < end; quote = _quotes.after(_at))
             {
-                check(++attributes <= MAX_ATTRIBUTES, "has an element of more than " + MAX_ATTRIBUTES + " attributes");
+                refuseIf(++attributes > MAX_ATTRIBUTES, _name, "the document has an element of more than " + MAX_ATTRIBUTES + " attributes");
                 var close:int = _source.indexOf(_source.charAt(quote), quote + 1);
                 _at = close + 1;
                 end = close < 0 ? -1 : end < close ? _source.indexOf(">", _at) : end;
             }
             if (end >= 0 && _source.charCodeAt(end - 1) != SLASH)
             {
-                check(++_depth <= MAX_DEPTH, "has elements that are nested more than " + MAX_DEPTH + " deep");
+                refuseIf(++_depth > MAX_DEPTH, _name, "the document has elements that are nested more than " + MAX_DEPTH + " deep");
             }
             _at = end;
-        }
-
-        private function nextQuote(from:int):int
-        {
-            if (_double < from)
-            {
-                _double = found('"', from);
-            }
-            if (_single < from)
-            {
-                _single = found("'", from);
-            }
-            var first:int = _double < _single ? _double : _single;
-            return first < int.MAX_VALUE ? first : -1;
-        }
-
-        private function found(what:String, from:int):int
-        {
-            var place:int = _source.indexOf(what, from);
-            return place < 0 ? int.MAX_VALUE : place;
         }
 
         // Goes to the end of something, or to that of the text.
         private function pass(end:String):void
         {
             _at = _source.indexOf(end, _at);
-        }
-
-        private function check(isRight:Boolean, problem:String):void
-        {
-            if (!isRight)
-            {
-                throw new ModelError(_name, "", "the document " + problem);
-            }
         }
     }
 }

@@ -1,5 +1,11 @@
 package starlogo.geometry
 {
+    import starlogo.geometry.hull.HullGrid;
+    import starlogo.geometry.hull.HullMesh;
+    import starlogo.geometry.hull.InitialSimplex;
+    import starlogo.geometry.hull.PlanarHull;
+    import starlogo.geometry.hull.QuickHull;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
@@ -18,16 +24,7 @@ package starlogo.geometry
      */
     public final class ConvexHull implements Steps
     {
-        private static const SPANNING:int = 0;
-        private static const SNAPPING:int = 1;
-        private static const HULLING:int = 2;
-        private static const MESHING:int = 3;
-        private static const DONE:int = 4;
-
         private var _vertices:Vector.<Number>;
-        private var _dimension:int;
-        private var _axes:Vector.<Number>;
-        private var _extent:Number = 0;
         private var _indices:Vector.<int>;
         private var _points:Vector.<Number>;
         private var _convexPoints:Vector.<Number>;
@@ -37,8 +34,8 @@ package starlogo.geometry
         private var _neighbors:Vector.<int>;
         private var _volume:Number = NaN;
 
-        // The work under way.
-        private var _phase:int = SPANNING;
+        // the work under way
+        private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
         private var _planarHull:PlanarHull;
         private var _quickHull:QuickHull;
@@ -57,6 +54,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
+            _work.add(_simplex).begin(newGrid).begin(newHull).begin(newMesh).call(keepMesh);
             if (atOnce)
             {
                 finish(this);
@@ -70,31 +68,7 @@ package starlogo.geometry
          */
         public function step():Boolean
         {
-            switch (_phase)
-            {
-                case SPANNING:
-                    if (!_simplex.step())
-                    {
-                        takeSimplex();
-                    }
-                    break;
-                case SNAPPING:
-                    if (!_grid.step())
-                    {
-                        beginHull();
-                    }
-                    break;
-                case HULLING:
-                    hull();
-                    break;
-                case MESHING:
-                    if (!_mesh.step())
-                    {
-                        takeMesh();
-                    }
-                    break;
-            }
-            return _phase != DONE;
+            return _work.step();
         }
 
         /** The vertices that it was made of, x, y, z each: read only. */
@@ -106,13 +80,13 @@ package starlogo.geometry
         /** 3 for a set that spans a volume, 2 for one in a plane, 1 on a line, 0 in a point. */
         public function get dimension():int
         {
-            return _dimension;
+            return _simplex.dimension;
         }
 
         /** The longest side of the axis-aligned box around the vertices. */
         public function get extent():Number
         {
-            return _extent;
+            return _simplex.extent;
         }
 
         /**
@@ -121,7 +95,7 @@ package starlogo.geometry
          */
         public function get axes():Vector.<Number>
         {
-            return _axes;
+            return _simplex.axes;
         }
 
         /** The hull's corners in ascending order, as positions in <code>vertices</code> (0 is the first vertex). */
@@ -223,78 +197,59 @@ package starlogo.geometry
             return corner;
         }
 
-        private function takeSimplex():void
+        private function newGrid():Steps
         {
-            _dimension = _simplex.dimension;
-            _axes = _simplex.axes;
-            _extent = _simplex.extent;
-            if (_dimension < 2)
+            if (dimension > 1)
             {
-                join(_simplex.corners.slice(0, _dimension + 1));
-                return;
+                // along the coordinate axes sides that are flat stay flat
+                var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+                _grid = new HullGrid(_vertices, gridAxes, dimension);
             }
-            // along the coordinate axes sides that are flat stay flat
-            var gridAxes:Vector.<Number> = _dimension == 2 || _simplex.isThin ? _axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-            _grid = new HullGrid(_vertices, gridAxes, _dimension);
-            _phase = SNAPPING;
+            return _grid;
         }
 
-        private function beginHull():void
+        private function newHull():Steps
         {
-            if (_dimension == 2)
-            {
-                _planarHull = new PlanarHull(_grid.points);
-            }
-            else
-            {
-                _quickHull = new QuickHull(_grid.points, _simplex.corners);
-            }
-            _phase = HULLING;
+            _planarHull = dimension == 2 ? new PlanarHull(_grid.points) : null;
+            _quickHull = dimension == 3 ? new QuickHull(_grid.points, _simplex.corners) : null;
+            return _quickHull || _planarHull;
         }
 
-        private function hull():void
+        private function newMesh():Steps
         {
-            if (_dimension == 2)
+            var corners:Vector.<int>;
+            switch (dimension)
             {
-                if (!_planarHull.step())
-                {
-                    join(_planarHull.corners);
-                }
+                case 3:
+                    corners = _quickHull.triangles;
+                    break;
+                case 2:
+                    corners = _planarHull.corners;
+                    break;
+                default:
+                    corners = _simplex.corners.slice(0, dimension + 1);
             }
-            else if (!_quickHull.step())
-            {
-                _mesh = new HullMesh(_vertices, _quickHull.faces);
-                _phase = MESHING;
-            }
+            _mesh = new HullMesh(_vertices, corners, dimension == 3);
+            return _mesh;
         }
 
-        private function join(loop:Vector.<int>):void
-        {
-            _mesh = new HullMesh(_vertices);
-            _mesh.join(loop);
-            takeMesh();
-        }
-
-        // Lets go of what was needed on the way, too.
-        private function takeMesh():void
+        private function keepMesh():void
         {
             _indices = _mesh.indices;
             _points = _mesh.points;
             _triangles = _mesh.triangles;
             _firstNeighbor = _mesh.firstNeighbor;
             _neighbors = _mesh.neighbors;
-            _simplex = null;
             _planarHull = null;
             _quickHull = null;
             _mesh = null;
-            _phase = DONE;
         }
 
         private function placeOnGrid():Vector.<Number>
         {
             // the points of a plane have the same place along its normal
-            var height:Number = _dimension == 2 ? _points[0] * _axes[6] + _points[1] * _axes[7] + _points[2] * _axes[8] : 0;
-            return _grid.placesOf(_indices, height * _axes[6], height * _axes[7], height * _axes[8]);
+            var height:Number = dimension == 2 ? _points[0] * axes[6] + _points[1] * axes[7] + _points[2] * axes[8] : 0;
+            return _grid.placesOf(_indices, height * axes[6], height * axes[7], height * axes[8]);
         }
 
         // The sum of the tetrahedra from the first corner to each triangle.

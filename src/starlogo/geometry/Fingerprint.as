@@ -26,7 +26,12 @@ package starlogo.geometry
         /** Adds one word. */
         public function addWord(word:int):void
         {
-            addWords(word, 0x5BD1E995);
+            _low ^= word;
+            _low += _low << 10;
+            _low ^= _low >>> 6;
+            _high ^= word ^ 0x5BD1E995;
+            _high += _high << 10;
+            _high ^= _high >>> 6;
         }
 
         /** Adds letters. */
@@ -91,16 +96,6 @@ package starlogo.geometry
         public function toString():String
         {
             return hexadecimal(_high) + hexadecimal(_low);
-        }
-
-        private function addWords(word:int, other:int):void
-        {
-            _low ^= word;
-            _low += _low << 10;
-            _low ^= _low >>> 6;
-            _high ^= word ^ other;
-            _high += _high << 10;
-            _high ^= _high >>> 6;
         }
 
         private static function hexadecimal(word:int):String

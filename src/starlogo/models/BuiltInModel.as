@@ -52,13 +52,7 @@ package starlogo.models
                 triangles.push(0, segment + 2, segment + 1);
                 triangles.push(topPole, lastRing + segment, lastRing + segment + 1);
             }
-            for (var below:int = 1; below < lastRing; below += ringSize)
-            {
-                for (segment = below; segment < below + SPHERE_SEGMENTS; segment++)
-                {
-                    addQuad(triangles, segment, segment + 1, segment + ringSize + 1, segment + ringSize);
-                }
-            }
+            addBands(triangles, 1, SPHERE_RINGS - 1, ringSize, SPHERE_SEGMENTS);
             return new BuiltInModel("sphere", vertices, triangles);
         }
 
@@ -106,16 +100,7 @@ package starlogo.models
                 triangles.push(0, segment + 1, segment);
                 triangles.push(topCap, topCap + segment, topCap + segment + 1);
             }
-            for (ring = 1; ring < CYLINDER_SIDE_RINGS; ring++)
-            {
-                var below:int = ring * CYLINDER_SEGMENTS;
-                var above:int = below + CYLINDER_SEGMENTS;
-                for (segment = 0; segment < CYLINDER_SEGMENTS; segment++)
-                {
-                    var next:int = (segment + 1) % CYLINDER_SEGMENTS;
-                    addQuad(triangles, below + segment, below + next, above + next, above + segment);
-                }
-            }
+            addBands(triangles, CYLINDER_SEGMENTS, CYLINDER_SIDE_RINGS - 1, CYLINDER_SEGMENTS, CYLINDER_SEGMENTS);
             return new BuiltInModel("cylinder", vertices, triangles);
         }
 
@@ -126,6 +111,19 @@ package starlogo.models
             {
                 var angle:Number = 2 * Math.PI * segment / segments;
                 vertices.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+            }
+        }
+
+        /** Joins each of some rings of vertices, which follow one another from the first vertex on, to the next ring. */
+        private static function addBands(triangles:Vector.<uint>, first:int, count:int, ringSize:int, segments:int):void
+        {
+            for (var below:int = first; below < first + count * ringSize; below += ringSize)
+            {
+                for (var segment:int = 0; segment < segments; segment++)
+                {
+                    var next:int = (segment + 1) % ringSize;
+                    addQuad(triangles, below + segment, below + next, below + ringSize + next, below + ringSize + segment);
+                }
             }
         }
 

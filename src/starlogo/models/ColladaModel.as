@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.collada.ColladaReader;
     import starlogo.steps.finish;
 
     /**

@@ -13,11 +13,19 @@ package starlogo.models
     /** A model's file on its way here. */
     internal final class ModelFetch
     {
+        /** Whether the file is still to come: neither here, nor failed, nor cancelled. */
+        public var isUnderWay:Boolean = true;
+
+        /** How much of it is here, from 0 to 1. */
+        public var progress:Number = 0;
+
+        /** The file; null before it is here. */
+        public var bytes:ByteArray = null;
+
+        /** Why it won't come; null if nothing is known against it. */
+        public var problem:String = null;
+
         private var _loader:URLLoader;
-        private var _isUnderWay:Boolean = true;
-        private var _progress:Number = 0;
-        private var _bytes:ByteArray = null;
-        private var _problem:String = null;
 
         /**
          * Starts to fetch a file.
@@ -39,38 +47,14 @@ package starlogo.models
             }
             catch (error:Error)
             {
-                fail("its file can't be fetched: " + error.message);
+                fail(error.message);
             }
-        }
-
-        /** Whether the file is still to come: neither here, nor failed, nor cancelled. */
-        public function get isUnderWay():Boolean
-        {
-            return _isUnderWay;
-        }
-
-        /** How much of it is here, from 0 to 1. */
-        public function get progress():Number
-        {
-            return _progress;
-        }
-
-        /** The file; null before it is here. */
-        public function get bytes():ByteArray
-        {
-            return _bytes;
-        }
-
-        /** Why it won't come; null if nothing is known against it. */
-        public function get problem():String
-        {
-            return _problem;
         }
 
         /** Stops fetching. */
         public function cancel():void
         {
-            if (_isUnderWay)
+            if (isUnderWay)
             {
                 end();
                 _loader.close();
@@ -79,30 +63,30 @@ package starlogo.models
 
         private function onProgress(event:ProgressEvent):void
         {
-            _progress = event.bytesTotal > 0 ? Math.min(1, event.bytesLoaded / event.bytesTotal) : 0;
+            progress = event.bytesTotal > 0 ? Math.min(1, event.bytesLoaded / event.bytesTotal) : 0;
         }
 
         private function onComplete(event:Event):void
         {
-            _bytes = _loader.data;
-            _progress = 1;
+            bytes = _loader.data;
+            progress = 1;
             end();
         }
 
         private function onError(event:ErrorEvent):void
         {
-            fail("its file can't be fetched: " + event.text);
+            fail(event.text);
         }
 
-        private function fail(problem:String):void
+        private function fail(reason:String):void
         {
-            _problem = problem;
+            problem = "its file can't be fetched: " + reason;
             end();
         }
 
         private function end():void
         {
-            _isUnderWay = false;
+            isUnderWay = false;
             _loader.removeEventListener(Event.COMPLETE, onComplete);
             _loader.removeEventListener(ProgressEvent.PROGRESS, onProgress);
             _loader.removeEventListener(IOErrorEvent.IO_ERROR, onError);

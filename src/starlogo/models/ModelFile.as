@@ -1,10 +1,16 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.zip.ArchivedDocument;
+    import starlogo.models.zip.ZipArchive;
     import starlogo.steps.finish;
 
-    /** Makes text of a model file's bytes, whatever the encoding. */
-    internal final class ModelFile
+    /**
+     * Makes text of a model file's bytes, whatever the encoding.
+     *
+     * @private
+     */
+    public final class ModelFile
     {
         private static const UTF_8:String = "utf-8";
         private static const UTF_16_LOW_FIRST:String = "utf-16le";
@@ -23,41 +29,33 @@ package starlogo.models
          *
          * @throws ModelError if the bytes are no text: an image, say
          */
-        internal static function text(name:String, bytes:ByteArray):String
+        public static function text(name:String, bytes:ByteArray):String
         {
-            if (bytes == null || bytes.length == 0)
-            {
-                throw new ModelError(name, "", "the file is empty");
-            }
-            if (bytes.length > ModelLimits.BYTES)
-            {
-                throw new ModelError(name, "", "the file has " + bytes.length + " bytes: expected at most " + ModelLimits.BYTES);
-            }
-            var encoding:String = encodingOf(bytes);
-            if (encoding != UTF_16_LOW_FIRST && encoding != UTF_16_HIGH_FIRST)
-            {
-                checkText(name, bytes);
-            }
-            var text:String = decode(bytes, encoding);
-            return text.charCodeAt(0) == 0xFEFF ? text.substr(1) : text;
+            refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
+            refuseIf(bytes.length > ModelLimits.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
+                    ModelLimits.BYTES);
+            var result:String = decoded(name, bytes);
+            return result.charCodeAt(0) == 0xFEFF ? result.substr(1) : result;
         }
 
-        private static function decode(bytes:ByteArray, encoding:String):String
+        private static function decoded(name:String, bytes:ByteArray):String
         {
-            if (encoding == UTF_8)
-            {
-                bytes.position = 0;
-                return bytes.readUTFBytes(bytes.length);
-            }
+            var encoding:String = encodingOf(bytes);
             if (encoding == UTF_16_LOW_FIRST || encoding == UTF_16_HIGH_FIRST)
             {
                 return WideText.utf16(bytes, encoding == UTF_16_LOW_FIRST);
             }
-            return WideText.latin(bytes, encoding == WINDOWS);
+            checkText(name, bytes);
+            if (encoding != UTF_8)
+            {
+                return WideText.latin(bytes, encoding == WINDOWS);
+            }
+            bytes.position = 0;
+            return bytes.readUTFBytes(bytes.length);
         }
 
         /** The text of a COLLADA document, or of the one in a zip archive. */
-        internal static function colladaText(name:String, bytes:ByteArray):String
+        public static function colladaText(name:String, bytes:ByteArray):String
         {
             if (bytes == null || !ZipArchive.isArchive(bytes))
             {

@@ -1,19 +1,23 @@
 package starlogo.models
 {
-    /** How large models may be: what players can hold with room to spare (docs/limits.md). */
-    internal final class ModelLimits
+    /**
+     * How large models may be: what players can hold with room to spare (docs/limits.md).
+     *
+     * @private
+     */
+    public final class ModelLimits
     {
         /** How many vertices a file may have; instances may make any number of a small file's. */
-        internal static const VERTICES:int = 1000000;
+        public static const VERTICES:int = 1000000;
 
         /** How many triangles. */
-        internal static const TRIANGLES:int = 2000000;
+        public static const TRIANGLES:int = 2000000;
 
         /** How many bytes. */
-        internal static const BYTES:int = 67108864;
+        public static const BYTES:int = 67108864;
 
         /** What is wrong with a file that has more. */
-        internal static const PROBLEM:String = "it has more than 1000000 vertices or 2000000 triangles";
+        public static const PROBLEM:String = "it has more than 1000000 vertices or 2000000 triangles";
 
         /** All is static. */
         public function ModelLimits()
@@ -21,7 +25,7 @@ package starlogo.models
         }
 
         /** Whether a model has too much of something. */
-        internal static function areExceeded(vertexCount:int, triangleCount:int):Boolean
+        public static function areExceeded(vertexCount:int, triangleCount:int):Boolean
         {
             return vertexCount > VERTICES || triangleCount > TRIANGLES;
         }

@@ -3,11 +3,18 @@ package starlogo.models
     import flash.net.URLLoader;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
+    import starlogo.models.collada.ColladaReader;
+    import starlogo.models.obj.ObjReader;
+    import starlogo.models.zip.ArchivedDocument;
+    import starlogo.models.zip.ZipArchive;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
-    /** One model on its way through a ModelLoader: fetched, read, normalised, and taken in by the receiver. */
-    internal final class ModelLoad implements Steps
+    /**
+     * One model on its way through a ModelLoader: fetched, read, normalised, and taken in by the receiver. The steps throw a ModelError
+     * if the file did not come or is no model; those of the receiver may throw other errors.
+     */
+    internal final class ModelLoad extends StepSequence
     {
         // how far along a model is when it is fetched, and when it is read
         private static const FETCHED:Number = 0.2;
@@ -19,7 +26,12 @@ package starlogo.models
         // the address of a file: data:text/plain,... has none beside it
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
 
-        private var _name:String;
+        /** The model's name. */
+        public var name:String;
+
+        /** The model, from when it is read. */
+        public var model:Model = null;
+
         private var _upAxis:String;
         private var _receiver:ModelReceiver;
         private var _url:String = null;
@@ -32,8 +44,6 @@ package starlogo.models
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
         private var _shape:NormalisedShape = null;
-        private var _model:Model = null;
-        private var _work:StepSequence = new StepSequence().begin(unpack).begin(read).begin(normalise).call(takeShape).begin(receive);
 
         /**
          * @param name the model's name
@@ -42,21 +52,9 @@ package starlogo.models
          */
         public function ModelLoad(name:String, upAxis:String, receiver:ModelReceiver)
         {
-            _name = name;
+            this.name = name;
             _upAxis = upAxis;
             _receiver = receiver;
-        }
-
-        /** The model's name. */
-        public function get name():String
-        {
-            return _name;
-        }
-
-        /** The model, from when it is read. */
-        public function get model():Model
-        {
-            return _model;
         }
 
         /** Whether what it needs next is there, or won't come. */
@@ -66,13 +64,13 @@ package starlogo.models
             {
                 return false;
             }
-            return _model == null || _fitsFetch == null || !_fitsFetch.isUnderWay || getTimer() - _readTime > PATIENCE;
+            return model == null || _fitsFetch == null || !_fitsFetch.isUnderWay || getTimer() - _readTime > PATIENCE;
         }
 
         /** How far along it is, from 0 to 1. */
         public function get progress():Number
         {
-            if (_model != null)
+            if (model != null)
             {
                 return READ;
             }
@@ -105,131 +103,107 @@ package starlogo.models
             {
                 _fitsFetch = new ModelFetch(_url.replace(FILE, "$1.fits$2"), fitsLoader);
             }
+            call(checkFetched);
+            setFile(null, null);
         }
 
-        /** Takes a file's bytes. */
-        public function takeBytes(bytes:ByteArray):void
+        /** Sets what to read: a file's bytes, or its text. */
+        public function setFile(bytes:ByteArray, text:String):void
         {
             _bytes = bytes;
-        }
-
-        /** Takes a file's text. */
-        public function takeText(text:String):void
-        {
             _text = text;
+            begin(unpacking).begin(reading).begin(normalising).call(keepShape).begin(receiving);
         }
 
-        /** Takes what makes the model, in place of a file. */
-        public function takeSource(source:ModelSource):void
+        /** Sets what makes the model, in place of a file. */
+        public function setSource(source:ModelSource):void
         {
             _source = source;
-            _work = new StepSequence().add(source).call(takeModel).begin(receive);
+            add(source).call(keepModel).begin(receiving);
         }
 
         /** Stops fetching. */
         public function cancel():void
         {
-            if (_fetch != null)
+            for each (var each:ModelFetch in [_fetch, _fitsFetch])
             {
-                _fetch.cancel();
-            }
-            if (_fitsFetch != null)
-            {
-                _fitsFetch.cancel();
+                if (each != null)
+                {
+                    each.cancel();
+                }
             }
         }
 
-        /**
-         * @inheritDoc
-         *
-         * @throws ModelError if the file did not come or is no model; the receiver's steps may throw other errors
-         */
-        public function step():Boolean
+        private function checkFetched():void
         {
-            return _work.step();
+            var problem:String = _fetch == null ? "there is no address to fetch its file from" : _fetch.problem;
+            if (problem != null)
+            {
+                throw new ModelError(name, "", problem);
+            }
+            _bytes = _fetch.bytes;
         }
 
-        private function unpack():Steps
+        private function unpacking():Steps
         {
-            if (_fetch != null)
-            {
-                _bytes = _fetch.bytes;
-            }
-            checkFetched();
             if (_bytes != null && ZipArchive.isArchive(_bytes))
             {
-                _document = new ArchivedDocument(_name, _bytes);
+                _document = new ArchivedDocument(name, _bytes);
             }
             else if (_text == null)
             {
-                _text = ModelFile.text(_name, _bytes);
+                _text = ModelFile.text(name, _bytes);
             }
             _bytes = null;
             return _document;
         }
 
-        private function checkFetched():void
+        private function reading():Steps
         {
-            var problem:String = _fetch == null ? null : _fetch.problem;
-            if (_url == "")
-            {
-                problem = "there is no address to fetch its file from";
-            }
-            if (problem != null)
-            {
-                throw new ModelError(_name, "", problem);
-            }
-        }
-
-        private function read():Steps
-        {
-            if (_document != null)
-            {
-                _text = _document.text;
-                _document = null;
-            }
-            _reader = isCollada ? new ColladaReader(_name, _text) : new ObjReader(_name, _text, _upAxis);
+            var text:String = _document == null ? _text : _document.text;
+            _reader = isCollada(text) ? new ColladaReader(name, text) : new ObjReader(name, text, _upAxis);
+            _document = null;
             _text = null;
             _fetch = null;
             return _reader;
         }
 
-        private function normalise():Steps
+        private function normalising():Steps
         {
-            _shape = new NormalisedShape(_name, _reader.vertices, _reader.triangles);
+            _shape = new NormalisedShape(name, _reader.vertices, _reader.triangles);
             return _shape;
         }
 
-        private function takeShape():void
+        private function keepShape():void
         {
-            _model = Model.of(_shape);
+            model = Model.of(_shape);
             _shape = null;
             _reader = null;
             _readTime = getTimer();
         }
 
-        private function takeModel():void
+        private function keepModel():void
         {
-            _model = _source.model;
+            model = _source.model;
             _source = null;
         }
 
-        private function receive():Steps
+        private function receiving():Steps
         {
             if (_fitsFetch == null)
             {
-                return _receiver.receive(_model);
+                return _receiver.receive(model);
             }
             // one that is too late
             _fitsFetch.cancel();
-            return FitsReceiver(_receiver).receiveWithFits(_model, _fitsFetch.bytes);
+            return FitsReceiver(_receiver).receiveWithFits(model, _fitsFetch.bytes);
         }
 
         /** What begins with a tag is no OBJ file, whatever its name. */
-        private function get isCollada():Boolean
+        private function isCollada(text:String):Boolean
         {
-            var start:int = _text.charCodeAt(0) == 0xFEFF ? 1 : 0; // a byte-order mark
-            return /^\s*</.test(_text.substr(start, 1000)) || _url != null && /^[^?#]*\.(dae|zae)([?#]|$)/i.test(_url);
+            var start:int = text.charCodeAt(0) == 0xFEFF ? 1 : 0; // a byte-order mark
+            return /^\s*</.test(text.substr(start, 1000)) || _url != null && /^[^?#]*\.(dae|zae)([?#]|$)/i.test(_url);
         }
     }
 }

@@ -169,7 +169,7 @@ package starlogo.models
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:String = "z"):void
         {
-            add(name, upAxis).takeBytes(bytes);
+            add(name, upAxis).setFile(bytes, null);
         }
 
         /**
@@ -181,7 +181,7 @@ package starlogo.models
          */
         public function loadText(name:String, text:String, upAxis:String = "z"):void
         {
-            add(name, upAxis).takeText(text);
+            add(name, upAxis).setFile(null, text);
         }
 
         /**
@@ -196,7 +196,7 @@ package starlogo.models
             {
                 throw new ArgumentError("the source of the model must not be null");
             }
-            add(source.name, "z").takeSource(source);
+            add(source.name, "z").setSource(source);
         }
 
         /**
@@ -292,18 +292,14 @@ package starlogo.models
         private function work(load:ModelLoad):void
         {
             var hasMore:Boolean = false;
-            var problem:String = null;
+            var problem:Error = null;
             try
             {
                 hasMore = load.step();
             }
-            catch (error:ModelError)
-            {
-                problem = error.message;
-            }
             catch (error:Error)
             {
-                problem = new ModelError(load.name, "", "it can't be taken in: " + error.message).message;
+                problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be taken in: " + error.message);
             }
             var place:int = _queue.indexOf(load); // a step may have cancelled its own load
             if (!hasMore && place >= 0)
@@ -311,19 +307,8 @@ package starlogo.models
                 _queue.splice(place, 1);
                 _doneCount++;
                 _receiver.expectNoMore(load.name);
-                tell(load, problem);
-            }
-        }
-
-        private function tell(load:ModelLoad, problem:String):void
-        {
-            if (problem == null)
-            {
-                dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
-            }
-            else
-            {
-                dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem));
+                dispatchEvent(problem == null ? new ModelEvent(ModelEvent.LOADED, load.model)
+                        : new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
             }
         }
 

@@ -1,17 +1,35 @@
 package starlogo.models
 {
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
-    /** Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. */
-    internal interface ModelReader extends Steps
+    /**
+     * Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. Each format has one.
+     *
+     * @private
+     */
+    public class ModelReader extends StepSequence
     {
-        /** How much is read, from 0 to 1. */
-        function get progress():Number;
-
         /** When all is read: x, y, z, ... as placed in the file, turned to z up. */
-        function get vertices():Vector.<Number>;
+        public var vertices:Vector.<Number> = new Vector.<Number>();
 
         /** When all is read: three vertex indices per triangle; none if the file has no surfaces. */
-        function get triangles():Vector.<uint>;
+        public var triangles:Vector.<uint> = new Vector.<uint>();
+
+        /** The model's name. */
+        public var name:String;
+
+        /**
+         * @param name the model's name
+         */
+        public function ModelReader(name:String)
+        {
+            this.name = name;
+        }
+
+        /** How much is read, from 0 to 1. */
+        public function get progress():Number
+        {
+            return 0;
+        }
     }
 }

@@ -1,12 +1,11 @@
 package starlogo.models
 {
+    import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /** What a model is made of: a shape checked, copied and normalised as Model says, in steps. */
-    internal final class NormalisedShape implements Steps
+    internal final class NormalisedShape extends StepSequence
     {
         // below this ratio to z, extents in x and y are rounding errors of whatever placed the vertices
         private static const LINE_RATIO:Number = 1e-6;
@@ -35,13 +34,7 @@ package starlogo.models
         /** How long the unit was, when no step is left. */
         public var unit:Number;
 
-        private var _minX:Number = Infinity;
-        private var _minY:Number = Infinity;
-        private var _minZ:Number = Infinity;
-        private var _maxX:Number = -Infinity;
-        private var _maxY:Number = -Infinity;
-        private var _maxZ:Number = -Infinity;
-        private var _work:StepSequence = new StepSequence();
+        private var _bounds:VertexBounds = new VertexBounds();
 
         /**
          * @param name what agents call the shape
@@ -57,19 +50,13 @@ package starlogo.models
             check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             this.vertices = vertices.slice();
             var count:int = vertices.length / 3;
-            _work.add(new Slices(count, VERTICES_PER_STEP, measure)).call(findUnit).add(new Slices(count, VERTICES_PER_STEP, place));
+            slices(count, VERTICES_PER_STEP, measure).call(findUnit).slices(count, VERTICES_PER_STEP, place);
             if (triangles != null && triangles.length > 0)
             {
                 check(triangles.length % 3 == 0 ? null : VertexData.triangleProblem(triangles, count));
                 this.triangles = triangles.slice();
-                _work.add(new Slices(triangles.length, CORNERS_PER_STEP, checkCorners));
+                slices(triangles.length, CORNERS_PER_STEP, checkCorners);
             }
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
         }
 
         private function check(problem:String):void
@@ -82,74 +69,25 @@ package starlogo.models
 
         private function measure(first:int, end:int):void
         {
-            var shape:Vector.<Number> = vertices;
-            var last:int = 3 * end;
-            var differences:Number = 0;
-            var minX:Number = _minX;
-            var minY:Number = _minY;
-            var minZ:Number = _minZ;
-            var maxX:Number = _maxX;
-            var maxY:Number = _maxY;
-            var maxZ:Number = _maxZ;
-            for (var i:int = 3 * first; i < last; i += 3)
-            {
-                var x:Number = shape[i];
-                var y:Number = shape[int(i + 1)];
-                var z:Number = shape[int(i + 2)];
-                // infinity minus itself is NaN
-                differences += x - x + y - y + z - z;
-                if (x < minX)
-                {
-                    minX = x;
-                }
-                if (x > maxX)
-                {
-                    maxX = x;
-                }
-                if (y < minY)
-                {
-                    minY = y;
-                }
-                if (y > maxY)
-                {
-                    maxY = y;
-                }
-                if (z < minZ)
-                {
-                    minZ = z;
-                }
-                if (z > maxZ)
-                {
-                    maxZ = z;
-                }
-            }
-            _minX = minX;
-            _minY = minY;
-            _minZ = minZ;
-            _maxX = maxX;
-            _maxY = maxY;
-            _maxZ = maxZ;
-            check(differences == 0 ? null : VertexData.vertexProblem(vertices));
+            _bounds.add(vertices, first, end);
+            check(_bounds.areFinite ? null : VertexData.vertexProblem(vertices));
         }
 
         private function findUnit():void
         {
-            unit = unitOf(_maxX - _minX, _maxY - _minY, _maxZ - _minZ);
-            originX = _minX + (_maxX - _minX) / 2;
-            originY = _minY + (_maxY - _minY) / 2;
-            originZ = _minZ;
-        }
-
-        private function unitOf(extentX:Number, extentY:Number, extentZ:Number):Number
-        {
+            var extentX:Number = _bounds.maxX - _bounds.minX;
+            var extentY:Number = _bounds.maxY - _bounds.minY;
+            var extentZ:Number = _bounds.maxZ - _bounds.minZ;
             check(extentX + extentY + extentZ < Infinity ? null
                     : "the coordinates are too large: the model's extent is not a finite number");
-            var width:Number = Math.max(extentX, extentY);
-            if (width <= extentZ * LINE_RATIO)
+            originX = _bounds.minX + extentX / 2;
+            originY = _bounds.minY + extentY / 2;
+            originZ = _bounds.minZ;
+            unit = Math.max(extentX, extentY);
+            if (unit <= extentZ * LINE_RATIO)
             {
-                return extentZ > 0 ? extentZ : 1;
+                unit = extentZ > 0 ? extentZ : 1;
             }
-            return width;
         }
 
         // Differences first, division last: that makes the bounds exact, and works for the smallest and largest
@@ -158,11 +96,11 @@ package starlogo.models
         {
             var placed:Vector.<Number> = vertices;
             var last:int = 3 * end;
-            var minX:Number = _minX;
-            var minY:Number = _minY;
-            var minZ:Number = _minZ;
-            var halfX:Number = (_maxX - minX) / 2;
-            var halfY:Number = (_maxY - minY) / 2;
+            var minX:Number = _bounds.minX;
+            var minY:Number = _bounds.minY;
+            var minZ:Number = _bounds.minZ;
+            var halfX:Number = (_bounds.maxX - minX) / 2;
+            var halfY:Number = (_bounds.maxY - minY) / 2;
             var divisor:Number = unit;
             for (var i:int = 3 * first; i < last; i += 3)
             {

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.utils.ByteArray;
+    import starlogo.models.obj.ObjReader;
     import starlogo.steps.finish;
 
     /**

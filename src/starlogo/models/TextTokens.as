@@ -1,7 +1,11 @@
 package starlogo.models
 {
-    /** Splits text by means of what is native in the player: there a character at a time is slow. */
-    internal final class TextTokens
+    /**
+     * Splits text by means of what is native in the player: there a character at a time is slow.
+     *
+     * @private
+     */
+    public final class TextTokens
     {
         private static const LONGEST_WORD:int = 10000;
 
@@ -11,7 +15,7 @@ package starlogo.models
         }
 
         /** The words of a text, divided by any white space; none in a text without words. */
-        internal static function of(text:String):Array
+        public static function of(text:String):Array
         {
             text = replaceAll(text, "\n", " ");
             text = replaceAll(text, "\r", " ");
@@ -25,7 +29,7 @@ package starlogo.models
          * The words between single spaces. Of one that is very long only the beginning is left, which is no number any more: players take
          * the square of the time over the digits of one.
          */
-        internal static function split(text:String):Array
+        public static function split(text:String):Array
         {
             var words:Array = text.split(" ");
             // a word that is too long is across one of these places
@@ -46,7 +50,7 @@ package starlogo.models
         }
 
         /** The text without the white space at its ends. */
-        internal static function trimmed(text:String):String
+        public static function trimmed(text:String):String
         {
             var start:int = 0;
             var end:int = text.length;
@@ -62,7 +66,7 @@ package starlogo.models
         }
 
         /** The text with one space wherever there are more in a row. */
-        internal static function singleSpaced(text:String):String
+        public static function singleSpaced(text:String):String
         {
             while (text.indexOf("  ") >= 0)
             {
@@ -72,7 +76,7 @@ package starlogo.models
         }
 
         /** The text with every occurrence of a piece replaced. */
-        internal static function replaceAll(text:String, piece:String, replacement:String):String
+        public static function replaceAll(text:String, piece:String, replacement:String):String
         {
             return text.indexOf(piece) < 0 ? text : text.split(piece).join(replacement);
         }
@@ -81,7 +85,7 @@ package starlogo.models
          * The number that a word is, or NaN. A decimal comma is understood: programs write it that leave number formats
          * to the system's language.
          */
-        internal static function toNumber(word:String):Number
+        public static function toNumber(word:String):Number
         {
             var number:Number = Number(word);
             var isPlain:Boolean = number == number || word.indexOf(",") < 0 || word.indexOf(".") >= 0;
@@ -89,7 +93,7 @@ package starlogo.models
         }
 
         /** A text's beginning, for messages. */
-        internal static function shorten(text:String):String
+        public static function shorten(text:String):String
         {
             return text.length > 60 ? text.substr(0, 60) + "..." : text;
         }

@@ -3,17 +3,21 @@ package starlogo.models
     import starlogo.steps.Slices;
     import starlogo.steps.Steps;
 
-    /** The axis that points up in a file: turns what has x or y up to z up. */
-    internal final class UpAxis
+    /**
+     * The axis that points up in a file: turns what has x or y up to z up.
+     *
+     * @private
+     */
+    public final class UpAxis
     {
         /** The axes that there are. */
-        internal static const X:String = "x";
+        public static const X:String = "x";
 
         /** @copy #X */
-        internal static const Y:String = "y";
+        public static const Y:String = "y";
 
         /** @copy #X */
-        internal static const Z:String = "z";
+        public static const Z:String = "z";
 
         private static const VERTICES_PER_STEP:int = 4000;
 
@@ -23,7 +27,7 @@ package starlogo.models
         }
 
         /** Whether a text names an axis. */
-        internal static function isValid(axis:String):Boolean
+        public static function isValid(axis:String):Boolean
         {
             return axis == X || axis == Y || axis == Z;
         }
@@ -34,7 +38,7 @@ package starlogo.models
          *
          * @return null if z is up
          */
-        internal static function turning(vertices:Vector.<Number>, axis:String):Steps
+        public static function turning(vertices:Vector.<Number>, axis:String):Steps
         {
             if (axis == Z)
             {

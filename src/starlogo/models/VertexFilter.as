@@ -1,11 +1,13 @@
 package starlogo.models
 {
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
-    /** Leaves out the vertices that no surface uses, and closes the gaps, in steps. */
-    internal final class VertexFilter implements Steps
+    /**
+     * Leaves out the vertices that no surface uses, and closes the gaps, in steps.
+     *
+     * @private
+     */
+    public final class VertexFilter extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 4000;
         private static const CORNERS_PER_STEP:int = 20000;
@@ -15,7 +17,6 @@ package starlogo.models
         private var _isUsed:Vector.<uint>;
         private var _newIndices:Vector.<uint>;
         private var _count:int = 0;
-        private var _work:StepSequence = new StepSequence();
 
         /**
          * @param vertices x, y, z, ...; changed in place
@@ -30,15 +31,8 @@ package starlogo.models
             if (isUsed.indexOf(0) >= 0)
             {
                 _newIndices = new Vector.<uint>(isUsed.length);
-                _work.add(new Slices(isUsed.length, VERTICES_PER_STEP, moveVertices)).call(cutOff);
-                _work.add(new Slices(triangles.length, CORNERS_PER_STEP, renumber));
+                slices(isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutOff).slices(triangles.length, CORNERS_PER_STEP, renumber);
             }
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
         }
 
         private function moveVertices(first:int, end:int):void

@@ -9,8 +9,13 @@ package starlogo.steps
      * </listing>
      *
      * <p>Nothing is called before the first step; a part is let go of when it is done.</p>
+     *
+     * <p>Every class of the engine that works in phases has them as parts. One of the engine's own extends this class and adds its
+     * parts in the constructor; one that clients name keeps a sequence, and its <code>step()</code> does that one's. A loop over
+     * many things is <code>slices()</code>, with a constant <code>THINGS_PER_STEP</code> for their number; a loop whose end only
+     * the work itself knows is <code>repeat()</code>; work that starts anew adds its parts again.</p>
      */
-    public final class StepSequence implements Steps
+    public class StepSequence implements Steps
     {
         // what each part does in a step, function():Boolean, whether there is more of it; those left are at _next and after
         private var _parts:Vector.<Function> = new Vector.<Function>();
@@ -35,6 +40,12 @@ package starlogo.steps
                     action();
                     return false;
                 });
+        }
+
+        /** Adds work on a row of things, as Slices does it; returns the sequence. @copy Slices#Slices() */
+        public function slices(count:int, size:int, work:Function):StepSequence
+        {
+            return add(new Slices(count, size, work));
         }
 
         /**

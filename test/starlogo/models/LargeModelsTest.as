@@ -4,6 +4,8 @@ package starlogo.models
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
+    import starlogo.models.collada.ColladaReader;
+    import starlogo.models.obj.ObjReader;
     import starlogo.steps.Steps;
     import support.Collada;
     import support.Failures;

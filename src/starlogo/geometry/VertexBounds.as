@@ -1,0 +1,100 @@
+package starlogo.geometry
+{
+    /**
+     * The axis-aligned box around vertices, which may be looked at some at a time, and whether they are numbers.
+     *
+     * @private
+     */
+    public final class VertexBounds
+    {
+        /** The least x. */
+        public var minX:Number = Infinity;
+
+        /** The least y. */
+        public var minY:Number = Infinity;
+
+        /** The least z. */
+        public var minZ:Number = Infinity;
+
+        /** The greatest x. */
+        public var maxX:Number = -Infinity;
+
+        /** The greatest y. */
+        public var maxY:Number = -Infinity;
+
+        /** The greatest z. */
+        public var maxZ:Number = -Infinity;
+
+        /** Whether all coordinates were finite numbers: the box is only right if they were. */
+        public var areFinite:Boolean = true;
+
+        /** A box around nothing. */
+        public function VertexBounds()
+        {
+        }
+
+        /** The longest side of the box. */
+        public function get extent():Number
+        {
+            return Math.max(maxX - minX, maxY - minY, maxZ - minZ);
+        }
+
+        /**
+         * Takes vertices in.
+         *
+         * @param vertices x, y, z each
+         * @param first the number of the first of them
+         * @param end the number of the one behind the last
+         */
+        public function add(vertices:Vector.<Number>, first:int, end:int):void
+        {
+            var differences:Number = 0;
+            var lowX:Number = minX;
+            var lowY:Number = minY;
+            var lowZ:Number = minZ;
+            var highX:Number = maxX;
+            var highY:Number = maxY;
+            var highZ:Number = maxZ;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
+            {
+                var x:Number = vertices[i];
+                var y:Number = vertices[int(i + 1)];
+                var z:Number = vertices[int(i + 2)];
+                // infinity minus itself is NaN
+                differences += x - x + y - y + z - z;
+                if (x < lowX)
+                {
+                    lowX = x;
+                }
+                if (x > highX)
+                {
+                    highX = x;
+                }
+                if (y < lowY)
+                {
+                    lowY = y;
+                }
+                if (y > highY)
+                {
+                    highY = y;
+                }
+                if (z < lowZ)
+                {
+                    lowZ = z;
+                }
+                if (z > highZ)
+                {
+                    highZ = z;
+                }
+            }
+            areFinite = areFinite && differences == 0;
+            minX = lowX;
+            minY = lowY;
+            minZ = lowZ;
+            maxX = highX;
+            maxY = highY;
+            maxZ = highZ;
+        }
+    }
+}

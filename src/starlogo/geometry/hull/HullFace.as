@@ -1,0 +1,202 @@
+package starlogo.geometry.hull
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * A triangle of a hull that QuickHull is building: its corners counter-clockwise seen from outside, its
+     * neighbours, its plane, and the list of points beyond that plane that are still to be dealt with.
+     * Coordinates are those of QuickHull's grid.
+     */
+    internal final class HullFace
+    {
+        // Where a normal's components are split for exact products.
+        private static const SPLIT:Number = 67108864;
+        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
+
+        /** A corner, as the index of a point. */
+        public var a:int;
+
+        /** @copy #a */
+        public var b:int;
+
+        /** @copy #a */
+        public var c:int;
+
+        /** The face across the edge from a to b; the other two alike. */
+        public var acrossAB:HullFace;
+
+        /** @copy #acrossAB */
+        public var acrossBC:HullFace;
+
+        /** @copy #acrossAB */
+        public var acrossCA:HullFace;
+
+        /** The outward normal (b - a) x (c - a): whole numbers below 2^53, hence exact. */
+        public var exactX:Number;
+
+        /** @copy #exactX */
+        public var exactY:Number;
+
+        /** @copy #exactX */
+        public var exactZ:Number;
+
+        /** The outward unit normal, rounded. */
+        public var normalX:Number;
+
+        /** @copy #normalX */
+        public var normalY:Number;
+
+        /** @copy #normalX */
+        public var normalZ:Number;
+
+        /** The plane's distance from the grid's origin along the unit normal. */
+        public var offset:Number;
+
+        /** The first point of the list of points beyond this face, -1 when there is none. */
+        public var firstOutside:int = -1;
+
+        /** The point of that list farthest from the plane, -1 when there is none. */
+        public var farthest:int = -1;
+
+        /** Its distance from the plane. */
+        public var farthestDistance:Number = 0;
+
+        /** Whether a later vertex has seen this face: it is no longer part of the hull. */
+        public var isBuried:Boolean = false;
+
+        /** Whether a walk over the finished hull has been here. */
+        public var isVisited:Boolean = false;
+
+        /**
+         * @param points x, y, z of every point
+         * @param a index of the first corner
+         * @param b index of the second, counter-clockwise seen from outside
+         * @param c index of the third
+         */
+        public function HullFace(points:Vector.<Number>, a:int, b:int, c:int)
+        {
+            this.a = a;
+            this.b = b;
+            this.c = c;
+            var i:int = 3 * a;
+            var x:Number = points[i];
+            var y:Number = points[i + 1];
+            var z:Number = points[i + 2];
+            i = 3 * b;
+            var abX:Number = points[i] - x;
+            var abY:Number = points[i + 1] - y;
+            var abZ:Number = points[i + 2] - z;
+            i = 3 * c;
+            var acX:Number = points[i] - x;
+            var acY:Number = points[i + 1] - y;
+            var acZ:Number = points[i + 2] - z;
+            var crossX:Number = abY * acZ - abZ * acY;
+            var crossY:Number = abZ * acX - abX * acZ;
+            var crossZ:Number = abX * acY - abY * acX;
+            var scale:Number = 1 / Math.sqrt(crossX * crossX + crossY * crossY + crossZ * crossZ);
+            exactX = crossX;
+            exactY = crossY;
+            exactZ = crossZ;
+            normalX = crossX * scale;
+            normalY = crossY * scale;
+            normalZ = crossZ * scale;
+            offset = (crossX * x + crossY * y + crossZ * z) * scale;
+        }
+
+        /**
+         * The four faces of a tetrahedron, joined to each other.
+         *
+         * @param points x, y, z of every point
+         * @param a index of a corner; the four are in any order
+         * @param b index of a corner
+         * @param c index of a corner
+         * @param d index of a corner
+         */
+        public static function tetrahedron(points:Vector.<Number>, a:int, b:int, c:int, d:int):Vector.<HullFace>
+        {
+            if (new HullFace(points, a, b, c).side(points, d) > 0)
+            {
+                var swap:int = b;
+                b = c;
+                c = swap;
+            }
+            var base:HullFace = new HullFace(points, a, b, c);
+            var sideAB:HullFace = new HullFace(points, b, a, d);
+            var sideBC:HullFace = new HullFace(points, c, b, d);
+            var sideCA:HullFace = new HullFace(points, a, c, d);
+            base.acrossAB = sideAB;
+            base.acrossBC = sideBC;
+            base.acrossCA = sideCA;
+            sideAB.acrossAB = sideBC.acrossAB = sideCA.acrossAB = base;
+            sideAB.acrossBC = sideCA;
+            sideCA.acrossCA = sideAB;
+            sideCA.acrossBC = sideBC;
+            sideBC.acrossCA = sideCA;
+            sideBC.acrossBC = sideAB;
+            sideAB.acrossCA = sideBC;
+            return new <HullFace>[base, sideAB, sideBC, sideCA];
+        }
+
+        /** Makes <code>face</code> the neighbour across the edge that runs from <code>from</code> to <code>to</code> here. */
+        public function setNeighbor(from:int, to:int, face:HullFace):void
+        {
+            if (from == a && to == b)
+            {
+                acrossAB = face;
+            }
+            else if (from == b && to == c)
+            {
+                acrossBC = face;
+            }
+            else
+            {
+                acrossCA = face;
+            }
+        }
+
+        /** On which side of the face's plane a point is: positive beyond it, negative behind it, 0 exactly in it. */
+        public function side(points:Vector.<Number>, point:int):Number
+        {
+            var x:Number = points[3 * point];
+            var y:Number = points[3 * point + 1];
+            var z:Number = points[3 * point + 2];
+            var distance:Number = normalX * x + normalY * y + normalZ * z - offset;
+            if (distance > CERTAIN || distance < -CERTAIN)
+            {
+                return distance;
+            }
+            x -= points[3 * a];
+            y -= points[3 * a + 1];
+            z -= points[3 * a + 2];
+            var highX:Number = Math.floor(exactX / SPLIT);
+            var highY:Number = Math.floor(exactY / SPLIT);
+            var highZ:Number = Math.floor(exactZ / SPLIT);
+            var high:Number = highX * x + highY * y + highZ * z;
+            var low:Number = (exactX - highX * SPLIT) * x + (exactY - highY * SPLIT) * y
+                + (exactZ - highZ * SPLIT) * z;
+            return high * SPLIT + low;
+        }
+
+        /** Whether a point is over the triangle, not just over its plane. */
+        public function isAbove(points:Vector.<Number>, x:Number, y:Number, z:Number):Boolean
+        {
+            return isLeftOf(points, a, b, x, y, z) && isLeftOf(points, b, c, x, y, z)
+                && isLeftOf(points, c, a, x, y, z);
+        }
+
+        private function isLeftOf(points:Vector.<Number>, from:int, to:int, x:Number, y:Number, z:Number):Boolean
+        {
+            var fromX:Number = points[3 * from];
+            var fromY:Number = points[3 * from + 1];
+            var fromZ:Number = points[3 * from + 2];
+            var edgeX:Number = points[3 * to] - fromX;
+            var edgeY:Number = points[3 * to + 1] - fromY;
+            var edgeZ:Number = points[3 * to + 2] - fromZ;
+            x -= fromX;
+            y -= fromY;
+            z -= fromZ;
+            return normalX * (edgeY * z - edgeZ * y) + normalY * (edgeZ * x - edgeX * z)
+                + normalZ * (edgeX * y - edgeY * x) >= 0;
+        }
+    }
+}

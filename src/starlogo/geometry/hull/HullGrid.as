@@ -1,0 +1,123 @@
+package starlogo.geometry.hull
+{
+    import starlogo.steps.StepSequence;
+
+    /**
+     * Vertices rounded to QuickHull's grid: whole numbers along two or three axes, in steps.
+     *
+     * @private
+     */
+    public final class HullGrid extends StepSequence
+    {
+        private static const VERTICES_PER_STEP:int = 4000;
+
+        /** When no step is left: the vertices on the grid, two or three whole numbers each, from 0 to QuickHull.GRID. */
+        public var points:Vector.<Number>;
+
+        private var _vertices:Vector.<Number>;
+        private var _axes:Vector.<Number>;
+        private var _dimensions:int;
+
+        // where the vertices begin and end on each axis, and the axis under way
+        private var _lows:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity];
+        private var _highs:Vector.<Number> = new <Number>[-Infinity, -Infinity, -Infinity];
+        private var _axis:int = -1;
+
+        /**
+         * @param vertices x, y, z each; along each of the axes they differ
+         * @param axes perpendicular unit vectors, three numbers each
+         * @param dimensions how many of the axes the grid has: 2 or 3
+         */
+        public function HullGrid(vertices:Vector.<Number>, axes:Vector.<Number>, dimensions:int)
+        {
+            _vertices = vertices;
+            _axes = axes;
+            _dimensions = dimensions;
+            var count:int = vertices.length / 3;
+            points = new Vector.<Number>(dimensions * count);
+            for (var axis:int = 0; axis < dimensions; axis++)
+            {
+                slices(count, VERTICES_PER_STEP, measure).slices(count, VERTICES_PER_STEP, snap);
+            }
+        }
+
+        /**
+         * Where some of the points are in the vertices' space, x, y, z each.
+         *
+         * @param indices which
+         * @param originX x of the point from which the grid's axes count
+         * @param originY y of it
+         * @param originZ z of it
+         */
+        public function placesOf(indices:Vector.<int>, originX:Number, originY:Number, originZ:Number):Vector.<Number>
+        {
+            var placed:Vector.<Number> = new Vector.<Number>(3 * indices.length);
+            for (var i:int = 0; i < placed.length; i += 3)
+            {
+                var x:Number = originX;
+                var y:Number = originY;
+                var z:Number = originZ;
+                for (var axis:int = 0; axis < _dimensions; axis++)
+                {
+                    var unit:Number = (_highs[axis] - _lows[axis]) / QuickHull.GRID;
+                    var t:Number = _lows[axis] + points[_dimensions * indices[i / 3] + axis] * unit;
+                    x += t * _axes[3 * axis];
+                    y += t * _axes[3 * axis + 1];
+                    z += t * _axes[3 * axis + 2];
+                }
+                placed[i] = x;
+                placed[i + 1] = y;
+                placed[i + 2] = z;
+            }
+            return placed;
+        }
+
+        // Puts the vertices' places along the next axis where their whole numbers go.
+        private function measure(first:int, end:int):void
+        {
+            if (first == 0)
+            {
+                _axis++;
+            }
+            var places:Vector.<Number> = points;
+            var vertices:Vector.<Number> = _vertices;
+            var dimensions:int = _dimensions;
+            var axisX:Number = _axes[3 * _axis];
+            var axisY:Number = _axes[3 * _axis + 1];
+            var axisZ:Number = _axes[3 * _axis + 2];
+            var low:Number = _lows[_axis];
+            var high:Number = _highs[_axis];
+            var to:int = dimensions * first + _axis;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
+            {
+                var t:Number = vertices[i] * axisX + vertices[int(i + 1)] * axisY + vertices[int(i + 2)] * axisZ;
+                places[to] = t;
+                to += dimensions;
+                if (t < low)
+                {
+                    low = t;
+                }
+                if (t > high)
+                {
+                    high = t;
+                }
+            }
+            _lows[_axis] = low;
+            _highs[_axis] = high;
+        }
+
+        private function snap(first:int, end:int):void
+        {
+            var places:Vector.<Number> = points;
+            var dimensions:int = _dimensions;
+            var low:Number = _lows[_axis];
+            var scale:Number = QuickHull.GRID / (_highs[_axis] - low);
+            var to:int = dimensions * end;
+            for (var i:int = dimensions * first + _axis; i < to; i += dimensions)
+            {
+                places[i] = int((places[i] - low) * scale + 0.5);
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package starlogo.geometry.hull
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * The points that are outside of a hull that QuickHull is building: each is on the list of a face that it lies beyond, as long as it may
+     * become a vertex.
+     */
+    internal final class OutsidePoints
+    {
+        private static const COPLANAR:Number = Tolerances.HULL_COPLANAR;
+        private static const CERTAIN:Number = Tolerances.HULL_CERTAIN;
+
+        private var _points:Vector.<Number>;
+
+        // For each point the next one on its face's list, or -1; and the faces that have got a list.
+        private var _next:Vector.<int>;
+        private var _pending:Vector.<HullFace> = new Vector.<HullFace>();
+
+        // The lists that are dealt out again, all but one point: the next of them, and the next point of the one before it, or -1.
+        private var _lists:Vector.<HullFace> = null;
+        private var _nextList:int;
+        private var _point:int;
+        private var _except:int;
+
+        /**
+         * @param points x, y, z of every point
+         */
+        public function OutsidePoints(points:Vector.<Number>)
+        {
+            _points = points;
+            _next = new Vector.<int>(points.length / 3);
+        }
+
+        /** A face of the hull that has points beyond it, and is not returned again; null if there is none. */
+        public function nextFace():HullFace
+        {
+            while (_pending.length > 0)
+            {
+                var face:HullFace = _pending.pop();
+                if (!face.isBuried && face.farthest >= 0)
+                {
+                    return face;
+                }
+            }
+            return null;
+        }
+
+        /** Whether lists are being dealt out again. */
+        public function get isDealing():Boolean
+        {
+            return _lists != null;
+        }
+
+        /** Begins to deal out the lists of faces to others. They are kept until that is done. @param except a point to leave out */
+        public function deal(faces:Vector.<HullFace>, except:int):void
+        {
+            _lists = faces;
+            _nextList = 0;
+            _point = -1;
+            _except = except;
+        }
+
+        /**
+         * Goes on with it.
+         *
+         * @param faces the faces that get the points
+         * @param most how many points to look at
+         * @return how many there were
+         */
+        public function dealSome(faces:Vector.<HullFace>, most:int):int
+        {
+            var count:int = 0;
+            var point:int = _point;
+            while (count < most)
+            {
+                if (point >= 0)
+                {
+                    var next:int = _next[point];
+                    if (point != _except)
+                    {
+                        assign(point, faces);
+                    }
+                    count++;
+                    point = next;
+                }
+                else if (_nextList < _lists.length)
+                {
+                    point = _lists[_nextList++].firstOutside;
+                }
+                else
+                {
+                    _lists = null;
+                    break;
+                }
+            }
+            _point = point;
+            return count;
+        }
+
+        /** Puts a point on the list of the face that it lies beyond; one that lies beyond none is inside for good. */
+        public function assign(point:int, faces:Vector.<HullFace>):void
+        {
+            var x:Number = _points[3 * point];
+            var y:Number = _points[3 * point + 1];
+            var z:Number = _points[3 * point + 2];
+            var count:int = faces.length;
+            var nearFace:HullFace = null;
+            var near:Number = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var face:HullFace = faces[i];
+                var distance:Number = face.normalX * x + face.normalY * y + face.normalZ * z - face.offset;
+                if (distance > COPLANAR)
+                {
+                    put(point, face, distance);
+                    return;
+                }
+                if (distance > CERTAIN)
+                {
+                    if (face.isAbove(_points, x, y, z))
+                    {
+                        return;
+                    }
+                    nearFace = face;
+                    near = distance;
+                }
+            }
+            if (nearFace != null)
+            {
+                put(point, nearFace, near);
+            }
+        }
+
+        private function put(point:int, face:HullFace, distance:Number):void
+        {
+            if (face.firstOutside < 0)
+            {
+                _pending.push(face);
+            }
+            _next[point] = face.firstOutside;
+            face.firstOutside = point;
+            if (distance > face.farthestDistance + CERTAIN)
+            {
+                face.farthestDistance = distance;
+                face.farthest = point;
+            }
+            else if (distance >= face.farthestDistance - CERTAIN && outness(point) > outness(face.farthest))
+            {
+                // of points on a side parallel to the face, one at its rim
+                face.farthest = point;
+            }
+        }
+
+        // The squared distance from the grid's middle.
+        private function outness(point:int):Number
+        {
+            var x:Number = _points[3 * point] - QuickHull.GRID / 2;
+            var y:Number = _points[3 * point + 1] - QuickHull.GRID / 2;
+            var z:Number = _points[3 * point + 2] - QuickHull.GRID / 2;
+            return x * x + y * y + z * z;
+        }
+    }
+}

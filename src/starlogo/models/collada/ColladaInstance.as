@@ -1,0 +1,27 @@
+package starlogo.models.collada
+{
+    /** A geometry in a COLLADA scene, and where it is. */
+    internal final class ColladaInstance
+    {
+        /** The element "geometry". */
+        public var geometry:ColladaElement;
+
+        /** Where it is in the scene. */
+        public var transform:ColladaTransform;
+
+        /** The element that placed it there. */
+        public var element:ColladaElement;
+
+        /**
+         * @param geometry the element "geometry"
+         * @param transform where it is in the scene
+         * @param element the element that placed it there
+         */
+        public function ColladaInstance(geometry:ColladaElement, transform:ColladaTransform, element:ColladaElement)
+        {
+            this.geometry = geometry;
+            this.transform = transform;
+            this.element = element;
+        }
+    }
+}

@@ -1,0 +1,268 @@
+package starlogo.models.collada
+{
+    import starlogo.models.TextTokens;
+    import starlogo.models.polygons.Triangulator;
+    import starlogo.models.polygons.addTriangle;
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /**
+     * Reads one element of a COLLADA mesh that carries surfaces: triangles, polylist, polygons, tristrips or trifans.
+     */
+    internal final class ColladaPrimitive extends StepSequence
+    {
+        private static const CORNERS_PER_STEP:int = 1500;
+        private static const SIZES_PER_STEP:int = 5000;
+        private static const MAX_OFFSET:int = 255;
+        private static const NAMES:Array = ["triangles", "polylist", "polygons", "tristrips", "trifans"];
+
+        private var _document:ColladaDocument;
+        private var _element:ColladaElement;
+        private var _positions:ColladaSource;
+        private var _isUsed:Vector.<uint>;
+        private var _triangles:Vector.<uint>;
+        private var _triangulator:Triangulator;
+
+        // where corners find their position's index: every _stride words, from the word _offset
+        private var _stride:int = 1;
+        private var _offset:int;
+
+        // the lists of corners (p or ph), and how far they and the present one are read
+        private var _lists:Vector.<ColladaElement>;
+        private var _list:int = 0;
+        private var _text:ColladaWords;
+        private var _words:Array = [];
+        private var _word:int = 0;
+
+        // of a polylist: how many corners each polygon has
+        private var _sizeText:ColladaWords;
+        private var _sizes:Array;
+        private var _size:int = 0;
+        private var _sum:Number = 0;
+        private var _polygon:Vector.<uint> = new Vector.<uint>();
+
+        /**
+         * @param document the document
+         * @param element the primitive
+         * @param positions its points, which are read
+         * @param isUsed a number for each point of the mesh; set to 1 where a corner is
+         * @param triangles where the triangles go
+         * @param triangulator cuts the polygons, into the same triangles
+         */
+        public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
+                isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
+        {
+            _document = document;
+            _element = element;
+            _positions = positions;
+            _isUsed = isUsed;
+            _triangles = triangles;
+            _triangulator = triangulator;
+            _lists = element.childrenNamed("p");
+            readInputs();
+            addParts();
+        }
+
+        /** Whether an element is a primitive with surfaces; some programs write empty ones, without inputs. */
+        internal static function isSurface(element:ColladaElement):Boolean
+        {
+            return NAMES.indexOf(element.name) >= 0 && element.attribute("count") != "0";
+        }
+
+        /**
+         * The input of a primitive that places its corners.
+         *
+         * @throws ModelError if there is none
+         */
+        internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
+        {
+            var input:ColladaElement = document.input(element, "VERTEX") || document.input(element, "POSITION");
+            document.refuseIf(input == null, element, "expected an <input> with the semantic VERTEX");
+            return input;
+        }
+
+        private function readInputs():void
+        {
+            for each (var input:ColladaElement in _element.childrenNamed("input"))
+            {
+                var offset:Number = _document.integer(input, "offset", 0);
+                _document.refuseIf(offset > MAX_OFFSET, input, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
+                _stride = Math.max(_stride, offset + 1);
+            }
+            _offset = _document.integer(positionInput(_document, _element), "offset", 0);
+        }
+
+        private function addParts():void
+        {
+            switch (_element.name)
+            {
+                case "triangles":
+                    _text = new ColladaWords(_lists);
+                    add(_text).call(checkTriangles).repeat(readTriangles);
+                    break;
+                case "polylist":
+                    _text = new ColladaWords(_lists);
+                    _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
+                    add(_text).add(_sizeText).begin(checkingSizes).call(checkSum).repeat(_triangulator.cuttingBetween(readPolylist));
+                    break;
+                case "polygons":
+                    _lists = _lists.concat(_element.childrenNamed("ph"));
+                    _document.checkCount(_element, _lists.length, "polygons");
+                    repeat(_triangulator.cuttingBetween(readPolygons));
+                    break;
+                default:
+                    _document.checkCount(_element, _lists.length, "lists of corners <p>");
+                    repeat(readStrips);
+                    break;
+            }
+        }
+
+        private function checkTriangles():void
+        {
+            _words = _text.words;
+            _document.refuseIf(cornerCount % 3 != 0, _element, "expected three corners for each triangle, but found " + cornerCount);
+            _document.checkCount(_element, cornerCount / 3, "triangles");
+        }
+
+        private function readTriangles():Boolean
+        {
+            var end:int = Math.min(_words.length, _word + CORNERS_PER_STEP * _stride);
+            var at:int = _triangles.length;
+            while (_word < end)
+            {
+                _triangles[at++] = cornerAt(_word);
+                _word += _stride;
+            }
+            return _word < _words.length;
+        }
+
+        private function checkingSizes():Steps
+        {
+            _words = _text.words;
+            _sizes = _sizeText.words;
+            _document.checkCount(_element, _sizes.length, "numbers in <vcount>");
+            return new Slices(_sizes.length, SIZES_PER_STEP, addSizes);
+        }
+
+        private function addSizes(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var size:Number = Number(_sizes[i]);
+                if (!(size >= 0 && size <= _words.length && size == int(size)))
+                {
+                    throw _document.error(_element.child("vcount"), "expected how many corners a polygon has, but found \"" +
+                            TextTokens.shorten(_sizes[i]) + "\"");
+                }
+                _sum += size;
+            }
+        }
+
+        private function checkSum():void
+        {
+            _document.refuseIf(_sum != cornerCount, _element, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
+                    cornerCount);
+        }
+
+        private function readPolylist():Boolean
+        {
+            var end:int = _word + CORNERS_PER_STEP * _stride;
+            while (_size < _sizes.length && _word <= end && !_triangulator.isCutting)
+            {
+                var count:int = Number(_sizes[_size++]);
+                if (count > 2)
+                {
+                    _polygon.length = count;
+                    readCorners(_word, _polygon);
+                    _triangulator.addPolygon(_polygon);
+                }
+                _word += count * _stride;
+            }
+            return _size < _sizes.length;
+        }
+
+        private function readPolygons():Boolean
+        {
+            var read:int = 0;
+            while (read < CORNERS_PER_STEP && _list < _lists.length && !_triangulator.isCutting)
+            {
+                var element:ColladaElement = _lists[_list++];
+                var hasHoles:Boolean = element.name == "ph";
+                var outline:Vector.<uint> = loopOf(hasHoles ? _document.requiredChild(element, "p") : element);
+                var holes:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+                var holeElements:Vector.<ColladaElement> = hasHoles ? element.childrenNamed("h") : new Vector.<ColladaElement>();
+                for each (var hole:ColladaElement in holeElements)
+                {
+                    holes.push(loopOf(hole));
+                }
+                read += 10 + outline.length;
+                _triangulator.addPolygon(outline, holes);
+            }
+            return _list < _lists.length;
+        }
+
+        private function readStrips():Boolean
+        {
+            var isFan:Boolean = _element.name == "trifans";
+            var read:int = 0;
+            while (read < CORNERS_PER_STEP && _list < _lists.length)
+            {
+                var strip:Vector.<uint> = loopOf(_lists[_list++]);
+                for (var i:int = 2; i < strip.length; i++)
+                {
+                    var first:int = isFan ? 0 : i - 2 + (i & 1);
+                    var second:int = isFan ? i - 1 : i - 1 - (i & 1);
+                    addTriangle(_triangles, strip[first], strip[second], strip[i]);
+                }
+                read += 10 + strip.length;
+            }
+            return _list < _lists.length;
+        }
+
+        private function loopOf(element:ColladaElement):Vector.<uint>
+        {
+            _words = element.words;
+            var loop:Vector.<uint> = new Vector.<uint>(cornerCount);
+            readCorners(0, loop);
+            return loop;
+        }
+
+        // Fills a loop with corners.
+        private function readCorners(word:int, loop:Vector.<uint>):void
+        {
+            var count:int = loop.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                loop[i] = cornerAt(word);
+                word += _stride;
+            }
+        }
+
+        // How many corners the words are.
+        private function get cornerCount():int
+        {
+            if (_words.length % _stride != 0)
+            {
+                throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " +
+                        _words.length + " in all");
+            }
+            return _words.length / _stride;
+        }
+
+        /** The point of the corner whose indices begin at a word. */
+        private function cornerAt(word:int):uint
+        {
+            var value:Number = Number(_words[int(word + _offset)]);
+            var index:int = int(value);
+            if (index != value || index < 0 || index >= _positions.count)
+            {
+                throw _document.error(_element, "expected a position's index, 0 to " + (_positions.count - 1) +
+                        ", but found \"" + TextTokens.shorten(_words[word + _offset]) + "\"");
+            }
+            index += _positions.first;
+            _isUsed[index] = 1;
+            return index;
+        }
+    }
+}

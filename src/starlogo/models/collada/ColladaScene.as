@@ -1,0 +1,177 @@
+package starlogo.models.collada
+{
+    import starlogo.models.TextTokens;
+    import starlogo.steps.StepSequence;
+
+    /**
+     * Walks through the scene of a COLLADA document and finds the geometries in it; without a scene, all geometries of
+     * the library as they are.
+     */
+    internal final class ColladaScene extends StepSequence
+    {
+        private static const PARTS_PER_STEP:int = 100;
+        private static const MAX_DEPTH:int = 256;
+        private static const MAX_CONTROLLERS:int = 16;
+
+        /** How many nodes a scene may have: with nodes that place others twice, a small file may have any number. */
+        internal static const MAX_NODES:int = 50000;
+
+        /** How many elements its nodes may have in them: each transform, instance and controller counts as often as it is placed. */
+        internal static const MAX_PARTS:int = 250000;
+
+        /** When no step is left: the geometries, in the document's order. */
+        public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
+
+        private var _document:ColladaDocument;
+        private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+
+        // the one that is walked through, the next element in it, and the nodes in it so far
+        private var _node:ColladaNode = null;
+        private var _child:int = 0;
+        private var _nodes:Vector.<ColladaNode> = new Vector.<ColladaNode>();
+        private var _visited:int = 0;
+        private var _parts:int = 0;
+
+        /**
+         * @param document the document
+         */
+        public function ColladaScene(document:ColladaDocument)
+        {
+            _document = document;
+            var scene:ColladaElement = document.root.child("scene");
+            var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
+            if (instance != null)
+            {
+                _pending.push(new ColladaNode(document.target(instance, "url", ["visual_scene"]), null));
+                repeat(walk);
+            }
+            else
+            {
+                addLibrary();
+            }
+        }
+
+        private function walk():Boolean
+        {
+            for (var i:int = 0; i < PARTS_PER_STEP && (_node != null || _pending.length > 0); i++)
+            {
+                if (_node == null)
+                {
+                    enter(_pending.pop());
+                }
+                else if (_child < _node.element.children.length)
+                {
+                    visit(_node.element.children[_child++]);
+                }
+                else
+                {
+                    leave();
+                }
+            }
+            return _node != null || _pending.length > 0;
+        }
+
+        private function addLibrary():void
+        {
+            for each (var library:ColladaElement in _document.root.childrenNamed("library_geometries"))
+            {
+                for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
+                {
+                    instances.push(new ColladaInstance(geometry, new ColladaTransform(), geometry));
+                }
+            }
+        }
+
+        private function enter(node:ColladaNode):void
+        {
+            if (++_visited > MAX_NODES)
+            {
+                throw _document.error(node.element, "the scene has more than " + MAX_NODES +
+                        " nodes, those of each instance_node counted");
+            }
+            if (node.depth > MAX_DEPTH)
+            {
+                throw _document.error(node.element, "its nodes are nested more than " + MAX_DEPTH + " deep");
+            }
+            countParts(node.element, 1 + node.element.children.length);
+            _node = node;
+            _child = 0;
+        }
+
+        private function visit(element:ColladaElement):void
+        {
+            switch (element.name)
+            {
+                case "instance_geometry":
+                    addGeometry(element, _node.transform);
+                    break;
+                case "instance_controller":
+                    addController(element, _node.transform);
+                    break;
+                case "instance_node":
+                    _nodes.push(new ColladaNode(instanced(element, _node), _node));
+                    break;
+                case "node":
+                    _nodes.push(new ColladaNode(element, _node));
+                    break;
+                default:
+                    var local:ColladaTransform = ColladaTransform.of(_document, element);
+                    _node.transform = local == null ? _node.transform : _node.transform.after(local);
+                    break;
+            }
+        }
+
+        private function leave():void
+        {
+            while (_nodes.length > 0)
+            {
+                _pending.push(_nodes.pop());
+            }
+            _node = null;
+        }
+
+        private function countParts(element:ColladaElement, count:int):void
+        {
+            _parts += count;
+            if (_parts > MAX_PARTS)
+            {
+                throw _document.error(element, "the scene has more than " + MAX_PARTS + " nodes, transforms and instances, each counted " +
+                        "as often as it is placed");
+            }
+        }
+
+        private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
+        {
+            var target:ColladaElement = _document.target(element, "url", ["node"]);
+            if (node.isWithin(target.id))
+            {
+                throw _document.error(element, "recursive instance_node: it places the node \"" + TextTokens.shorten(target.id) +
+                        "\" within itself");
+            }
+            return target;
+        }
+
+        private function addGeometry(element:ColladaElement, transform:ColladaTransform):void
+        {
+            instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), transform, element));
+        }
+
+        /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */
+        private function addController(element:ColladaElement, transform:ColladaTransform):void
+        {
+            var target:ColladaElement = _document.target(element, "url", ["controller"]);
+            for (var i:int = 0; target.name == "controller"; i++)
+            {
+                countParts(element, 1);
+                var skin:ColladaElement = target.child("skin");
+                var deformer:ColladaElement = skin || _document.requiredChild(target, "morph");
+                var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
+                transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
+                target = _document.target(deformer, "source", ["geometry", "controller"]);
+                _document.refuseIf(i > MAX_CONTROLLERS, element, "more than " + MAX_CONTROLLERS +
+                        " controllers deform each other, or they do in a circle");
+            }
+            instances.push(new ColladaInstance(target, transform, element));
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package starlogo.models.collada
+{
+    import starlogo.steps.Slices;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /** Reads the points of a COLLADA source, its array as its accessor sees it, in small steps. */
+    internal final class ColladaSource extends StepSequence
+    {
+        private static const POINTS_PER_STEP:int = 2000;
+
+        /** The index of the first of its points, when no step is left. */
+        public var first:int;
+
+        /** How many points it has, when no step is left. */
+        public var count:int;
+
+        private var _document:ColladaDocument;
+        private var _accessor:ColladaElement;
+        private var _array:ColladaElement;
+        private var _text:ColladaWords;
+        private var _words:Array;
+        private var _columns:Vector.<int>;
+        private var _stride:int;
+        private var _word:int;
+        private var _points:Vector.<Number>;
+
+        /**
+         * @param document the document
+         * @param source the element
+         * @param points where its points go, after those that are there: x, y, z, ...
+         */
+        public function ColladaSource(document:ColladaDocument, source:ColladaElement, points:Vector.<Number>)
+        {
+            _document = document;
+            _points = points;
+            _accessor = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
+            _array = document.target(_accessor, "source", ["float_array", "int_array"], source);
+            _text = new ColladaWords(new <ColladaElement>[_array]);
+            add(_text).begin(readingPoints).call(letGo);
+        }
+
+        private function readingPoints():Steps
+        {
+            _words = _text.words;
+            _document.checkCount(_array, _words.length, "numbers");
+            readAccessor();
+            _document.countPoints(_accessor, count + _words.length / 3);
+            first = _points.length / 3;
+            _points.length += 3 * count;
+            return new Slices(count, POINTS_PER_STEP, readPoints);
+        }
+
+        private function readPoints(from:int, end:int):void
+        {
+            var x:int = _columns[0];
+            var y:int = _columns[1];
+            var z:int = _columns[2];
+            var at:int = 3 * (first + from);
+            for (var i:int = from; i < end; i++)
+            {
+                _points[at++] = numberAt(_word + x);
+                _points[at++] = numberAt(_word + y);
+                _points[at++] = numberAt(_word + z);
+                _word += _stride;
+            }
+        }
+
+        private function letGo():void
+        {
+            _words = null;
+            _text = null;
+        }
+
+        private function numberAt(word:int):Number
+        {
+            var number:Number = Number(_words[word]);
+            return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
+        }
+
+        private function readAccessor():void
+        {
+            var length:int = _words.length;
+            var stride:Number = _document.integer(_accessor, "stride", 1);
+            var offset:Number = _document.integer(_accessor, "offset", 0);
+            _columns = columnsOf(_accessor, stride);
+            var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
+            var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
+            _document.refuseIf(wanted > 0 && last >= length, _accessor, "its count of " + wanted + " with a stride of " + stride +
+                    " reaches beyond the " + length + " numbers of its array");
+            _stride = stride;
+            _word = offset;
+            count = wanted;
+        }
+
+        /** Which of an accessor's parameters are x, y and z: by their names, else the first three. */
+        private function columnsOf(accessor:ColladaElement, stride:Number):Vector.<int>
+        {
+            var names:Array = [];
+            for each (var param:ColladaElement in accessor.childrenNamed("param"))
+            {
+                names.push(param.attribute("name"));
+            }
+            var columns:Vector.<int> = new <int>[names.indexOf("X"), names.indexOf("Y"), names.indexOf("Z")];
+            if (columns.indexOf(-1) >= 0)
+            {
+                columns = new <int>[0, 1, 2];
+            }
+            _document.refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
+                    accessor, "expected the parameters X, Y and Z of points, within its stride of " + stride);
+            return columns;
+        }
+    }
+}

@@ -1,0 +1,126 @@
+package starlogo.models.polygons
+{
+    /**
+     * Cuts a ring of corners into triangles, an ear at a time. Corners in a straight line, and rings that cross or cover
+     * themselves, leave no triangle without area behind.
+     *
+     * <p>It ends for every ring: a corner is cut off after two rounds at most.</p>
+     */
+    internal final class EarClipper
+    {
+        private var _rings:PolygonRings;
+        private var _work:WorkLimit;
+        private var _triangles:Vector.<uint>;
+
+        // where it is, how many corners are left, and how many it has passed since the last ear
+        private var _node:int = 0;
+        private var _count:int = 0;
+        private var _misses:int = 0;
+
+        /**
+         * @param rings where the ring is
+         * @param work counts the corners that are looked at; when it is used up, corners are cut off unseen
+         * @param triangles where the triangles go
+         */
+        public function EarClipper(rings:PolygonRings, work:WorkLimit, triangles:Vector.<uint>)
+        {
+            _rings = rings;
+            _work = work;
+            _triangles = triangles;
+        }
+
+        /** Takes the ring of a node, which turns left. */
+        internal function setRing(start:int):void
+        {
+            _node = start;
+            _count = 1;
+            for (var node:int = _rings.next[start]; node != start; node = _rings.next[node])
+            {
+                _count++;
+            }
+            _misses = 0;
+        }
+
+        /**
+         * Cuts until two corners are left, or so much is done.
+         *
+         * @return whether there is more
+         */
+        internal function cut(most:int):Boolean
+        {
+            var next:Vector.<int> = _rings.next;
+            var previous:Vector.<int> = _rings.previous;
+            var vertex:Vector.<uint> = _rings.vertex;
+            var count:int = _count;
+            var node:int = _node;
+            // an outline that crosses itself may have no ear left: after a round without one any left turn is cut,
+            // after two any corner
+            var misses:int = _misses;
+            var end:int = _work.done + most;
+            while (count > 2 && _work.done < end)
+            {
+                var before:int = previous[node];
+                var after:int = next[node];
+                var area:Number = _rings.turn(before, node, after);
+                var isCut:Boolean = area == 0 || misses > 2 * count || ++_work.done > _work.most;
+                if (isCut || area > 0 && (misses > count || isEar(before, node, after)))
+                {
+                    if (area > 0)
+                    {
+                        addTriangle(_triangles, vertex[before], vertex[node], vertex[after]);
+                    }
+                    _rings.remove(node);
+                    count--;
+                    misses = misses > 2 * count ? misses : 0;
+                    node = next[after];
+                }
+                else
+                {
+                    misses++;
+                    node = after;
+                }
+            }
+            _count = count;
+            _node = node;
+            _misses = misses;
+            return count > 2;
+        }
+
+        /** Whether no other corner lies in a left turn's triangle. */
+        private function isEar(before:int, tip:int, after:int):Boolean
+        {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var next:Vector.<int> = _rings.next;
+            var ax:Number = xs[before];
+            var ay:Number = ys[before];
+            var bx:Number = xs[tip];
+            var by:Number = ys[tip];
+            var cx:Number = xs[after];
+            var cy:Number = ys[after];
+            var minX:Number = Math.min(ax, bx, cx);
+            var maxX:Number = Math.max(ax, bx, cx);
+            var minY:Number = Math.min(ay, by, cy);
+            var maxY:Number = Math.max(ay, by, cy);
+            var seen:int = 0;
+            var isClear:Boolean = true;
+            for (var node:int = next[after]; node != before && isClear; node = next[node])
+            {
+                seen++;
+                var x:Number = xs[node];
+                if (x < minX || x > maxX)
+                {
+                    continue;
+                }
+                var y:Number = ys[node];
+                if (y < minY || y > maxY || x == ax && y == ay || x == bx && y == by || x == cx && y == cy)
+                {
+                    continue;
+                }
+                isClear = !_rings.isInside(node, before, tip, after);
+            }
+            _work.done += seen;
+            return isClear;
+        }
+    }
+}

@@ -1,0 +1,179 @@
+package starlogo.models.polygons
+{
+    /**
+     * Joins a polygon's holes to its outline by a bridge each, so that one ring is left (D. Eberly, "Triangulation by Ear
+     * Clipping", 2002).
+     */
+    internal final class HoleBridges
+    {
+        private var _rings:PolygonRings;
+        private var _work:WorkLimit;
+        private var _outline:int;
+
+        // the rightmost of each hole, the next one last
+        private var _nodes:Array = [];
+
+        /**
+         * @param rings where the rings are
+         * @param work counts the corners that are looked at; holes are left out, that is filled, when it is used up
+         */
+        public function HoleBridges(rings:PolygonRings, work:WorkLimit)
+        {
+            _rings = rings;
+            _work = work;
+        }
+
+        /**
+         * Takes a polygon.
+         *
+         * @param outline a node of the outline's ring
+         * @param holes a node of each hole's ring, turning right
+         */
+        internal function setPolygon(outline:int, holes:Vector.<int>):void
+        {
+            _outline = outline;
+            _nodes = [];
+            for each (var hole:int in holes)
+            {
+                _nodes.push(rightmost(hole));
+            }
+            // those that reach furthest right last, to be the first: no bridge crosses another hole
+            _nodes.sort(compareByX);
+        }
+
+        /**
+         * Joins holes to the outline until all are joined, or so much is done; those outside of it are left out.
+         *
+         * @return whether there are more
+         */
+        internal function join(most:int):Boolean
+        {
+            var end:int = _work.done + most;
+            while (_nodes.length > 0 && _work.done < end)
+            {
+                addBridge(_nodes.pop());
+            }
+            return _nodes.length > 0;
+        }
+
+        // Of two that reach as far, the first in the file comes first, in every player.
+        private function compareByX(a:int, b:int):int
+        {
+            var x:Vector.<Number> = _rings.x;
+            return x[a] > x[b] ? 1 : (x[a] < x[b] ? -1 : b - a);
+        }
+
+        private function rightmost(start:int):int
+        {
+            var result:int = start;
+            for (var node:int = _rings.next[start]; node != start; node = _rings.next[node])
+            {
+                if (_rings.x[node] > _rings.x[result])
+                {
+                    result = node;
+                }
+            }
+            return result;
+        }
+
+        /** Opens the outline at a corner that sees the hole, and leads it round the hole and back. */
+        private function addBridge(hole:int):void
+        {
+            var corner:int = visibleCorner(hole);
+            if (corner < 0)
+            {
+                return; // the hole is not inside the outline
+            }
+            var next:Vector.<int> = _rings.next;
+            var previous:Vector.<int> = _rings.previous;
+            var holeEnd:int = _rings.addNode(_rings.vertex[hole], -1, previous[hole]);
+            var cornerAgain:int = _rings.addNode(_rings.vertex[corner], next[corner], holeEnd);
+            next[holeEnd] = cornerAgain;
+            next[previous[hole]] = holeEnd;
+            previous[next[corner]] = cornerAgain;
+            next[corner] = hole;
+            previous[hole] = corner;
+        }
+
+        /** A corner of the outline that a hole's rightmost node sees, or -1. */
+        private function visibleCorner(hole:int):int
+        {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var corner:int = -1;
+            var nearest:Number = Number.POSITIVE_INFINITY;
+            var x:Number = xs[hole];
+            var y:Number = ys[hole];
+            var node:int = _outline;
+            do
+            {
+                if (++_work.done > _work.most)
+                {
+                    return -1;
+                }
+                var end:int = _rings.next[node];
+                // the edge to the right that the hole is inside of goes upwards
+                if (ys[node] <= y && y <= ys[end] && ys[node] < ys[end])
+                {
+                    var hit:Number = xs[node] + (y - ys[node]) * (xs[end] - xs[node]) / (ys[end] - ys[node]);
+                    if (hit >= x && hit < nearest)
+                    {
+                        nearest = hit;
+                        corner = ys[node] == y ? node : (ys[end] == y ? end : (xs[node] > xs[end] ? node : end));
+                    }
+                }
+                node = end;
+            }
+            while (node != _outline);
+            return corner < 0 || ys[corner] == y ? corner : nearestToRay(hole, nearest, corner);
+        }
+
+        /**
+         * The corner that is in the way from a hole's node to another corner and lowest above the ray, or that
+         * corner.
+         */
+        private function nearestToRay(hole:int, hitX:Number, corner:int):int
+        {
+            var xs:Vector.<Number> = _rings.x;
+            var ys:Vector.<Number> = _rings.y;
+            var x:Number = xs[hole];
+            var y:Number = ys[hole];
+            var isAbove:Boolean = ys[corner] > y;
+            var ray:int = _rings.addNode(_rings.vertex[hole], -1, -1);
+            xs[ray] = hitX;
+            var second:int = isAbove ? ray : corner;
+            var third:int = isAbove ? corner : ray;
+            var result:int = corner;
+            var smallest:Number = Math.abs(ys[corner] - y) / (xs[corner] - x);
+            var node:int = _outline;
+            do
+            {
+                _work.done++;
+                if (xs[node] > x && node != corner && _rings.isInside(node, hole, second, third) && seesInside(node, hole))
+                {
+                    var slope:Number = Math.abs(ys[node] - y) / (xs[node] - x);
+                    if (slope < smallest || slope == smallest && xs[node] < xs[result])
+                    {
+                        smallest = slope;
+                        result = node;
+                    }
+                }
+                node = _rings.next[node];
+            }
+            while (node != _outline);
+            return result;
+        }
+
+        /** Whether the direction from a corner to another node goes into the polygon. */
+        private function seesInside(corner:int, node:int):Boolean
+        {
+            var previous:int = _rings.previous[corner];
+            var next:int = _rings.next[corner];
+            if (_rings.turn(previous, corner, next) > 0)
+            {
+                return _rings.turn(corner, next, node) > 0 && _rings.turn(corner, node, previous) > 0;
+            }
+            return _rings.turn(corner, next, node) > 0 || _rings.turn(corner, node, previous) > 0;
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package starlogo.models.polygons
+{
+    /**
+     * A polygon's outline and holes as rings of corners in a plane: seen along the axis nearest to the outline's normal
+     * (M. E. Newell's), from where the outline turns left. That keeps every turn of the outline; a small bend out of its
+     * plane does no harm.
+     *
+     * <p>A corner may be in a ring more than once, so rings are made of nodes, which are known by number.</p>
+     */
+    internal final class PolygonRings
+    {
+        /** Where each node is, seen along the normal; scaled so that the outline is about 1 large. */
+        internal var x:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        internal var y:Vector.<Number> = new Vector.<Number>();
+
+        /** The vertex of each node. */
+        internal var vertex:Vector.<uint> = new Vector.<uint>();
+
+        /** The node after each in its ring. */
+        internal var next:Vector.<int> = new Vector.<int>();
+
+        /** The node before each in its ring. */
+        internal var previous:Vector.<int> = new Vector.<int>();
+
+        private var _vertices:Vector.<Number>;
+
+        // which coordinates the two seen ones are, and the scale that keeps their products in range
+        private var _axisX:int;
+        private var _axisY:int;
+        private var _scale:Number;
+
+        /**
+         * @param vertices x, y, z, ... that corners index
+         */
+        public function PolygonRings(vertices:Vector.<Number>)
+        {
+            _vertices = vertices;
+        }
+
+        /**
+         * Forgets all nodes, and chooses where to look from.
+         *
+         * @param outline the corners of the outline
+         * @return false if it has no area
+         */
+        internal function setOutline(outline:Vector.<uint>):Boolean
+        {
+            x.length = y.length = vertex.length = next.length = previous.length = 0;
+            _scale = 1 / extentOf(outline);
+            if (!(_scale > 0 && _scale < Number.POSITIVE_INFINITY))
+            {
+                return false;
+            }
+            var normal:Vector.<Number> = new <Number>[
+                    doubleArea(outline, 1, 2), doubleArea(outline, 2, 0), doubleArea(outline, 0, 1)];
+            var axis:int = 0;
+            for (var i:int = 1; i < 3; i++)
+            {
+                if (Math.abs(normal[i]) > Math.abs(normal[axis]))
+                {
+                    axis = i;
+                }
+            }
+            var turnsLeft:Boolean = normal[axis] > 0;
+            _axisX = (axis + (turnsLeft ? 1 : 2)) % 3;
+            _axisY = (axis + (turnsLeft ? 2 : 1)) % 3;
+            return normal[axis] != 0;
+        }
+
+        /**
+         * Makes a ring of a loop of corners.
+         *
+         * @param loop the corners
+         * @param leftTurning which way the ring turns, whichever way the loop does
+         * @return its first node
+         */
+        internal function addLoop(loop:Vector.<uint>, leftTurning:Boolean):int
+        {
+            var isTurned:Boolean = doubleArea(loop, _axisX, _axisY) > 0 != leftTurning;
+            var first:int = x.length;
+            var count:int = loop.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                addNode(loop[isTurned ? count - 1 - i : i], first + (i + 1) % count, first + (i + count - 1) % count);
+            }
+            return first;
+        }
+
+        /** Adds a node for a vertex; returns it. */
+        internal function addNode(ofVertex:uint, nextNode:int, previousNode:int):int
+        {
+            x.push(_vertices[3 * ofVertex + _axisX] * _scale);
+            y.push(_vertices[3 * ofVertex + _axisY] * _scale);
+            vertex.push(ofVertex);
+            next.push(nextNode);
+            previous.push(previousNode);
+            return x.length - 1;
+        }
+
+        /** Takes a node out of its ring. */
+        internal function remove(node:int):void
+        {
+            var before:int = previous[node];
+            var after:int = next[node];
+            next[before] = after;
+            previous[after] = before;
+        }
+
+        /** Twice the area of the triangle of three nodes, positive if it turns left. */
+        internal function turn(a:int, b:int, c:int):Number
+        {
+            var ax:Number = x[a];
+            var ay:Number = y[a];
+            return (x[b] - ax) * (y[c] - ay) - (y[b] - ay) * (x[c] - ax);
+        }
+
+        /** Whether a node is in the triangle of three others that turns left, or on its edge. */
+        internal function isInside(node:int, a:int, b:int, c:int):Boolean
+        {
+            return turn(a, b, node) >= 0 && turn(b, c, node) >= 0 && turn(c, a, node) >= 0;
+        }
+
+        private function extentOf(loop:Vector.<uint>):Number
+        {
+            var origin:int = 3 * loop[0];
+            var extent:Number = 0;
+            for each (var corner:uint in loop)
+            {
+                for (var i:int = 0; i < 3; i++)
+                {
+                    extent = Math.max(extent, Math.abs(_vertices[3 * corner + i] - _vertices[origin + i]));
+                }
+            }
+            return extent;
+        }
+
+        /**
+         * Twice the area of a loop in the plane of two axes, positive if it turns left; in units of 1/scale squared.
+         */
+        private function doubleArea(loop:Vector.<uint>, axisX:int, axisY:int):Number
+        {
+            var originX:Number = _vertices[3 * loop[0] + axisX];
+            var originY:Number = _vertices[3 * loop[0] + axisY];
+            var lastX:Number = 0;
+            var lastY:Number = 0;
+            var area:Number = 0;
+            for each (var corner:uint in loop)
+            {
+                var cornerX:Number = (_vertices[3 * corner + axisX] - originX) * _scale;
+                var cornerY:Number = (_vertices[3 * corner + axisY] - originY) * _scale;
+                area += lastX * cornerY - lastY * cornerX;
+                lastX = cornerX;
+                lastY = cornerY;
+            }
+            return area;
+        }
+    }
+}

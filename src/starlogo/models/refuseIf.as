@@ -1,0 +1,22 @@
+package starlogo.models
+{
+    /**
+     * Refuses a model's file if something is wrong with it. The sentence is made in any case: loops over much throw their errors
+     * themselves.
+     *
+     * @param isWrong whether it is
+     * @param name the model's name
+     * @param problem what is wrong
+     * @param place where, as ModelError has it
+     * @throws ModelError if it is wrong
+     *
+     * @private
+     */
+    public function refuseIf(isWrong:Boolean, name:String, problem:String, place:String = ""):void
+    {
+        if (isWrong)
+        {
+            throw new ModelError(name, place, problem);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+package starlogo.models.zip
+{
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import starlogo.models.ModelError;
+    import starlogo.models.ModelLimits;
+
+    /**
+     * The files in a zip archive (PKWARE, APPNOTE.TXT), stored or deflated. Encrypted and split archives, and those
+     * above 4 GB, are errors.
+     *
+     * @private
+     */
+    public final class ZipArchive
+    {
+        // in front of every key: a file may be called "hasOwnProperty"
+        private static const PREFIX:String = ":";
+
+        private static const LOCAL_HEADER:uint = 0x04034B50;
+        private static const CENTRAL_HEADER:uint = 0x02014B50;
+        private static const END_OF_DIRECTORY:uint = 0x06054B50;
+        private static const END_LENGTH:int = 22;
+        private static const LONGEST_COMMENT:int = 65535;
+        private static const CENTRAL_LENGTH:int = 46;
+        private static const LOCAL_LENGTH:int = 30;
+        private static const STORED:int = 0;
+        private static const DEFLATED:int = 8;
+
+        /** The paths of the files. */
+        public var files:Array = [];
+
+        private var _name:String;
+        private var _bytes:ByteArray;
+        private var _headers:Object = {}; // where a file's header in the directory is, by its path
+
+        /**
+         * @param name the model's name
+         * @param bytes the archive; its endianness is set
+         * @throws ModelError if it is damaged
+         */
+        public function ZipArchive(name:String, bytes:ByteArray)
+        {
+            _name = name;
+            _bytes = bytes;
+            _bytes.endian = Endian.LITTLE_ENDIAN;
+            readDirectory(findDirectory());
+        }
+
+        /** Whether bytes begin like a zip archive. */
+        public static function isArchive(bytes:ByteArray):Boolean
+        {
+            return bytes.length >= 4 && bytes[0] == 0x50 && bytes[1] == 0x4B && bytes[2] == 3 && bytes[3] == 4;
+        }
+
+        /** Whether there is a file. */
+        public function has(path:String):Boolean
+        {
+            return _headers.hasOwnProperty(PREFIX + path);
+        }
+
+        /**
+         * Begins to unpack a file that there is.
+         *
+         * @throws ModelError if it is not where the archive says, too large, or packed in a way that is not known
+         */
+        public function unpack(path:String):ZipEntry
+        {
+            var header:int = _headers[PREFIX + path];
+            var isEncrypted:Boolean = (shortAt(header + 8) & 1) == 1;
+            var method:int = shortAt(header + 10);
+            var packedSize:uint = wordAt(header + 20);
+            var size:uint = wordAt(header + 24);
+            var local:uint = wordAt(header + 42);
+            refuseIf(isEncrypted || method != STORED && method != DEFLATED, _name, path +
+                    " is encrypted or packed in a way other than \"deflate\"");
+            refuseIf(size > ModelLimits.BYTES, _name, path + " has " + size + " bytes unpacked: expected at most " + ModelLimits.BYTES);
+            refuseIf(!isWithin(local, LOCAL_LENGTH) || wordAt(local) != LOCAL_HEADER, _name, path + " is not where the archive says");
+            var start:Number = local + LOCAL_LENGTH + shortAt(local + 26) + shortAt(local + 28);
+            refuseIf(!isWithin(start, packedSize), _name, path + " is cut off");
+            var packed:ByteArray = new ByteArray();
+            if (packedSize > 0)
+            {
+                packed.writeBytes(_bytes, start, packedSize);
+            }
+            return new ZipEntry(_name, path, packed, method == DEFLATED, size);
+        }
+
+        /** What is wrong with a model's archive. */
+        public static function error(name:String, problem:String):ModelError
+        {
+            return new ModelError(name, "", "the zip archive can't be read: " + problem);
+        }
+
+        /** Refuses a model's archive if something is wrong with it: see starlogo.models.refuseIf. */
+        internal static function refuseIf(isWrong:Boolean, name:String, problem:String):void
+        {
+            if (isWrong)
+            {
+                throw error(name, problem);
+            }
+        }
+
+        /** Where the record is that ends the archive: before a comment, so it is searched for backwards. */
+        private function findDirectory():int
+        {
+            var last:int = _bytes.length - END_LENGTH;
+            for (var i:int = last; i >= 0 && i >= last - LONGEST_COMMENT; i--)
+            {
+                if (_bytes[i] == 0x50 && wordAt(i) == END_OF_DIRECTORY)
+                {
+                    return i;
+                }
+            }
+            throw error(_name, "it is cut off: its directory is missing");
+        }
+
+        private function readDirectory(end:int):void
+        {
+            var count:int = shortAt(end + 10);
+            var header:Number = wordAt(end + 16);
+            for (var i:int = 0; i < count; i++)
+            {
+                if (!isWithin(header, CENTRAL_LENGTH) || wordAt(header) != CENTRAL_HEADER)
+                {
+                    throw error(_name, "its directory is damaged at file " + (i + 1) + " of " + count);
+                }
+                var pathLength:int = shortAt(header + 28);
+                var length:int = CENTRAL_LENGTH + pathLength + shortAt(header + 30) + shortAt(header + 32);
+                if (!isWithin(header, length))
+                {
+                    throw error(_name, "its directory is cut off at file " + (i + 1) + " of " + count);
+                }
+                _bytes.position = header + CENTRAL_LENGTH;
+                var path:String = _bytes.readUTFBytes(pathLength);
+                files.push(path);
+                _headers[PREFIX + path] = int(header);
+                header += length;
+            }
+        }
+
+        private function isWithin(start:Number, length:Number):Boolean
+        {
+            return start + length <= _bytes.length;
+        }
+
+        private function shortAt(position:int):int
+        {
+            _bytes.position = position;
+            return _bytes.readUnsignedShort();
+        }
+
+        private function wordAt(position:int):uint
+        {
+            _bytes.position = position;
+            return _bytes.readUnsignedInt();
+        }
+    }
+}

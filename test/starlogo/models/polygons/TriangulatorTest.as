@@ -1,0 +1,276 @@
+package starlogo.models.polygons
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import support.Effort;
+    import support.Surfaces;
+    import support.TurnedPlane;
+
+    public class TriangulatorTest
+    {
+        private static const SQUARE:Array = [[0, 0], [4, 0], [4, 4], [0, 4]];
+
+        [Test]
+        public function cutsConvexAndConcavePolygons():void
+        {
+            check("pentagon", 14, [[[0, 0], [4, 0], [4, 3], [2, 4], [0, 3]]]);
+            check("arrow", 9, [[[0, 0], [4, 0], [4, 4], [2, 2], [1, 1.5], [0, 1]]], false);
+            check("comb", 11, [[[0, 0], [5, 0], [5, 3], [4, 3], [4, 1], [3, 1], [3, 3], [2, 3], [2, 1], [1, 1], [1,
+                                3], [0, 3]]]);
+            check("spiral", 24, [[[0, 0], [7, 0], [7, 6], [1, 6], [1, 2], [5, 2], [5, 4], [4, 4], [4, 3], [2, 3], [2,
+                                5], [6, 5], [6, 1], [0, 1]]], false);
+        }
+
+        [Test]
+        public function leavesHolesOpen():void
+        {
+            check("one hole", 15, [SQUARE, [[1, 1], [2, 1], [2, 2], [1, 2]]]);
+            check("a hole turning the other way", 15, [SQUARE, [[1, 1], [1, 2], [2, 2], [2, 1]]]);
+            check("four holes", 12, [SQUARE, hole(0.5, 0.5), hole(2.5, 0.5), hole(2.5, 2.5), hole(0.5, 2.5)]);
+            check("holes in a row", 13, [SQUARE, hole(0.5, 1), hole(1.75, 1), hole(2.9, 1)]);
+            check("a hole behind a dent", 13.625, [[[0, 0], [4, 0], [4, 1.5], [2.5, 1.75], [4, 2], [4, 4], [0, 4]],
+                        hole(0.5, 1), hole(0.5, 2.5)], false);
+            check("a hole outside is no hole", 16, [SQUARE, hole(9, 1)]);
+        }
+
+        [Test]
+        public function survivesDegenerateOutlines():void
+        {
+            check("repeated corners", 16, [[[0, 0], [0, 0], [4, 0], [4, 4], [4, 4], [0, 4]]]);
+            check("corners in line", 16, [[[0, 0], [2, 0], [4, 0], [4, 2], [4, 4], [2, 4], [0, 4], [0, 2]]]);
+            check("a spike", 16, [[[0, 0], [4, 0], [4, 4], [8, 4], [4, 4], [0, 4]]]);
+            check("a line", 0, [[[0, 0], [1, 0], [2, 0], [3, 0], [2, 0]]]);
+            check("a point", 0, [[[1, 1], [1, 1], [1, 1], [1, 1], [1, 1]]]);
+            check("two corners", 0, [[[1, 1], [2, 1]]]);
+            run([[[0, 0], [4, 4], [4, 0], [0, 4], [2, 7]]], new TurnedPlane());
+            run([[[0, 3], [2, -3], [4, 3], [-1, -1], [5, -1]]], new TurnedPlane());
+        }
+
+        [Test]
+        public function coversRandomStars():void
+        {
+            var random:SeededRandom = new SeededRandom(21);
+            for (var i:int = 0; i < Effort.choose(80, 300); i++)
+            {
+                var star:Array = [];
+                var inner:Array = [];
+                var corners:int = random.integer(5, 40);
+                for (var corner:int = 0; corner < corners; corner++)
+                {
+                    var angle:Number = 2 * Math.PI * corner / corners;
+                    var radius:Number = random.between(1, 3);
+                    star.push([radius * Math.cos(angle), radius * Math.sin(angle)]);
+                    radius = random.between(0.1, 0.9) * Math.cos(Math.PI / corners);
+                    inner.push([radius * Math.cos(angle), radius * Math.sin(angle)]);
+                }
+                check("star " + i, area(star), [star]);
+                check("star with a hole " + i, area(star) - area(inner), [star, inner]);
+            }
+        }
+
+        [Test]
+        public function leavesRandomHolesOpen():void
+        {
+            var random:SeededRandom = new SeededRandom(77);
+            for (var i:int = 0; i < 100; i++)
+            {
+                var loops:Array = [SQUARE.concat()];
+                var expected:Number = 16;
+                for (var cell:int = 0; cell < 16; cell++)
+                {
+                    if (random.chance(0.6))
+                    {
+                        var star:Array = starIn(cell % 4 + 0.5, int(cell / 4) + 0.5, random);
+                        expected -= area(star);
+                        loops.push(random.chance() ? star : star.reverse());
+                    }
+                }
+                check("holes " + i, expected, loops);
+            }
+        }
+
+        private static function starIn(x:Number, y:Number, random:SeededRandom):Array
+        {
+            var star:Array = [];
+            var corners:int = random.integer(3, 9);
+            for (var i:int = 0; i < corners; i++)
+            {
+                var radius:Number = random.between(0.1, 0.49);
+                var angle:Number = 2 * Math.PI * i / corners;
+                star.push([x + radius * Math.cos(angle), y + radius * Math.sin(angle)]);
+            }
+            return star;
+        }
+
+        [Test]
+        public function endsOnPolygonsOfManyCorners():void
+        {
+            var gear:Array = [];
+            var corners:int = Effort.choose(800, 2000);
+            for (var i:int = 0; i < corners; i++)
+            {
+                var radius:Number = (i & 2) == 0 ? 1 : 0.9;
+                gear.push([radius * Math.cos(2 * Math.PI * i / corners), radius * Math.sin(2 * Math.PI * i / corners)]);
+            }
+            check("gear", area(gear), [gear], false);
+            var random:SeededRandom = new SeededRandom(3);
+            var tangle:Array = [];
+            for (i = 0; i < Effort.choose(1500, 3000); i++)
+            {
+                tangle.push([random.next(), random.next()]);
+            }
+            run([tangle], new TurnedPlane());
+        }
+
+        [Test]
+        public function cutsLargePolygonsInPieces():void
+        {
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            var corners:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 600; i++)
+            {
+                var radius:Number = 1 + 0.5 * (i & 1);
+                vertices.push(radius * Math.cos(2 * Math.PI * i / 600), radius * Math.sin(2 * Math.PI * i / 600), 0);
+                corners.push(i);
+            }
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            triangulator.addPolygon(corners);
+            var pieces:int = 1;
+            for (; triangulator.isCutting; pieces++)
+            {
+                triangulator.cutSome();
+            }
+            assertTrue("pieces: " + pieces, pieces > 5);
+            assertEquals(3 * 598, triangles.length);
+        }
+
+        [Test]
+        public function endsOnAnyOutline():void
+        {
+            const SCALES:Array = [1, 1, 1, 1e-320, 1e-300, 1e150, 1e307];
+            var random:SeededRandom = new SeededRandom(8);
+            var empty:int = 0;
+            for (var i:int = 0; i < 1500; i++)
+            {
+                var placement:TurnedPlane = new TurnedPlane();
+                placement.precision = random.chance() ? 1e-7 : 0;
+                placement.turnOn();
+                var scale:Number = random.pick(SCALES);
+                var loops:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+                var flat:Vector.<Number> = new Vector.<Number>();
+                for (var loop:int = random.integer(1, 3); loop > 0; loop--)
+                {
+                    loops.push(addTangle(flat, random));
+                }
+                var vertices:Vector.<Number> = placement.place(flat);
+                for (var j:int = 0; j < vertices.length; j++)
+                {
+                    vertices[j] *= scale;
+                }
+                var triangles:Vector.<uint> = new Vector.<uint>();
+                cut(vertices, triangles, loops);
+                assertEquals(0, triangles.length % 3);
+                assertTrue("outline " + i, triangles.length / 3 <= vertices.length / 3 + 2 * loops.length);
+                empty += triangles.length == 0 ? 1 : 0;
+            }
+            assertTrue("some have no area: " + empty, empty > 50 && empty < 750);
+        }
+
+        private static function cut(vertices:Vector.<Number>, triangles:Vector.<uint>, loops:Vector.<Vector.<uint>>):void
+        {
+            var triangulator:Triangulator = new Triangulator(vertices, triangles);
+            var holes:Vector.<Vector.<uint>> = loops.slice(1);
+            triangulator.addPolygon(loops[0], holes);
+            while (triangulator.isCutting)
+            {
+                triangulator.cutSome();
+            }
+        }
+
+        /** Corners on few places: they meet, lie in line, and go back the way they came. */
+        private static function addTangle(flat:Vector.<Number>, random:SeededRandom):Vector.<uint>
+        {
+            var corners:Vector.<uint> = new Vector.<uint>();
+            var places:int = random.integer(0, 3);
+            for (var i:int = random.integer(5, 14); i > 0; i--)
+            {
+                corners.push(flat.length / 3);
+                flat.push(random.integer(0, places), random.integer(0, places), 0);
+            }
+            return corners;
+        }
+
+        private static function hole(x:Number, y:Number):Array
+        {
+            return [[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]];
+        }
+
+        /** Cuts the polygon as it lies, from every corner and in several places in space, with exact and rounded corners. */
+        private static function check(what:String, expected:Number, loops:Array, fromEveryCorner:Boolean = true):void
+        {
+            var placement:TurnedPlane = new TurnedPlane();
+            var turns:int = fromEveryCorner ? Math.min(loops[0].length, 8) : 1;
+            for (var i:int = 0; i < turns; i++)
+            {
+                for each (var precision:Number in [0, 1e-7])
+                {
+                    placement.precision = precision;
+                    var found:Number = run(loops, placement);
+                    assertTrue(what + ", turn " + i + ": area " + found + ", not " + expected,
+                            Math.abs(found - expected) < 1e-5 + 1000 * precision);
+                }
+                placement.turnOn();
+                loops[0].push(loops[0].shift());
+            }
+        }
+
+        /** The sum of the triangles' areas, all of which have to turn like the outline. */
+        private static function run(loops:Array, placement:TurnedPlane):Number
+        {
+            var flat:Vector.<Number> = new Vector.<Number>();
+            var indices:Vector.<Vector.<uint>> = new Vector.<Vector.<uint>>();
+            for each (var loop:Array in loops)
+            {
+                var corners:Vector.<uint> = new Vector.<uint>();
+                for each (var corner:Array in loop)
+                {
+                    corners.push(flat.length / 3);
+                    flat.push(corner[0], corner[1], 0);
+                }
+                indices.push(corners);
+            }
+            var vertices:Vector.<Number> = placement.place(flat);
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            cut(vertices, triangles, indices);
+            assertEquals(0, triangles.length % 3);
+            var side:Number = area(loops[0]) < 0 ? -1 : 1;
+            for (var i:int = 0; i < triangles.length; i += 3)
+            {
+                var a:Array = at(flat, triangles[i]);
+                var b:Array = at(flat, triangles[i + 1]);
+                var c:Array = at(flat, triangles[i + 2]);
+                assertTrue("turns like the outline",
+                        ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) * side > -1e-9);
+            }
+            return Surfaces.area(vertices, triangles);
+        }
+
+        private static function at(flat:Vector.<Number>, vertex:int):Array
+        {
+            return [flat[3 * vertex], flat[3 * vertex + 1]];
+        }
+
+        private static function area(loop:Array):Number
+        {
+            var sum:Number = 0;
+            for (var i:int = 0; i < loop.length; i++)
+            {
+                var next:Array = loop[(i + 1) % loop.length];
+                sum += loop[i][0] * next[1] - loop[i][1] * next[0];
+            }
+            return sum / 2;
+        }
+    }
+}

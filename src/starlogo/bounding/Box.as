@@ -138,10 +138,43 @@ package starlogo.bounding
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
-            placePoint(center, placement, placed.center);
-            placeAxis(axisX, placement, placed.axisX);
-            placeAxis(axisY, placement, placed.axisY);
-            placeAxis(axisZ, placement, placed.axisZ);
+            var r00:Number = placement.r00;
+            var r01:Number = placement.r01;
+            var r02:Number = placement.r02;
+            var r10:Number = placement.r10;
+            var r11:Number = placement.r11;
+            var r12:Number = placement.r12;
+            var r20:Number = placement.r20;
+            var r21:Number = placement.r21;
+            var r22:Number = placement.r22;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var vector:Vector3D = placed.center;
+            vector.x = r00 * x + r01 * y + r02 * z + placement.x;
+            vector.y = r10 * x + r11 * y + r12 * z + placement.y;
+            vector.z = r20 * x + r21 * y + r22 * z + placement.z;
+            x = axisX.x;
+            y = axisX.y;
+            z = axisX.z;
+            vector = placed.axisX;
+            vector.x = r00 * x + r01 * y + r02 * z;
+            vector.y = r10 * x + r11 * y + r12 * z;
+            vector.z = r20 * x + r21 * y + r22 * z;
+            x = axisY.x;
+            y = axisY.y;
+            z = axisY.z;
+            vector = placed.axisY;
+            vector.x = r00 * x + r01 * y + r02 * z;
+            vector.y = r10 * x + r11 * y + r12 * z;
+            vector.z = r20 * x + r21 * y + r22 * z;
+            x = axisZ.x;
+            y = axisZ.y;
+            z = axisZ.z;
+            vector = placed.axisZ;
+            vector.x = r00 * x + r01 * y + r02 * z;
+            vector.y = r10 * x + r11 * y + r12 * z;
+            vector.z = r20 * x + r21 * y + r22 * z;
         }
 
         /** @inheritDoc */
@@ -275,23 +308,6 @@ package starlogo.bounding
         {
             var along:Number = axis.x * x + axis.y * y + axis.z * z;
             return along <= half && along >= -half;
-        }
-
-        private static function placeAxis(axis:Vector3D, placement:Placement, out:Vector3D):void
-        {
-            var x:Number = axis.x;
-            var y:Number = axis.y;
-            var z:Number = axis.z;
-            if (placement.isIdentity)
-            {
-                out.x = x;
-                out.y = y;
-                out.z = z;
-                return;
-            }
-            out.x = placement.r00 * x + placement.r01 * y + placement.r02 * z;
-            out.y = placement.r10 * x + placement.r11 * y + placement.r12 * z;
-            out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z;
         }
 
         /** Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt). */

@@ -164,13 +164,14 @@ package starlogo.intersection
             var x:Number = displacement.startX;
             var y:Number = displacement.startY;
             var z:Number = displacement.startZ;
-            if (a.kind == BoundingStructure.SPHERE)
+            var sphere:Sphere = a as Sphere;
+            if (sphere != null)
             {
-                var sphere:Sphere = Sphere(a);
-                out.place(x + sphere.center.x, y + sphere.center.y, z + sphere.center.z, sphere.radius, depth);
+                var center:Vector3D = sphere.center;
+                out.place(x + center.x, y + center.y, z + center.z, sphere.radius, depth);
                 return;
             }
-            var capsule:Capsule = Capsule(a);
+            var capsule:Capsule = a as Capsule;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
             out.place(x + start.x + share * (end.x - start.x), y + start.y + share * (end.y - start.y), z + start.z + share * (end.z - start.z),

@@ -1,14 +1,13 @@
 package starlogo.intersection
 {
-    import flash.errors.IllegalOperationError;
     import starlogo.bounding.BoundingStructure;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. Abstract. */
+    /** What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test. */
     public class PairKernel
     {
-        /** For subclasses only. */
+        /** It has no state. */
         public function PairKernel()
         {
         }
@@ -20,10 +19,11 @@ package starlogo.intersection
          * @param b of the pair's second kind, in the same space
          * @param motion of a
          * @return from 0 to 1, or RelativeMotion.NEVER
+         * @throws ArgumentError when there is no test for the pair
          */
         public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
         {
-            throw new IllegalOperationError("abstract");
+            throw missing(a, b);
         }
 
         /**
@@ -33,10 +33,16 @@ package starlogo.intersection
          * @param b of the pair's second kind, in the same space
          * @param displacement where a is, from where it stands: the motion's start
          * @param out takes the contact
+         * @throws ArgumentError when there is no test for the pair
          */
         public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            throw new IllegalOperationError("abstract");
+            throw missing(a, b);
+        }
+
+        private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
+        {
+            return new ArgumentError("there is no intersection test for " + a + " and " + b);
         }
     }
 }

@@ -19,15 +19,6 @@ package starlogo.intersection
         /** @copy #halfX */
         protected var halfZ:Number;
 
-        /** What <code>turn</code> has turned. */
-        protected var turnedX:Number;
-
-        /** @copy #turnedX */
-        protected var turnedY:Number;
-
-        /** @copy #turnedX */
-        protected var turnedZ:Number;
-
         /** Nothing related yet. */
         public function PointBox()
         {
@@ -39,29 +30,22 @@ package starlogo.intersection
             var box:Box = b as Box;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = box.center;
-            turn(box, center.x - middle.x + motion.startX, center.y - middle.y + motion.startY, center.z - middle.z + motion.startZ);
-            fromX = turnedX;
-            fromY = turnedY;
-            fromZ = turnedZ;
-            turn(box, motion.x, motion.y, motion.z);
-            motionX = turnedX;
-            motionY = turnedY;
-            motionZ = turnedZ;
+            var x:Number = center.x - middle.x + motion.startX;
+            var y:Number = center.y - middle.y + motion.startY;
+            var z:Number = center.z - middle.z + motion.startZ;
+            var axis:Vector3D = box.axisX;
+            fromX = axis.x * x + axis.y * y + axis.z * z;
+            motionX = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            axis = box.axisY;
+            fromY = axis.x * x + axis.y * y + axis.z * z;
+            motionY = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
+            axis = box.axisZ;
+            fromZ = axis.x * x + axis.y * y + axis.z * z;
+            motionZ = axis.x * motion.x + axis.y * motion.y + axis.z * motion.z;
             halfX = box.halfX;
             halfY = box.halfY;
             halfZ = box.halfZ;
             radii = sphere.radius;
-        }
-
-        /** Turns a vector into the box's axes. */
-        protected final function turn(box:Box, x:Number, y:Number, z:Number):void
-        {
-            var axis:Vector3D = box.axisX;
-            turnedX = axis.x * x + axis.y * y + axis.z * z;
-            axis = box.axisY;
-            turnedY = axis.x * x + axis.y * y + axis.z * z;
-            axis = box.axisZ;
-            turnedZ = axis.x * x + axis.y * y + axis.z * z;
         }
 
         override protected function find(time:Number):void
@@ -90,9 +74,10 @@ package starlogo.intersection
 
         override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
         {
-            var axisX:Vector3D = Box(b).axisX;
-            var axisY:Vector3D = Box(b).axisY;
-            var axisZ:Vector3D = Box(b).axisZ;
+            var box:Box = b as Box;
+            var axisX:Vector3D = box.axisX;
+            var axisY:Vector3D = box.axisY;
+            var axisZ:Vector3D = box.axisZ;
             out.pointAlong(gapX * axisX.x + gapY * axisY.x + gapZ * axisZ.x, gapX * axisX.y + gapY * axisY.y + gapZ * axisZ.y,
                     gapX * axisX.z + gapY * axisY.z + gapZ * axisZ.z);
         }
@@ -100,7 +85,7 @@ package starlogo.intersection
         // Out through the nearest face.
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            var box:Box = Box(b);
+            var box:Box = b as Box;
             var axis:Vector3D = box.axisX;
             var along:Number = fromX;
             var depth:Number = halfX - Math.abs(fromX);

@@ -23,6 +23,11 @@ package starlogo.intersection
         private var _signY:Number;
         private var _signZ:Number;
 
+        // What turn() has turned.
+        private var _turnedX:Number;
+        private var _turnedY:Number;
+        private var _turnedZ:Number;
+
         /** Nothing related yet. */
         public function SegmentBox()
         {
@@ -36,24 +41,24 @@ package starlogo.intersection
             var end:Vector3D = capsule.end;
             var middle:Vector3D = box.center;
             turn(box, end.x - start.x, end.y - start.y, end.z - start.z);
-            var signX:Number = turnedX < 0 ? -1 : 1;
-            var signY:Number = turnedY < 0 ? -1 : 1;
-            var signZ:Number = turnedZ < 0 ? -1 : 1;
-            _alongX = signX * turnedX;
-            _alongY = signY * turnedY;
-            _alongZ = signZ * turnedZ;
+            var signX:Number = _turnedX < 0 ? -1 : 1;
+            var signY:Number = _turnedY < 0 ? -1 : 1;
+            var signZ:Number = _turnedZ < 0 ? -1 : 1;
+            _alongX = signX * _turnedX;
+            _alongY = signY * _turnedY;
+            _alongZ = signZ * _turnedZ;
             turn(box, start.x - middle.x, start.y - middle.y, start.z - middle.z);
-            fromX = turnedX;
-            fromY = turnedY;
-            fromZ = turnedZ;
+            fromX = _turnedX;
+            fromY = _turnedY;
+            fromZ = _turnedZ;
             turn(box, motion.startX, motion.startY, motion.startZ);
-            fromX = signX * (fromX + turnedX);
-            fromY = signY * (fromY + turnedY);
-            fromZ = signZ * (fromZ + turnedZ);
+            fromX = signX * (fromX + _turnedX);
+            fromY = signY * (fromY + _turnedY);
+            fromZ = signZ * (fromZ + _turnedZ);
             turn(box, motion.x, motion.y, motion.z);
-            motionX = signX * turnedX;
-            motionY = signY * turnedY;
-            motionZ = signZ * turnedZ;
+            motionX = signX * _turnedX;
+            motionY = signY * _turnedY;
+            motionZ = signZ * _turnedZ;
             _signX = signX;
             _signY = signY;
             _signZ = signZ;
@@ -61,6 +66,17 @@ package starlogo.intersection
             halfY = box.halfY;
             halfZ = box.halfZ;
             radii = capsule.radius;
+        }
+
+        // Turns a vector into the box's axes.
+        private function turn(box:Box, x:Number, y:Number, z:Number):void
+        {
+            var axis:Vector3D = box.axisX;
+            _turnedX = axis.x * x + axis.y * y + axis.z * z;
+            axis = box.axisY;
+            _turnedY = axis.x * x + axis.y * y + axis.z * z;
+            axis = box.axisZ;
+            _turnedZ = axis.x * x + axis.y * y + axis.z * z;
         }
 
         override protected function find(time:Number):void

@@ -21,6 +21,9 @@ package starlogo.intersection
         /** For tests that are over before the next begins. */
         internal static const SCRATCH:TriangleAxes = new TriangleAxes();
 
+        /** Whether an axis separates triangles that have a gap on it; else <code>separates</code> tells. */
+        protected var isStanding:Boolean = true;
+
         /** The gap that still counts as touching, a distance. */
         protected var tolerance:Number;
 
@@ -167,11 +170,13 @@ package starlogo.intersection
             return isAxisInPlane(edgesA, nx, ny, nz) || isAxisInPlane(edgesB, nx, ny, nz);
         }
 
-        /** Whether an axis separates the triangles; lowA, highA, lowB and highB are where their projections on it begin and end. */
+        /**
+         * Whether an axis separates triangles that do not just stand there; lowA, highA, lowB and highB are where their projections on it
+         * begin and end.
+         */
         protected function separates(x:Number, y:Number, z:Number):Boolean
         {
-            var gap:Number = lowB > highA ? lowB - highA : lowA - highB;
-            return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
+            return false;
         }
 
         /** Whether two triangles without area are separated: segmentA and segmentB. */
@@ -227,7 +232,12 @@ package starlogo.intersection
             high = third > high ? third : high;
             lowB = low;
             highB = high;
-            return separates(x, y, z);
+            if (!isStanding)
+            {
+                return separates(x, y, z);
+            }
+            var gap:Number = low > highA ? low - highA : lowA - high;
+            return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
         }
 
         private function isCornerAt(x:Number, y:Number, z:Number):Boolean

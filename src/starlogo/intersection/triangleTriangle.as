@@ -47,7 +47,6 @@ package starlogo.intersection
         var ry:Number = b[int(atB + 7)] - y;
         var rz:Number = b[int(atB + 8)] - z;
         var limit:Number = tolerance * tolerance;
-        var axes:TriangleAxes = TriangleAxes.SCRATCH;
 
         // b on one side of a's plane
         var nx:Number = uy * vz - uz * vy;
@@ -112,6 +111,7 @@ package starlogo.intersection
             }
         }
 
+        var axes:TriangleAxes = TriangleAxes.SCRATCH;
         // Only where no rounding matters: neither a needle, and each corner well off the other's plane.
         var lone:Number = at0 * atU;
         var lone2:Number = at0 * atV;
@@ -192,17 +192,14 @@ package starlogo.intersection
             }
             if (overlap < 0)
             {
+                axes.relate(a, atA, b, atB, tolerance);
                 // the edges through the ends that face each other, as areApartAcross counts them
                 var isFirst:Boolean = highA < lowB;
                 var facing:Number = isFirst ? highA : lowA;
                 var edgeA:int = facing == beginA ? (isThirdA ? 3 : 0) : (isThirdA || isSecondA ? 6 : 3);
                 facing = isFirst ? lowB : highB;
                 var edgeB:int = facing == beginB ? (isThirdB ? 3 : 0) : (isThirdB || isSecondB ? 6 : 3);
-                axes.relate(a, atA, b, atB, tolerance);
-                if (axes.areApartAcross(edgeA, edgeB))
-                {
-                    return false;
-                }
+                return !axes.areApartAcross(edgeA, edgeB) && !axes.areApart();
             }
         }
         axes.relate(a, atA, b, atB, tolerance);

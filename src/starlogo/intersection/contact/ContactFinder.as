@@ -54,16 +54,19 @@ package starlogo.intersection.contact
             if (a.kind == BoundingStructure.SPHERE)
             {
                 // as exact as if it stood there
-                var center:Vector3D = Sphere(a).center;
-                _sphere.center.setTo(x + center.x, y + center.y, z + center.z);
-                _sphere.radius = Sphere(a).radius;
+                var sphere:Sphere = a as Sphere;
+                var center:Vector3D = _sphere.center;
+                center.x = x + sphere.center.x;
+                center.y = y + sphere.center.y;
+                center.z = z + sphere.center.z;
+                _sphere.radius = sphere.radius;
                 a = _sphere;
                 x = y = z = 0;
             }
             _displacement.startX = x;
             _displacement.startY = y;
             _displacement.startZ = z;
-            PairTable.kernelOf(a, b).findContact(a, b, _displacement, out);
+            PairTable.KERNELS[a.kind << 2 | b.kind].findContact(a, b, _displacement, out);
         }
     }
 }

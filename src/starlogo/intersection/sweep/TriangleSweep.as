@@ -26,6 +26,7 @@ package starlogo.intersection.sweep
         /** No triangles yet. */
         public function TriangleSweep()
         {
+            isStanding = false;
         }
 
         /**

@@ -27,6 +27,6 @@ package starlogo.intersection.sweep
         {
             return timeOfImpact(b, a, RelativeMotion.turned(motion));
         }
-        return PairTable.kernelOf(a, b).timeOfImpact(a, b, motion);
+        return PairTable.KERNELS[a.kind << 2 | b.kind].timeOfImpact(a, b, motion);
     }
 }

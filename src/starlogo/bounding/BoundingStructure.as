@@ -124,6 +124,26 @@ package starlogo.bounding
          */
         public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
+            if (out == null)
+            {
+                out = clone();
+            }
+            else if (out.kind != kind)
+            {
+                throw new ArgumentError("out must be of the kind of " + this + ", or null: " + out);
+            }
+            placeInto(placement, out);
+            return out;
+        }
+
+        /**
+         * What <code>place</code> does for a subclass.
+         *
+         * @param placement where the model stands
+         * @param out a structure of the same kind
+         */
+        protected function placeInto(placement:Placement, out:BoundingStructure):void
+        {
             throw missing("place");
         }
 
@@ -323,12 +343,6 @@ package starlogo.bounding
             y = y < 0 ? -y : y;
             z = z < 0 ? -z : z;
             return Tolerances.ROUNDING * (size + x + y + z);
-        }
-
-        /** The error for an <code>out</code> of another kind. */
-        protected static function wrongKind(out:BoundingStructure, expected:String):ArgumentError
-        {
-            return new ArgumentError("out must be a " + expected + ", or null: " + out);
         }
 
         private static function isNear(value:Number, expected:Number):Boolean

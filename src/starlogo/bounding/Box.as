@@ -131,29 +131,13 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
-        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
+        override protected function placeInto(placement:Placement, out:BoundingStructure):void
         {
             var placed:Box = out as Box;
-            if (placed == null)
-            {
-                if (out != null)
-                {
-                    throw wrongKind(out, "Box");
-                }
-                placed = new Box(center, axisX, axisY, axisZ, halfX, halfY, halfZ);
-            }
             var size:Number = placement.size;
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
-            if (placement.isIdentity)
-            {
-                placePoint(center, placement, placed.center);
-                copyVector(axisX, placed.axisX);
-                copyVector(axisY, placed.axisY);
-                copyVector(axisZ, placed.axisZ);
-                return placed;
-            }
             var r00:Number = placement.r00;
             var r01:Number = placement.r01;
             var r02:Number = placement.r02;
@@ -191,7 +175,6 @@ package starlogo.bounding
             vector.x = r00 * x + r01 * y + r02 * z;
             vector.y = r10 * x + r11 * y + r12 * z;
             vector.z = r20 * x + r21 * y + r22 * z;
-            return placed;
         }
 
         /** @inheritDoc */
@@ -325,13 +308,6 @@ package starlogo.bounding
         {
             var along:Number = axis.x * x + axis.y * y + axis.z * z;
             return along <= half && along >= -half;
-        }
-
-        private static function copyVector(vector:Vector3D, out:Vector3D):void
-        {
-            out.x = vector.x;
-            out.y = vector.y;
-            out.z = vector.z;
         }
 
         /** Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt). */

@@ -1,6 +1,5 @@
 package starlogo.bounding
 {
-    import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -13,17 +12,8 @@ package starlogo.bounding
      * <code>start</code> and <code>end</code> (thesis §3.3). Where both ends are one, it is a sphere; where the radius is
      * 0, a segment.
      */
-    public final class Capsule extends BoundingStructure
+    public final class Capsule extends AxialStructure
     {
-        /** One end of the axis. */
-        public var start:Vector3D;
-
-        /** The other end of the axis. */
-        public var end:Vector3D;
-
-        /** The radius in patches, not negative. */
-        public var radius:Number;
-
         /**
          * A capsule around the segment between two points.
          *
@@ -35,44 +25,13 @@ package starlogo.bounding
          */
         public function Capsule(start:Vector3D, end:Vector3D, radius:Number)
         {
-            super(CAPSULE);
-            this.radius = checkLength(radius, "the radius of a capsule");
-            this.start = checkVector(start, "the start of a capsule").clone();
-            this.end = checkVector(end, "the end of a capsule").clone();
+            super(CAPSULE, start, end, radius, "capsule");
         }
 
         /** @inheritDoc */
         override public function get volume():Number
         {
             return Math.PI * radius * radius * (Vector3D.distance(start, end) + 4 / 3 * radius);
-        }
-
-        /** @inheritDoc */
-        override public function scale(factor:Number):BoundingStructure
-        {
-            checkFactor(factor);
-            start.scaleBy(factor);
-            end.scaleBy(factor);
-            radius *= factor;
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function rotate(rotation:Matrix3D):BoundingStructure
-        {
-            var m:Vector.<Number> = readRotation(rotation);
-            turn(start, m);
-            turn(end, m);
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function translate(offset:Vector3D):BoundingStructure
-        {
-            checkVector(offset, "an offset");
-            start.incrementBy(offset);
-            end.incrementBy(offset);
-            return this;
         }
 
         /** @inheritDoc */
@@ -98,24 +57,6 @@ package starlogo.bounding
         override public function clone():BoundingStructure
         {
             return new Capsule(start, end, radius);
-        }
-
-        /** @inheritDoc */
-        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
-        {
-            var placed:Capsule = out as Capsule;
-            if (placed == null)
-            {
-                if (out != null)
-                {
-                    throw wrongKind(out, "Capsule");
-                }
-                placed = new Capsule(start, end, radius);
-            }
-            placePoint(start, placement, placed.start);
-            placePoint(end, placement, placed.end);
-            placed.radius = radius * placement.size;
-            return placed;
         }
 
         /** @inheritDoc */

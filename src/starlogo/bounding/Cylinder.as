@@ -1,8 +1,6 @@
 package starlogo.bounding
 {
-    import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
-    import starlogo.geometry.Placement;
 
     /**
      * A solid cylinder with flat ends: the points no farther than <code>radius</code> from the segment between
@@ -12,17 +10,8 @@ package starlogo.bounding
      * <p>Cylinders are fitted and measured but never collided: the test of two of them needs a numerical solver (thesis
      * §3.6.1), and <code>intersects</code> refuses them. Capsules take their place.</p>
      */
-    public final class Cylinder extends BoundingStructure
+    public final class Cylinder extends AxialStructure
     {
-        /** One end of the axis. */
-        public var start:Vector3D;
-
-        /** The other end of the axis. */
-        public var end:Vector3D;
-
-        /** The radius in patches, not negative. */
-        public var radius:Number;
-
         /**
          * A cylinder around the segment between two points.
          *
@@ -34,44 +23,13 @@ package starlogo.bounding
          */
         public function Cylinder(start:Vector3D, end:Vector3D, radius:Number)
         {
-            super(CYLINDER);
-            this.radius = checkLength(radius, "the radius of a cylinder");
-            this.start = checkVector(start, "the start of a cylinder").clone();
-            this.end = checkVector(end, "the end of a cylinder").clone();
+            super(CYLINDER, start, end, radius, "cylinder");
         }
 
         /** @inheritDoc */
         override public function get volume():Number
         {
             return Math.PI * radius * radius * Vector3D.distance(start, end);
-        }
-
-        /** @inheritDoc */
-        override public function scale(factor:Number):BoundingStructure
-        {
-            checkFactor(factor);
-            start.scaleBy(factor);
-            end.scaleBy(factor);
-            radius *= factor;
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function rotate(rotation:Matrix3D):BoundingStructure
-        {
-            var m:Vector.<Number> = readRotation(rotation);
-            turn(start, m);
-            turn(end, m);
-            return this;
-        }
-
-        /** @inheritDoc */
-        override public function translate(offset:Vector3D):BoundingStructure
-        {
-            checkVector(offset, "an offset");
-            start.incrementBy(offset);
-            end.incrementBy(offset);
-            return this;
         }
 
         /** @inheritDoc */
@@ -105,24 +63,6 @@ package starlogo.bounding
         override public function clone():BoundingStructure
         {
             return new Cylinder(start, end, radius);
-        }
-
-        /** @inheritDoc */
-        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
-        {
-            var placed:Cylinder = out as Cylinder;
-            if (placed == null)
-            {
-                if (out != null)
-                {
-                    throw wrongKind(out, "Cylinder");
-                }
-                placed = new Cylinder(start, end, radius);
-            }
-            placePoint(start, placement, placed.start);
-            placePoint(end, placement, placed.end);
-            placed.radius = radius * placement.size;
-            return placed;
         }
 
         /** @inheritDoc */

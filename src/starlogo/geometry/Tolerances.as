@@ -181,6 +181,25 @@ package starlogo.geometry
         public static const FLAT_TRIANGLE:Number = 1e-24;
 
         /**
+         * How far off another triangle's plane a corner must be for its side to be certain: the square of a factor on the distance at
+         * which surfaces touch. Smaller: rounding may decide where the plane cuts the triangle's edges. Larger: more pairs of triangles
+         * are tried on all axes, with the same answers.
+         */
+        public static const CLEARLY_OFF_PLANE:Number = 1e14;
+
+        /**
+         * One over the squared sine of the angle at a triangle's first corner up to which it is no needle. Larger: normals with as many
+         * digits less decide. Smaller: more pairs of triangles are tried on all axes, with the same answers.
+         */
+        public static const SLIMMEST_TRIANGLE:Number = 1e6;
+
+        /**
+         * What these two leave uncertain of where triangles cut the line that their planes have in common, as a fraction of how far they
+         * go along it. Smaller: triangles that pass each other may be said to meet. Larger: more pairs are tried on all axes.
+         */
+        public static const UNSURE_ON_LINE:Number = 1e-4;
+
+        /**
          * How near to an edge of a triangle a ray may pass before its crossing is not trusted and another ray is tried, as
          * a fraction of the model's radius. Smaller than 1e-14: rounding may count a crossing twice, or not at all.
          * Larger: more rays are tried, with the same answers. Where seams were welded it is no less than their gaps.
@@ -193,6 +212,12 @@ package starlogo.geometry
          * are off by 1e-16 over it. Larger: depths are, by as much.
          */
         public static const DIRECTION:Number = 1e-9;
+
+        /**
+         * The squared sine of the angle to z up to which an axis is upright: the normal at right angles to it is then along x, else as
+         * upright as can be. Below 1e-14: that normal has no digits left. Larger: normals jump where axes are as far from upright.
+         */
+        public static const UPRIGHT:Number = 1e-6;
 
         /**
          * How much later than it was found first a touch may be found again, as a fraction of the way. Smaller: rounding may have the contact

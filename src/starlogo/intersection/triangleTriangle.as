@@ -1,5 +1,7 @@
 package starlogo.intersection
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Whether two triangles meet: separating axes (Ericson, "Real-Time Collision Detection", §5.2.1), most of
      * which need not be tried.
@@ -109,18 +111,19 @@ package starlogo.intersection
             }
         }
 
+        var axes:TriangleAxes = TriangleAxes.SCRATCH;
         // Only where no rounding matters: neither a needle, and each corner well off the other's plane.
         var lone:Number = at0 * atU;
         var lone2:Number = at0 * atV;
         var loneB:Number = atP * atQ;
         var loneB2:Number = atP * atR;
-        var enoughA:Number = TriangleAxes.CLEARLY * limit * areaA;
-        var enoughB:Number = TriangleAxes.CLEARLY * limit * areaB;
+        var enoughA:Number = Tolerances.CLEARLY_OFF_PLANE * limit * areaA;
+        var enoughB:Number = Tolerances.CLEARLY_OFF_PLANE * limit * areaB;
         if ((lone < 0 || lone2 < 0) && (loneB < 0 || loneB2 < 0)
                 && at0 * at0 > enoughB && atU * atU > enoughB && atV * atV > enoughB
                 && atP * atP > enoughA && atQ * atQ > enoughA && atR * atR > enoughA
-                && TriangleAxes.SLIMMEST * areaA > (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz)
-                && TriangleAxes.SLIMMEST * areaB > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz))
+                && Tolerances.SLIMMEST_TRIANGLE * areaA > (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz)
+                && Tolerances.SLIMMEST_TRIANGLE * areaB > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz))
         {
             // along the line in both planes; each triangle has a corner alone on its side of it
             var dx:Number = ny * mz - nz * my;
@@ -183,71 +186,23 @@ package starlogo.intersection
             onQ = onQ < 0 ? -onQ : onQ;
             onR -= onP;
             onR = onR < 0 ? -onR : onR;
-            if (overlap > TriangleAxes.UNSURE * (onU + onV + onQ + onR))
+            if (overlap > Tolerances.UNSURE_ON_LINE * (onU + onV + onQ + onR))
             {
                 return true;
             }
             if (overlap < 0)
             {
-                // the edges through the ends that face each other
+                axes.relate(a, atA, b, atB, tolerance);
+                // the edges through the ends that face each other, as areApartAcross counts them
                 var isFirst:Boolean = highA < lowB;
-                var ex:Number = ux;
-                var ey:Number = uy;
-                var ez:Number = uz;
                 var facing:Number = isFirst ? highA : lowA;
-                if (facing == beginA)
-                {
-                    if (isThirdA)
-                    {
-                        ex = vx;
-                        ey = vy;
-                        ez = vz;
-                    }
-                }
-                else
-                {
-                    ex = vx;
-                    ey = vy;
-                    ez = vz;
-                    if (isThirdA || isSecondA)
-                    {
-                        ex -= ux;
-                        ey -= uy;
-                        ez -= uz;
-                    }
-                }
-                var hx:Number = fx;
-                var hy:Number = fy;
-                var hz:Number = fz;
+                var edgeA:int = facing == beginA ? (isThirdA ? 3 : 0) : (isThirdA || isSecondA ? 6 : 3);
                 facing = isFirst ? lowB : highB;
-                if (facing == beginB)
-                {
-                    if (isThirdB)
-                    {
-                        hx = gx;
-                        hy = gy;
-                        hz = gz;
-                    }
-                }
-                else
-                {
-                    hx = gx;
-                    hy = gy;
-                    hz = gz;
-                    if (isThirdB || isSecondB)
-                    {
-                        hx -= fx;
-                        hy -= fy;
-                        hz -= fz;
-                    }
-                }
-                if (TriangleAxes.separates(ey * hz - ez * hy, ez * hx - ex * hz, ex * hy - ey * hx,
-                            ux, uy, uz, vx, vy, vz, px, py, pz, qx, qy, qz, rx, ry, rz, limit))
-                {
-                    return false;
-                }
+                var edgeB:int = facing == beginB ? (isThirdB ? 3 : 0) : (isThirdB || isSecondB ? 6 : 3);
+                return !axes.areApartAcross(edgeA, edgeB) && !axes.areApart();
             }
         }
-        return !TriangleAxes.areSeparated(a, atA, b, atB, tolerance);
+        axes.relate(a, atA, b, atB, tolerance);
+        return !axes.areApart();
     }
 }

@@ -1,5 +1,7 @@
 package starlogo.intersection.contact
 {
+    import starlogo.geometry.Tolerances;
+
     /**
      * Where two structures touch, or how they overlap: the point, the normal, and how deep. Plain fields, for reuse.
      *
@@ -69,7 +71,7 @@ package starlogo.intersection.contact
                 pointAlong(0, 0, 1);
                 return;
             }
-            if (x * x + y * y > UPRIGHT * squared)
+            if (x * x + y * y > Tolerances.UPRIGHT * squared)
             {
                 pointAlong(-x * z / squared, -y * z / squared, 1 - z * z / squared);
                 return;
@@ -94,8 +96,5 @@ package starlogo.intersection.contact
             this.y = y - back * normalY;
             this.z = z - back * normalZ;
         }
-
-        /** The squared sine of the angle to z up to which an axis is upright. */
-        private static const UPRIGHT:Number = 1e-6;
     }
 }

@@ -7,7 +7,7 @@ package starlogo.intersection.contact
      * How to part two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest way is at right angles to
      * two of the segments' directions, that is to a face of the one, or to an edge of each.
      */
-    internal final class DeepContact
+    public final class DeepContact
     {
         private var _a:SegmentSum = new SegmentSum();
         private var _b:SegmentSum = new SegmentSum();

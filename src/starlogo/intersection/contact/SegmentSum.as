@@ -7,7 +7,7 @@ package starlogo.intersection.contact
     import starlogo.geometry.Tolerances;
 
     /** A box or a capsule's axis as the sum of three segments, or one, about a middle. */
-    internal final class SegmentSum
+    public final class SegmentSum
     {
         /** The middle. */
         public var x:Number;

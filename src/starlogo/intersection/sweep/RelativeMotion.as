@@ -13,6 +13,9 @@ package starlogo.intersection.sweep
         /** The time of a touch that never comes. */
         public static const NEVER:Number = Infinity;
 
+        /** That of a structure that stands still. */
+        public static const NONE:RelativeMotion = new RelativeMotion();
+
         private static const TURNED:RelativeMotion = new RelativeMotion();
 
         /** From where the structure stands to where it is at time 0. */
@@ -72,14 +75,14 @@ package starlogo.intersection.sweep
         }
 
         /** The way of the other structure, while this one stands still; the next call overwrites it. */
-        internal static function turned(way:RelativeMotion):RelativeMotion
+        public static function turned(way:RelativeMotion):RelativeMotion
         {
             TURNED.turn(way);
             return TURNED;
         }
 
         /** How far apart structures may be on this way, beyond what standing ones may, and still touch: what its own rounding makes of it. */
-        internal function rounding():Number
+        public function rounding():Number
         {
             return Tolerances.ROUNDING * (Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));
         }

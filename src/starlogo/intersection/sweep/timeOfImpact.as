@@ -1,9 +1,7 @@
 package starlogo.intersection.sweep
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
+    import starlogo.intersection.PairTable;
 
     /**
      * When a structure that moves touches one that stands still for the first time: the first moment of the way, both its ends
@@ -17,36 +15,18 @@ package starlogo.intersection.sweep
      *
      * @param a a Sphere, Capsule or Box, which moves
      * @param b likewise, in the same space
-     * @param way of a
+     * @param motion of a
      * @return from 0, which it is when they touch at the beginning, to 1; RelativeMotion.NEVER if they do not touch
      * @throws ArgumentError when there is no test for the pair
      *
      * @private
      */
-    public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, way:RelativeMotion):Number
+    public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
     {
-        switch (a.kind << 2 | b.kind)
+        if (a.kind > b.kind)
         {
-            case 0:
-                return sphereSphereImpact(a as Sphere, b as Sphere, way);
-            case 1:
-                return sphereCapsuleImpact(a as Sphere, b as Capsule, way);
-            case 2:
-                return sphereBoxImpact(a as Sphere, b as Box, way);
-            case 4:
-                return sphereCapsuleImpact(b as Sphere, a as Capsule, RelativeMotion.turned(way));
-            case 5:
-                return capsuleCapsuleImpact(a as Capsule, b as Capsule, way);
-            case 6:
-                return capsuleBoxImpact(a as Capsule, b as Box, way);
-            case 8:
-                return sphereBoxImpact(b as Sphere, a as Box, RelativeMotion.turned(way));
-            case 9:
-                return capsuleBoxImpact(b as Capsule, a as Box, RelativeMotion.turned(way));
-            case 10:
-                return boxBoxImpact(a as Box, b as Box, way);
-            default:
-                throw new ArgumentError("there is no test of motion for " + a + " and " + b);
+            return timeOfImpact(b, a, RelativeMotion.turned(motion));
         }
+        return PairTable.KERNELS[a.kind << 2 | b.kind].timeOfImpact(a, b, motion);
     }
 }

@@ -1,43 +1,15 @@
 package starlogo.intersection
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
 
-    /**
-     * The nearest points of two capsules' segments, for one capsule in many places (Ericson, "Real-Time Collision Detection",
-     * §5.1.9). What does not depend on the place is computed once.
-     */
-    public final class SegmentPair
+    /** The kernel of two capsules (Ericson, "Real-Time Collision Detection", §5.1.9). */
+    internal final class SegmentSegment extends ClosestPoints
     {
-        /** For tests that are over before the next begins. */
-        public static const SCRATCH:SegmentPair = new SegmentPair();
-
-        /** From the start of b's segment to that of a's, where the capsules stand. */
-        public var x:Number;
-
-        /** @copy #x */
-        public var y:Number;
-
-        /** @copy #x */
-        public var z:Number;
-
-        /** Where on a's segment the nearest point is, from 0 to 1. */
-        public var s:Number;
-
-        /** The same on b's. */
-        public var t:Number;
-
-        /** From the nearest point of b's segment to that of a's. */
-        public var gapX:Number;
-
-        /** @copy #gapX */
-        public var gapY:Number;
-
-        /** @copy #gapX */
-        public var gapZ:Number;
-
         // The segments, u and v, their products and their cross product; for the latter's products of four lengths, over the product of
         // two powers of two near their lengths.
         private var _ux:Number;
@@ -56,24 +28,29 @@ package starlogo.intersection
         private var _unit:Number;
         private var _denominator:Number;
 
-        /** No segments yet. */
-        public function SegmentPair()
+        /** Nothing related yet. */
+        public function SegmentSegment()
         {
         }
 
-        /** Takes the segments of two capsules. */
-        public function relate(a:Capsule, b:Capsule):void
+        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            var startA:Vector3D = a.start;
-            var startB:Vector3D = b.start;
-            var end:Vector3D = a.end;
-            x = startA.x - startB.x;
-            y = startA.y - startB.y;
-            z = startA.z - startB.z;
+            var capsule:Capsule = a as Capsule;
+            var other:Capsule = b as Capsule;
+            var startA:Vector3D = capsule.start;
+            var startB:Vector3D = other.start;
+            var end:Vector3D = capsule.end;
+            fromX = startA.x - startB.x + motion.startX;
+            fromY = startA.y - startB.y + motion.startY;
+            fromZ = startA.z - startB.z + motion.startZ;
+            motionX = motion.x;
+            motionY = motion.y;
+            motionZ = motion.z;
+            radii = capsule.radius + other.radius;
             var ux:Number = end.x - startA.x;
             var uy:Number = end.y - startA.y;
             var uz:Number = end.z - startA.z;
-            end = b.end;
+            end = other.end;
             var vx:Number = end.x - startB.x;
             var vy:Number = end.y - startB.y;
             var vz:Number = end.z - startB.z;
@@ -103,65 +80,11 @@ package starlogo.intersection
             _uv = uv;
         }
 
-        /** The lengths of both segments together. */
-        public function get lengths():Number
+        override protected function find(time:Number):void
         {
-            return Math.sqrt(_uu) + Math.sqrt(_vv);
-        }
-
-        /**
-         * The normal where the segments cross: at right angles to both, as upright as can be where they are parallel, and to the side
-         * where a's middle is.
-         *
-         * @param x how far a is displaced
-         * @param y likewise
-         * @param z likewise
-         * @param out takes the normal
-         */
-        public function pointAcross(x:Number, y:Number, z:Number, out:ContactPoint):void
-        {
-            var unit:Number = 1 / Math.sqrt(_uu > _vv ? _uu : _vv);
-            var ux:Number = _ux * unit;
-            var uy:Number = _uy * unit;
-            var uz:Number = _uz * unit;
-            var vx:Number = _vx * unit;
-            var vy:Number = _vy * unit;
-            var vz:Number = _vz * unit;
-            var crossX:Number = uy * vz - uz * vy;
-            var crossY:Number = uz * vx - ux * vz;
-            var crossZ:Number = ux * vy - uy * vx;
-            var sine:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
-            var most:Number = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
-            if (sine > Tolerances.DIRECTION * Tolerances.DIRECTION * most)
-            {
-                out.pointAlong(crossX, crossY, crossZ);
-            }
-            else if (_uu > _vv)
-            {
-                out.pointAcross(_ux, _uy, _uz);
-            }
-            else
-            {
-                out.pointAcross(_vx, _vy, _vz);
-            }
-            x += this.x + (_ux - _vx) / 2;
-            y += this.y + (_uy - _vy) / 2;
-            z += this.z + (_uz - _vz) / 2;
-            if (x * out.normalX + y * out.normalY + z * out.normalZ < 0)
-            {
-                out.pointAlong(-out.normalX, -out.normalY, -out.normalZ);
-            }
-        }
-
-        /**
-         * Finds the nearest points.
-         *
-         * @param x from the start of b's segment to that of a's
-         * @param y likewise
-         * @param z likewise
-         */
-        public function findNearest(x:Number, y:Number, z:Number):void
-        {
+            var x:Number = fromX + time * motionX;
+            var y:Number = fromY + time * motionY;
+            var z:Number = fromZ + time * motionZ;
             var ux:Number = _ux;
             var uy:Number = _uy;
             var uz:Number = _uz;
@@ -202,11 +125,54 @@ package starlogo.intersection
             {
                 onB /= vv;
             }
-            s = onA;
-            t = onB;
+            share = onA;
             gapX = x + onA * ux - onB * vx;
             gapY = y + onA * uy - onB * vy;
             gapZ = z + onA * uz - onB * vz;
+        }
+
+        override protected function get size():Number
+        {
+            return Math.sqrt(_uu) + Math.sqrt(_vv) + radii;
+        }
+
+        // At right angles to both segments, as upright as can be where they are parallel, and to the side where a's middle is.
+        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            var unit:Number = 1 / Math.sqrt(_uu > _vv ? _uu : _vv);
+            var ux:Number = _ux * unit;
+            var uy:Number = _uy * unit;
+            var uz:Number = _uz * unit;
+            var vx:Number = _vx * unit;
+            var vy:Number = _vy * unit;
+            var vz:Number = _vz * unit;
+            var crossX:Number = uy * vz - uz * vy;
+            var crossY:Number = uz * vx - ux * vz;
+            var crossZ:Number = ux * vy - uy * vx;
+            var sine:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
+            var most:Number = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+            if (sine > Tolerances.DIRECTION * Tolerances.DIRECTION * most)
+            {
+                out.pointAlong(crossX, crossY, crossZ);
+            }
+            else if (_uu > _vv)
+            {
+                out.pointAcross(_ux, _uy, _uz);
+            }
+            else
+            {
+                out.pointAcross(_vx, _vy, _vz);
+            }
+            var startA:Vector3D = Capsule(a).start;
+            var startB:Vector3D = Capsule(b).start;
+            var x:Number = displacement.startX + (startA.x - startB.x + (_ux - _vx) / 2);
+            var y:Number = displacement.startY + (startA.y - startB.y + (_uy - _vy) / 2);
+            var z:Number = displacement.startZ + (startA.z - startB.z + (_uz - _vz) / 2);
+            if (x * out.normalX + y * out.normalY + z * out.normalZ < 0)
+            {
+                out.pointAlong(-out.normalX, -out.normalY, -out.normalZ);
+            }
+            placeContact(a, displacement, radii, out);
         }
     }
 }

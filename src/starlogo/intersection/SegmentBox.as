@@ -1,105 +1,110 @@
 package starlogo.intersection
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.DeepContact;
+    import starlogo.intersection.sweep.RelativeMotion;
 
-    /**
-     * The point of a capsule's segment that is nearest to a box, for a capsule in many places: all in the box's axes, mirrored so that
-     * the segment points up each of them.
-     */
-    public final class BoxSegment
+    /** The kernel of a capsule and a box: in the box's axes, mirrored so that the capsule's axis points up each of them. */
+    internal final class SegmentBox extends PointBox
     {
-        /** For tests that are over before the next begins. */
-        public static const SCRATCH:BoxSegment = new BoxSegment();
+        private static const DEEP:DeepContact = new DeepContact();
 
-        /** From the box's middle to the segment's start, where the capsule stands. */
-        public var x:Number;
+        // From the start of the capsule's axis to its end, not negative.
+        private var _alongX:Number;
+        private var _alongY:Number;
+        private var _alongZ:Number;
 
-        /** @copy #x */
-        public var y:Number;
-
-        /** @copy #x */
-        public var z:Number;
-
-        /** From the segment's start to its end, not negative. */
-        public var alongX:Number;
-
-        /** @copy #alongX */
-        public var alongY:Number;
-
-        /** @copy #alongX */
-        public var alongZ:Number;
-
-        /** The way that was turned last, in these axes. */
-        public var wayX:Number;
-
-        /** @copy #wayX */
-        public var wayY:Number;
-
-        /** @copy #wayX */
-        public var wayZ:Number;
-
-        private var _box:Box;
+        // -1 where an axis of the box is mirrored, else 1.
         private var _signX:Number;
         private var _signY:Number;
         private var _signZ:Number;
 
-        /** No segment yet. */
-        public function BoxSegment()
+        // What turn() has turned.
+        private var _turnedX:Number;
+        private var _turnedY:Number;
+        private var _turnedZ:Number;
+
+        /** Nothing related yet. */
+        public function SegmentBox()
         {
         }
 
-        /** Takes a capsule's segment and a box. */
-        public function relate(capsule:Capsule, box:Box):void
+        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
+            var capsule:Capsule = a as Capsule;
+            var box:Box = b as Box;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            _box = box;
-            _signX = _signY = _signZ = 1;
-            turn(end.x - start.x, end.y - start.y, end.z - start.z);
-            _signX = wayX < 0 ? -1 : 1;
-            _signY = wayY < 0 ? -1 : 1;
-            _signZ = wayZ < 0 ? -1 : 1;
-            alongX = _signX * wayX;
-            alongY = _signY * wayY;
-            alongZ = _signZ * wayZ;
             var middle:Vector3D = box.center;
-            turn(start.x - middle.x, start.y - middle.y, start.z - middle.z);
-            x = wayX;
-            y = wayY;
-            z = wayZ;
+            turn(box, end.x - start.x, end.y - start.y, end.z - start.z);
+            var signX:Number = _turnedX < 0 ? -1 : 1;
+            var signY:Number = _turnedY < 0 ? -1 : 1;
+            var signZ:Number = _turnedZ < 0 ? -1 : 1;
+            _alongX = signX * _turnedX;
+            _alongY = signY * _turnedY;
+            _alongZ = signZ * _turnedZ;
+            turn(box, start.x - middle.x, start.y - middle.y, start.z - middle.z);
+            fromX = _turnedX;
+            fromY = _turnedY;
+            fromZ = _turnedZ;
+            turn(box, motion.startX, motion.startY, motion.startZ);
+            fromX = signX * (fromX + _turnedX);
+            fromY = signY * (fromY + _turnedY);
+            fromZ = signZ * (fromZ + _turnedZ);
+            turn(box, motion.x, motion.y, motion.z);
+            motionX = signX * _turnedX;
+            motionY = signY * _turnedY;
+            motionZ = signZ * _turnedZ;
+            _signX = signX;
+            _signY = signY;
+            _signZ = signZ;
+            halfX = box.halfX;
+            halfY = box.halfY;
+            halfZ = box.halfZ;
+            radii = capsule.radius;
         }
 
-        /** Turns a way into these axes. */
-        public function turn(x:Number, y:Number, z:Number):void
+        // Turns a vector into the box's axes.
+        private function turn(box:Box, x:Number, y:Number, z:Number):void
         {
-            var axis:Vector3D = _box.axisX;
-            wayX = _signX * (axis.x * x + axis.y * y + axis.z * z);
-            axis = _box.axisY;
-            wayY = _signY * (axis.x * x + axis.y * y + axis.z * z);
-            axis = _box.axisZ;
-            wayZ = _signZ * (axis.x * x + axis.y * y + axis.z * z);
+            var axis:Vector3D = box.axisX;
+            _turnedX = axis.x * x + axis.y * y + axis.z * z;
+            axis = box.axisY;
+            _turnedY = axis.x * x + axis.y * y + axis.z * z;
+            axis = box.axisZ;
+            _turnedZ = axis.x * x + axis.y * y + axis.z * z;
         }
 
-        /** Points a normal along a way in these axes. */
-        public function turnBack(x:Number, y:Number, z:Number, out:ContactPoint):void
+        override protected function find(time:Number):void
         {
-            var axisX:Vector3D = _box.axisX;
-            var axisY:Vector3D = _box.axisY;
-            var axisZ:Vector3D = _box.axisZ;
-            x *= _signX;
-            y *= _signY;
-            z *= _signZ;
-            out.pointAlong(x * axisX.x + y * axisY.x + z * axisZ.x, x * axisX.y + y * axisY.y + z * axisZ.y,
-                    x * axisX.z + y * axisY.z + z * axisZ.z);
+            var x:Number = fromX + time * motionX;
+            var y:Number = fromY + time * motionY;
+            var z:Number = fromZ + time * motionZ;
+            var along:Number = nearest(x, y, z);
+            share = along;
+            putGap(x + along * _alongX, y + along * _alongY, z + along * _alongZ);
         }
 
-        /** Lets go of the box. */
-        public function end():void
+        override protected function get size():Number
         {
-            _box = null;
+            return _alongX + _alongY + _alongZ + halfX + halfY + halfZ + radii;
+        }
+
+        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
+        {
+            gapX *= _signX;
+            gapY *= _signY;
+            gapZ *= _signZ;
+            super.pointAlongGap(b, out);
+        }
+
+        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            DEEP.find(a, b, radii, displacement.startX, displacement.startY, displacement.startZ, out);
         }
 
         /**
@@ -110,11 +115,14 @@ package starlogo.intersection
          * @param py likewise
          * @param pz likewise
          */
-        public function nearest(px:Number, py:Number, pz:Number, hx:Number, hy:Number, hz:Number):Number
+        private function nearest(px:Number, py:Number, pz:Number):Number
         {
-            var dx:Number = alongX;
-            var dy:Number = alongY;
-            var dz:Number = alongZ;
+            var hx:Number = halfX;
+            var hy:Number = halfY;
+            var hz:Number = halfZ;
+            var dx:Number = _alongX;
+            var dy:Number = _alongY;
+            var dz:Number = _alongZ;
             // Where the segment's line enters and leaves each slab of the box, and all of them.
             var inX:Number = -Infinity;
             var outX:Number = Infinity;

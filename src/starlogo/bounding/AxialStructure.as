@@ -1,0 +1,75 @@
+package starlogo.bounding
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Placement;
+
+    /** What a capsule and a cylinder have in common: an axis between two points, and a radius. Abstract. */
+    public class AxialStructure extends BoundingStructure
+    {
+        /** One end of the axis. */
+        public var start:Vector3D;
+
+        /** The other end of the axis. */
+        public var end:Vector3D;
+
+        /** The radius in patches, not negative. */
+        public var radius:Number;
+
+        /**
+         * For subclasses only.
+         *
+         * @param kind one of BoundingStructure's constants
+         * @param start copied
+         * @param end copied; may equal start
+         * @param radius in patches; 0 is allowed
+         * @param name of what it is, for messages
+         * @throws ArgumentError when an end is null
+         * @throws RangeError when a coordinate is not finite, or the radius negative or not finite
+         */
+        public function AxialStructure(kind:int, start:Vector3D, end:Vector3D, radius:Number, name:String)
+        {
+            super(kind);
+            this.radius = checkLength(radius, "the radius of a " + name);
+            this.start = checkVector(start, "the start of a " + name).clone();
+            this.end = checkVector(end, "the end of a " + name).clone();
+        }
+
+        /** @inheritDoc */
+        override public function scale(factor:Number):BoundingStructure
+        {
+            checkFactor(factor);
+            start.scaleBy(factor);
+            end.scaleBy(factor);
+            radius *= factor;
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function rotate(rotation:Matrix3D):BoundingStructure
+        {
+            var m:Vector.<Number> = readRotation(rotation);
+            turn(start, m);
+            turn(end, m);
+            return this;
+        }
+
+        /** @inheritDoc */
+        override public function translate(offset:Vector3D):BoundingStructure
+        {
+            checkVector(offset, "an offset");
+            start.incrementBy(offset);
+            end.incrementBy(offset);
+            return this;
+        }
+
+        /** @inheritDoc */
+        override protected function placeInto(placement:Placement, out:BoundingStructure):void
+        {
+            var placed:AxialStructure = out as AxialStructure;
+            placePoint(start, placement, placed.start);
+            placePoint(end, placement, placed.end);
+            placed.radius = radius * placement.size;
+        }
+    }
+}

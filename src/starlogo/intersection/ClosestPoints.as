@@ -1,0 +1,181 @@
+package starlogo.intersection
+{
+    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    /**
+     * The kernel of a pair of which the first is a sphere or a capsule: the closest points of the two cores, while the first moves. A
+     * core is a sphere's centre, a capsule's axis, or all of a box; structures touch when the cores are as close as their radii. Abstract.
+     */
+    internal class ClosestPoints extends PairKernel
+    {
+        /** From b to a where the motion starts, in the kernel's axes: between points that the subclass chooses. */
+        public var fromX:Number;
+
+        /** @copy #fromX */
+        public var fromY:Number;
+
+        /** @copy #fromX */
+        public var fromZ:Number;
+
+        /** The motion of a, in the same axes. */
+        public var motionX:Number;
+
+        /** @copy #motionX */
+        public var motionY:Number;
+
+        /** @copy #motionX */
+        public var motionZ:Number;
+
+        /** From b's closest point to a's, in the same axes. */
+        public var gapX:Number;
+
+        /** @copy #gapX */
+        public var gapY:Number;
+
+        /** @copy #gapX */
+        public var gapZ:Number;
+
+        /** Where on a capsule's axis a's closest point is, from 0 at its start to 1. */
+        public var share:Number = 0;
+
+        /** How close the cores are when the structures touch. */
+        public var radii:Number;
+
+        /** For subclasses only. */
+        public function ClosestPoints()
+        {
+        }
+
+        /** Prepares two structures: computes what does not depend on the time. */
+        protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            throw new IllegalOperationError("abstract");
+        }
+
+        /** Finds the closest points at a time of the motion. */
+        protected function find(time:Number):void
+        {
+            throw new IllegalOperationError("abstract");
+        }
+
+        /** How large the structures are together: what the rounding of the gap is relative to. */
+        protected function get size():Number
+        {
+            throw new IllegalOperationError("abstract");
+        }
+
+        /** Writes the contact of structures whose cores overlap: there is no direction from one to the other. */
+        protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            throw new IllegalOperationError("abstract");
+        }
+
+        /** Points a contact's normal along the gap. */
+        protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
+        {
+            out.pointAlong(gapX, gapY, gapZ);
+        }
+
+        /**
+         * Newton's method on the distance of the cores, which is a convex function of time: from the left it does not step over the first
+         * zero. It takes 80 steps at most: the product of the gap and its slope shrinks to a quarter in each, and both are numbers with
+         * 53 bits.
+         *
+         * @inheritDoc
+         */
+        override public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        {
+            relate(a, b, motion);
+            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding();
+            reach *= reach;
+            var time:Number = 0;
+            for (var step:int = 0; step < 80; step++)
+            {
+                find(time);
+                var x:Number = gapX;
+                var y:Number = gapY;
+                var z:Number = gapZ;
+                var squared:Number = x * x + y * y + z * z;
+                var isTouching:Boolean = squared <= reach;
+                if (isTouching)
+                {
+                    // what touches at time 0 does so at time 0, and cores that touch have no direction from one to the other
+                    var rounding:Number = Math.sqrt(reach) - radii;
+                    if (time == 0 || squared <= radii * radii || squared <= rounding * rounding)
+                    {
+                        return time;
+                    }
+                }
+                var next:Number = RelativeMotion.NEVER;
+                var closing:Number = -(x * motionX + y * motionY + z * motionZ);
+                if (closing > 0)
+                {
+                    // when the plane between the closest points, moved along, has no gap left
+                    var distance:Number = Math.sqrt(squared);
+                    next = time + (distance - radii) * distance / closing;
+                }
+                if (isTouching)
+                {
+                    // the rest is rounding, but for one more step, which rounding may have spared
+                    return next <= 1 ? next : time;
+                }
+                if (!(next > time))
+                {
+                    return time;
+                }
+                if (next > 1)
+                {
+                    return RelativeMotion.NEVER;
+                }
+                time = next;
+            }
+            return time;
+        }
+
+        /** @inheritDoc */
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            relate(a, b, displacement);
+            find(0);
+            var squared:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
+            // long enough to have a direction, in spite of rounding
+            var least:Number = Tolerances.DIRECTION * size;
+            if (squared > least * least)
+            {
+                pointAlongGap(b, out);
+                placeContact(a, displacement, radii - Math.sqrt(squared), out);
+            }
+            else
+            {
+                findOverlap(a, b, displacement, out);
+            }
+        }
+
+        /** Places a contact of which the normal is known: from a's closest point, back along the normal. */
+        protected final function placeContact(a:BoundingStructure, displacement:RelativeMotion, depth:Number, out:ContactPoint):void
+        {
+            var x:Number = displacement.startX;
+            var y:Number = displacement.startY;
+            var z:Number = displacement.startZ;
+            var sphere:Sphere = a as Sphere;
+            if (sphere != null)
+            {
+                var center:Vector3D = sphere.center;
+                out.place(x + center.x, y + center.y, z + center.z, sphere.radius, depth);
+                return;
+            }
+            var capsule:Capsule = a as Capsule;
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            out.place(x + start.x + share * (end.x - start.x), y + start.y + share * (end.y - start.y), z + start.z + share * (end.z - start.z),
+                    capsule.radius, depth);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package starlogo.intersection
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    /** What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test. */
+    public class PairKernel
+    {
+        /** It has no state. */
+        public function PairKernel()
+        {
+        }
+
+        /**
+         * When a structure that moves touches another for the first time.
+         *
+         * @param a of the pair's first kind
+         * @param b of the pair's second kind, in the same space
+         * @param motion of a
+         * @return from 0 to 1, or RelativeMotion.NEVER
+         * @throws ArgumentError when there is no test for the pair
+         */
+        public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        {
+            throw missing(a, b);
+        }
+
+        /**
+         * Where two structures touch, or how they overlap.
+         *
+         * @param a of the pair's first kind
+         * @param b of the pair's second kind, in the same space
+         * @param displacement where a is, from where it stands: the motion's start
+         * @param out takes the contact
+         * @throws ArgumentError when there is no test for the pair
+         */
+        public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            throw missing(a, b);
+        }
+
+        private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
+        {
+            return new ArgumentError("there is no intersection test for " + a + " and " + b);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    /** The kernel of a sphere and a capsule. */
+    internal final class PointSegment extends ClosestPoints
+    {
+        private var _axisX:Number;
+        private var _axisY:Number;
+        private var _axisZ:Number;
+        private var _lengthSquared:Number;
+
+        /** Nothing related yet. */
+        public function PointSegment()
+        {
+        }
+
+        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            var sphere:Sphere = a as Sphere;
+            var capsule:Capsule = b as Capsule;
+            var center:Vector3D = sphere.center;
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            _axisX = end.x - start.x;
+            _axisY = end.y - start.y;
+            _axisZ = end.z - start.z;
+            _lengthSquared = _axisX * _axisX + _axisY * _axisY + _axisZ * _axisZ;
+            fromX = center.x - start.x + motion.startX;
+            fromY = center.y - start.y + motion.startY;
+            fromZ = center.z - start.z + motion.startZ;
+            motionX = motion.x;
+            motionY = motion.y;
+            motionZ = motion.z;
+            radii = sphere.radius + capsule.radius;
+        }
+
+        override protected function find(time:Number):void
+        {
+            var x:Number = fromX + time * motionX;
+            var y:Number = fromY + time * motionY;
+            var z:Number = fromZ + time * motionZ;
+            var along:Number = x * _axisX + y * _axisY + z * _axisZ;
+            if (along > 0)
+            {
+                along = along < _lengthSquared ? along / _lengthSquared : 1;
+                x -= along * _axisX;
+                y -= along * _axisY;
+                z -= along * _axisZ;
+            }
+            gapX = x;
+            gapY = y;
+            gapZ = z;
+        }
+
+        override protected function get size():Number
+        {
+            return Math.sqrt(_lengthSquared) + radii;
+        }
+
+        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            out.pointAcross(_axisX, _axisY, _axisZ);
+            placeContact(a, displacement, radii, out);
+        }
+    }
+}

@@ -2,6 +2,7 @@ package
 {
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
@@ -21,7 +22,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;

@@ -16,7 +16,7 @@ package starlogo.agents
      *
      * <p>A trait that gets a value that it can't have throws a RangeError that names the agent, and keeps its value.</p>
      *
-     * <p>This file is long because every trait is a documented property that checks what it is given; there is one trade.</p>
+     * <p>This file is long because every trait is a documented property that checks what it is given.</p>
      */
     public class Agent
     {
@@ -47,85 +47,43 @@ package starlogo.agents
         // by the numbers of the kinds in BoundingStructure
         private static const NAMES_OF_KINDS:Vector.<String> = new <String>[SPHERE, CAPSULE, BOX];
 
-        /**
-         * Whether any agent has ever swept: while none has, colliders need not look for those that do.
-         *
-         * @private
-         */
+        /** @private Whether any agent has ever swept: while none has, colliders need not look for those that do. */
         engine static var haveSwept:Boolean = false;
 
-        /**
-         * Counts the changes of breeds, of all agents: while it stays, what was found for breeds is right.
-         *
-         * @private
-         */
+        /** @private Counts the changes of breeds, of all agents: while it stays, what was found for breeds is right. */
         engine static var breedChanges:int = 0;
 
-        /**
-         * In place of a kind of structure: the tightest.
-         *
-         * @private
-         */
+        /** @private In place of a kind of structure: the tightest. */
         engine static const ANY_KIND:int = -1;
 
         private static var sCreated:int = 0;
 
         /**
-         * The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
-         * <code>extentsRevision</code> counts every change that decides more than where the agent is, those of the shape
-         * and of how it collides included.
-         *
-         * @private
+         * @private The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
+         * <code>extentsRevision</code> counts every change that decides more than where the agent is, those of the shape and
+         * of how it collides included.
          */
         engine var placement:Placement = new Placement();
 
-        /**
-         * What <code>id</code> says, without a call.
-         *
-         * @private
-         */
+        /** @private What <code>id</code> says, without a call. */
         engine var serial:int;
 
-        /**
-         * Counts the changes of where and how the agent is in the world.
-         *
-         * @private
-         */
+        /** @private Counts the changes of where and how the agent is in the world. */
         engine var revision:int = 0;
 
-        /**
-         * Counts the changes of what stands for the agent: of its shape, and of how it collides.
-         *
-         * @private
-         */
+        /** @private Counts the changes of what stands for the agent: of its shape, and of how it collides. */
         engine var shapeRevision:int = 0;
 
-        /**
-         * What <code>traversalDepth</code> says, without a call.
-         *
-         * @private
-         */
+        /** @private What <code>traversalDepth</code> says, without a call. */
         engine var depthLimit:int = 0;
 
-        /**
-         * The revision of the last jump: no way led there.
-         *
-         * @private
-         */
+        /** @private The revision of the last jump: no motion led there. */
         engine var jumpRevision:int = -1;
 
-        /**
-         * What <code>sweeps</code> says, without a call.
-         *
-         * @private
-         */
+        /** @private What <code>sweeps</code> says, without a call. */
         engine var isSweeping:Boolean = false;
 
-        /**
-         * The kind of structure that stands for the agent, ANY_KIND for the tightest.
-         *
-         * @private
-         */
+        /** @private The kind of structure that stands for the agent, ANY_KIND for the tightest. */
         engine var structureKind:int = ANY_KIND;
 
         /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
@@ -202,12 +160,7 @@ package starlogo.agents
 
         public function set x(value:Number):void
         {
-            requireCoordinate("x", value);
-            if (value != placement.x)
-            {
-                placement.x = value;
-                revision++;
-            }
+            moveTo(value, placement.y, placement.z);
         }
 
         /** The position of the model's origin along the world's y axis, at most LARGEST_COORDINATE either way. */
@@ -218,12 +171,7 @@ package starlogo.agents
 
         public function set y(value:Number):void
         {
-            requireCoordinate("y", value);
-            if (value != placement.y)
-            {
-                placement.y = value;
-                revision++;
-            }
+            moveTo(placement.x, value, placement.z);
         }
 
         /**
@@ -237,12 +185,7 @@ package starlogo.agents
 
         public function set z(value:Number):void
         {
-            requireCoordinate("z", value);
-            if (value != placement.z)
-            {
-                placement.z = value;
-                revision++;
-            }
+            moveTo(placement.x, placement.y, value);
         }
 
         /** The turn about the z axis, counter-clockwise seen from above, in degrees, finite. */
@@ -253,12 +196,7 @@ package starlogo.agents
 
         public function set heading(value:Number):void
         {
-            requireFinite("heading", value);
-            if (value != placement.heading)
-            {
-                placement.heading = value;
-                rotationChanged();
-            }
+            turnTo(value, placement.pitch, placement.roll);
         }
 
         /** The turn about the world's y axis, before the heading, in degrees, finite. */
@@ -269,12 +207,7 @@ package starlogo.agents
 
         public function set pitch(value:Number):void
         {
-            requireFinite("pitch", value);
-            if (value != placement.pitch)
-            {
-                placement.pitch = value;
-                rotationChanged();
-            }
+            turnTo(placement.heading, value, placement.roll);
         }
 
         /** The turn about the world's x axis, before the pitch, in degrees, finite. */
@@ -285,12 +218,7 @@ package starlogo.agents
 
         public function set roll(value:Number):void
         {
-            requireFinite("roll", value);
-            if (value != placement.roll)
-            {
-                placement.roll = value;
-                rotationChanged();
-            }
+            turnTo(placement.heading, placement.pitch, value);
         }
 
         /** The uniform scale of the model, from SMALLEST_SIZE to LARGEST_SIZE; 1 leaves it a unit wide. */
@@ -301,13 +229,10 @@ package starlogo.agents
 
         public function set size(value:Number):void
         {
-            if (!(value > 0 && value < Infinity))
-            {
-                throw new RangeError(this + ": size must be a positive, finite number, not " + value);
-            }
             if (!(value >= SMALLEST_SIZE && value <= LARGEST_SIZE))
             {
-                throw new RangeError(this + ": size must be between " + SMALLEST_SIZE + " and " + LARGEST_SIZE + ", not " + value);
+                var range:String = value > 0 && value < Infinity ? "between " + SMALLEST_SIZE + " and " + LARGEST_SIZE : "a positive, finite number";
+                throw new RangeError(this + ": size must be " + range + ", not " + value);
             }
             if (value != placement.size)
             {
@@ -394,12 +319,12 @@ package starlogo.agents
         }
 
         /**
-         * Whether the agent collides with whatever it met on its way since the last frame, not only with what it overlaps now: so that it
-         * flies through nothing, however fast it is.
+         * Whether the agent collides with everything that it met as it moved since the last frame, not only with what it overlaps now: so
+         * that it flies through nothing, however fast it is.
          *
-         * <p>The way is the straight line from where the collider saw it in its last frame to where it is, both ends included. The other agent's own
-         * motion counts, whether that sweeps or not: the two are looked at as they move. What turns or grows is looked at as it
-         * is now. An agent has no way in the first frame that a collider sees it in, after a change of its shape, after
+         * <p>The motion is the straight line from where the collider saw the agent in its last frame to where it is, both ends included. The
+         * other agent's own motion counts, whether that sweeps or not: the two are looked at as they move. What turns or grows is looked at
+         * as it is now. An agent has no motion in the first frame that a collider sees it in, after a change of its shape, after
          * <code>jumpTo()</code>, after a frame whose list did not have it, and while its model was loading: in that frame it is where it is.</p>
          */
         public function get sweeps():Boolean
@@ -414,7 +339,7 @@ package starlogo.agents
         }
 
         /**
-         * Moves the agent to a place that no way leads to: one that sweeps meets nothing in between.
+         * Moves the agent to a place without a motion: one that sweeps meets nothing in between.
          *
          * @param x as in moveTo
          * @param y as in moveTo
@@ -488,11 +413,7 @@ package starlogo.agents
             return "agent " + serial + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
         }
 
-        /**
-         * The agent's place in the world with its rotation up to date.
-         *
-         * @private
-         */
+        /** @private The agent's place in the world with its rotation up to date. */
         engine function worldPlacement():Placement
         {
             if (_rotationIsStale)
@@ -503,8 +424,22 @@ package starlogo.agents
             return placement;
         }
 
-        private function rotationChanged():void
+        private function turnTo(heading:Number, pitch:Number, roll:Number):void
         {
+            if (!isFinite(heading + pitch + roll))
+            {
+                requireFinite("heading", heading);
+                requireFinite("pitch", pitch);
+                requireFinite("roll", roll);
+            }
+            var place:Placement = placement;
+            if (heading == place.heading && pitch == place.pitch && roll == place.roll)
+            {
+                return;
+            }
+            place.heading = heading;
+            place.pitch = pitch;
+            place.roll = roll;
             _rotationIsStale = true;
             extentsChanged();
         }

@@ -160,27 +160,26 @@ package starlogo.broadphase
             }
         }
 
-        // The level of a width, or the next power of two above it.
-        private function levelFor(width:Number):BinLevel
+        // The level of the least power of two that is as wide.
+        private function levelFor(least:Number):BinLevel
         {
-            var powerOfTwo:Number = Math.pow(2, Math.ceil(Math.log(width) * Math.LOG2E));
-            // the logarithm may be off by a rounding
-            while (powerOfTwo < width)
+            var width:Number = 1;
+            while (width < least)
             {
-                powerOfTwo *= 2;
+                width *= 2;
             }
-            while (powerOfTwo >= 2 * width)
+            while (width >= 2 * least)
             {
-                powerOfTwo *= 0.5;
+                width *= 0.5;
             }
             var place:int = 0;
-            while (place < _byWidth.length && _byWidth[place].width > powerOfTwo)
+            while (place < _byWidth.length && _byWidth[place].width > width)
             {
                 place++;
             }
-            if (place == _byWidth.length || _byWidth[place].width != powerOfTwo)
+            if (place == _byWidth.length || _byWidth[place].width != width)
             {
-                var level:BinLevel = new BinLevel(_levels.length, powerOfTwo);
+                var level:BinLevel = new BinLevel(_levels.length, width);
                 _byWidth.splice(place, 0, level);
                 _levels.push(level);
             }
@@ -196,26 +195,9 @@ package starlogo.broadphase
             {
                 levels[i].count = 0;
             }
-            // mostly members have the level of the one before
-            var number:int = 0;
-            var members:int = 0;
             for (i = 0; i < count; i++)
             {
-                var next:int = numbers[rows[i]];
-                if (next != number)
-                {
-                    if (number > 0)
-                    {
-                        levels[number].count += members;
-                    }
-                    number = next;
-                    members = 0;
-                }
-                members++;
-            }
-            if (number > 0)
-            {
-                levels[number].count += members;
+                levels[numbers[rows[i]]].count++;
             }
             var counters:int = 0;
             for (i = 0; i < _byWidth.length; i++)

@@ -27,17 +27,21 @@ package starlogo.search
         /** In place of a breed's number, of a row that is new. */
         public static const UNKNOWN_BREED:int = -2;
 
-        // the middle, then half the lengths
-        private static var sExtents:Vector.<Number> = new Vector.<Number>(6, true);
+        // In place of a revision: of an agent that has no motion, less than any jump's; and of what is to be found anew.
+        private static const NOT_SEEN:int = -2;
+        private static const STALE:int = -1;
 
         /** The rows of the agents, in the order of the list; so many at the beginning as <code>count</code> says. */
         public var rows:Vector.<int> = new Vector.<int>();
 
-        /** How many agents are listed. */
+        /** How many agents are listed; none after a list that was refused. */
         public var count:int = 0;
 
         /** How many of them have a model that is loading. */
         public var loadingCount:int = 0;
+
+        /** Counts the changes of the list: while it stays, the rows are of the same agents. */
+        public var listNumber:int = 0;
 
         /** By row: the agent, or null. */
         public var agents:Vector.<Agent> = new Vector.<Agent>();
@@ -75,6 +79,9 @@ package starlogo.search
         /** By row: its structure in the world if that is a box which decides alone, else null: spares the costliest frequent test its casts. */
         public var boxes:Vector.<Box> = new Vector.<Box>();
 
+        /** By row: what is tried before the structure, in the world, or null; up to date when structureOf was asked. */
+        public var outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
+
         /** By row: the number of its breed, see BreedNumbers. */
         public var breeds:Vector.<int> = new Vector.<int>();
 
@@ -85,7 +92,7 @@ package starlogo.search
         private var _shapes:ModelShapes;
         private var _bins:Bins;
 
-        // By row: the agent's revision in the search before; those that its extents and its shape are of, -1 for none.
+        // By row: the agent's revision in the search before; those that its extents and its shape are of.
         private var _lastRevisions:Vector.<int> = new Vector.<int>();
         private var _extentsRevisions:Vector.<int> = new Vector.<int>();
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
@@ -101,35 +108,26 @@ package starlogo.search
 
         // By row: the structure in the world.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-        private var _outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
 
-        // By row: the number of the search that saw the agent first, or with another model.
-        private var _firstSearches:Vector.<int> = new Vector.<int>();
-        private var _search:int = 0;
-
-        // By row: the list that had the agent last, counted where lists change.
+        // By row: the number of the last list that had the agent.
         private var _lists:Vector.<int> = new Vector.<int>();
-        private var _list:int = 0;
 
+        // Rows below _rowCount are in use, or free.
         private var _rowsById:IdTable = new IdTable();
+        private var _rowCount:int = 0;
         private var _freeRows:Vector.<int> = new Vector.<int>();
         private var _freeCount:int = 0;
-        private var _rowCount:int = 0;
 
-        // Rows of the list at hand, from where it differs from the one before.
-        private var _nextRows:Vector.<int> = new Vector.<int>();
+        // The list after which the rows of all others were freed.
+        private var _freedList:int = 0;
 
-        // Rows whose agents are not in the list at hand: they are free once a search has not failed.
-        private var _leaving:Vector.<int> = new Vector.<int>();
-        private var _leavingCount:int = 0;
-
-        // Rows whose extents are to be found anew; of those, the ones that something else is to stand for, and what.
+        // Rows whose extents are to be found anew, and what is to stand for those of which that is not known.
         private var _changed:Vector.<int> = new Vector.<int>();
+        private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         private var _changedCount:int = 0;
-        private var _bound:Vector.<int> = new Vector.<int>();
-        private var _boundShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
-        private var _boundCount:int = 0;
 
+        // The middle, then half the lengths.
+        private var _foundExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _scratch:Placement = new Placement();
 
         /**
@@ -154,50 +152,44 @@ package starlogo.search
         {
             if (_shapes.forgetReplaced())
             {
-                forgetVoidShapes();
+                markVoidShapes();
             }
-            _changedCount = 0;
-            var same:int = readPlaces(agents, 0);
-            if (same < count || same < agents.length)
+            if (count != agents.length || !readPlaces(agents))
             {
-                listFrom(same, agents);
-                readPlaces(agents, same);
+                readList(agents);
+                readPlaces(agents);
             }
-            bindChanged();
-            freeLeaving();
-            takePlaces();
-        }
-
-        /** Counts the changes of the list: while it stays, the rows are of the same agents. */
-        public function get listNumber():int
-        {
-            return _list;
+            findShapes();
+            if (_freedList != listNumber)
+            {
+                freeRows(false);
+                _freedList = listNumber;
+            }
+            setPlaces();
         }
 
         /** The row of an agent that is listed, or -1. */
         public function rowOf(agent:Agent):int
         {
-            return _rowsById.valueOf(agent.id);
+            return _rowsById.valueOf(agent.serial);
         }
 
         /** Has two rows, 0 and 1: of the two agents of a question, where they are now. */
-        public function readPair(pair:Vector.<Agent>):void
+        public function readPair(a:Agent, b:Agent):void
         {
             _shapes.forgetReplaced();
             makeRows(2);
             count = 2;
-            for (var row:int = 0; row < count; row++)
-            {
-                rows[row] = row;
-                agents[row] = pair[row];
-                // a question that threw may have left one
-                shapes[row] = null;
-                _extentsRevisions[row] = -1;
-            }
-            _changedCount = 0;
-            readPlaces(pair, 0);
-            bindChanged();
-            takePlaces();
+            rows[0] = 0;
+            rows[1] = 1;
+            agents[0] = a;
+            agents[1] = b;
+            // a question that threw may have left some
+            shapes[0] = shapes[1] = null;
+            _extentsRevisions[0] = _extentsRevisions[1] = STALE;
+            readPlaces(agents);
+            findShapes();
+            setPlaces();
         }
 
         /** Lets go of the agents of a question. */
@@ -210,7 +202,7 @@ package starlogo.search
         /** Whether an agent has moved from where the search before saw it to where it is: it was not seen first now, and has not jumped. */
         public function hasMotion(row:int):Boolean
         {
-            return _firstSearches[row] != _search && agents[row].jumpRevision <= _lastRevisions[row];
+            return agents[row].jumpRevision <= _lastRevisions[row];
         }
 
         /**
@@ -244,36 +236,25 @@ package starlogo.search
             return _placed[row];
         }
 
-        /** What is tried before the structure, in the world, where there is something of the kind. */
-        public function outerOf(row:int):OuterStructures
-        {
-            if (placedRevisions[row] != revisions[row])
-            {
-                place(row);
-            }
-            return _outer[row];
-        }
-
         /** Puts the structure of a row where its agent is. Not before a test asks for it: of thousands of agents few have others near them. */
         public function place(row:int):void
         {
             var shape:ModelShape = shapes[row];
-            var structure:BoundingStructure = shape.structure;
             var placement:Placement = placementOf(row, _scratch);
             var margin:Number = touchingMargin(x[row], y[row], z[row]);
-            structure.place(placement, _placed[row]);
+            shape.structure.place(placement, _placed[row]);
             _placed[row].widen(margin);
-            if (shape.outerSphere != null)
+            if (shape.outer != null)
             {
-                _outer[row] ||= new OuterStructures();
-                _outer[row].place(shape, placement, margin);
+                outer[row] ||= new OuterStructures();
+                outer[row].place(shape.outer, placement, margin);
             }
             placedRevisions[row] = revisions[row];
         }
 
-        // Reads where agents are from one of the list on, as long as they have the rows that they had, and notes which have changed in more
-        // than their places. Returns the first that has not. The places are written beside those of the last search.
-        private function readPlaces(list:Vector.<Agent>, first:int):int
+        // Reads where agents are, and notes which have changed in more than their places: false if the rows are not theirs. The places are
+        // written beside those of the last search.
+        private function readPlaces(list:Vector.<Agent>):Boolean
         {
             var listed:Vector.<Agent> = agents;
             var listedRows:Vector.<int> = rows;
@@ -282,45 +263,46 @@ package starlogo.search
             var placeX:Vector.<Number> = lastX;
             var placeY:Vector.<Number> = lastY;
             var placeZ:Vector.<Number> = lastZ;
-            var end:int = count < list.length ? count : list.length;
-            for (var i:int = first; i < end; i++)
+            var end:int = count;
+            var changed:int = 0;
+            for (var i:int = 0; i < end; i++)
             {
                 var row:int = listedRows[i];
                 var agent:Agent = list[i];
                 if (listed[row] !== agent)
                 {
-                    return i;
+                    return false;
                 }
                 var placement:Placement = agent.placement;
                 if (placement.extentsRevision != extentsRevisions[row])
                 {
-                    _changed[_changedCount] = row;
-                    _changedCount++;
+                    _changed[changed] = row;
+                    changed++;
                 }
                 read[row] = agent.revision;
                 placeX[row] = placement.x;
                 placeY[row] = placement.y;
                 placeZ[row] = placement.z;
             }
-            return end;
+            _changedCount = changed;
+            return true;
         }
 
         // What was read counts from now on.
-        private function takePlaces():void
+        private function setPlaces():void
         {
             var placeX:Vector.<Number> = lastX;
             var placeY:Vector.<Number> = lastY;
             var placeZ:Vector.<Number> = lastZ;
+            var read:Vector.<int> = _lastRevisions;
             lastX = x;
             lastY = y;
             lastZ = z;
+            _lastRevisions = revisions;
             x = placeX;
             y = placeY;
             z = placeZ;
-            var read:Vector.<int> = _lastRevisions;
-            _lastRevisions = revisions;
             revisions = read;
-            _search++;
             var listedRows:Vector.<int> = rows;
             var offsetX:Vector.<Number> = _offsetX;
             var offsetY:Vector.<Number> = _offsetY;
@@ -346,91 +328,51 @@ package starlogo.search
             }
             for (i = 0; i < _changedCount; i++)
             {
-                if (shapes[_changed[i]] != null)
-                {
-                    fit(_changed[i]);
-                }
+                fit(_changed[i]);
             }
         }
 
-        // From there on, one by one; none may come twice. Nothing changes before all are known to be right.
-        private function listFrom(first:int, agents:Vector.<Agent>):void
+        private function fit(row:int):void
         {
-            var list:int = ++_list;
-            var lists:Vector.<int> = _lists;
-            makeRows(agents.length);
-            for (var i:int = 0; i < first; i++)
+            if (_bins != null && shapes[row] != null && _bins.fit(extents, row))
             {
-                lists[rows[i]] = list;
+                // it needs a finer level once it comes back: looked at in every search until then
+                _extentsRevisions[row] = STALE;
             }
-            for (i = first; i < agents.length; i++)
+        }
+
+        // Mostly agents have the rows that they had. Of a list that is refused no row is left.
+        private function readList(list:Vector.<Agent>):void
+        {
+            var known:int = count;
+            count = 0;
+            listNumber++;
+            for (var i:int = 0; i < list.length; i++)
             {
-                var agent:Agent = agents[i];
-                if (agent == null)
+                var agent:Agent = list[i];
+                var row:int = i < known ? rows[i] : -1;
+                if (agent != null && (row < 0 || agents[row] !== agent))
                 {
-                    freeUnlisted(first, i);
-                    throw new ArgumentError("agents[" + i + "] is null");
+                    row = rowOf(agent);
                 }
-                var row:int = _rowsById.valueOf(agent.serial);
-                if (row >= 0 && lists[row] == list)
+                if (agent == null || row >= 0 && _lists[row] == listNumber)
                 {
-                    freeUnlisted(first, i);
-                    throw new ArgumentError(agent + " is listed twice: agents[" + agents.indexOf(agent) + "] and agents[" + i + "]");
+                    freeRows(true);
+                    listNumber++;
+                    throw new ArgumentError(agent == null ? "agents[" + i + "] is null"
+                            : agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
                 if (row < 0)
                 {
-                    row = takeRow(agent);
+                    row = addRow(agent);
                 }
-                lists[row] = list;
-                _nextRows[i - first] = row;
+                _lists[row] = listNumber;
+                rows[i] = row;
             }
-            for (i = first; i < count; i++)
-            {
-                row = rows[i];
-                if (lists[row] != list)
-                {
-                    _leaving[_leavingCount] = row;
-                    _leavingCount++;
-                }
-            }
-            count = agents.length;
-            for (i = first; i < count; i++)
-            {
-                rows[i] = _nextRows[i - first];
-            }
+            count = list.length;
         }
 
-        // Those that a list that is refused has brought.
-        private function freeUnlisted(first:int, end:int):void
-        {
-            for (var i:int = first; i < count; i++)
-            {
-                _lists[rows[i]] = 0;
-            }
-            for (i = 0; i < end - first; i++)
-            {
-                var row:int = _nextRows[i];
-                if (_lists[row] == _list && shapes[row] == null)
-                {
-                    freeRow(row);
-                }
-            }
-        }
-
-        // Those of agents that this list has not, and no list that failed since the last search that did not.
-        private function freeLeaving():void
-        {
-            for (var i:int = 0; i < _leavingCount; i++)
-            {
-                if (_lists[_leaving[i]] != _list)
-                {
-                    freeRow(_leaving[i]);
-                }
-            }
-            _leavingCount = 0;
-        }
-
-        private function takeRow(agent:Agent):int
+        private function addRow(agent:Agent):int
         {
             var row:int = _rowCount;
             if (_freeCount > 0)
@@ -445,18 +387,9 @@ package starlogo.search
             }
             agents[row] = agent;
             breeds[row] = UNKNOWN_BREED;
-            _extentsRevisions[row] = -1;
-            _rowsById.set (agent.id, row);
+            _extentsRevisions[row] = STALE;
+            _rowsById.set (agent.serial, row);
             return row;
-        }
-
-        private function freeRow(row:int):void
-        {
-            _rowsById.remove(agents[row].id);
-            agents[row] = null;
-            shapes[row] = null;
-            _freeRows[_freeCount] = row;
-            _freeCount++;
         }
 
         // Some more than are asked for: a column that grows by one row at a time is copied again and again.
@@ -467,64 +400,85 @@ package starlogo.search
                 return;
             }
             var length:int = least + (_lists.length >> 3);
-            agents.length = shapes.length = boxes.length = _placed.length = _outer.length = length;
+            agents.length = shapes.length = boxes.length = _placed.length = outer.length = length;
             x.length = y.length = z.length = lastX.length = lastY.length = lastZ.length = length;
             _offsetX.length = _offsetY.length = _offsetZ.length = length;
             _headings.length = _pitches.length = _rolls.length = _sizes.length = length;
             revisions.length = _lastRevisions.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
-            breeds.length = depths.length = _firstSearches.length = _lists.length = length;
+            breeds.length = depths.length = _lists.length = length;
             extents.grow(length);
         }
 
-        private function forgetVoidShapes():void
+        // Frees the rows of agents that the list has not; or those that a list which is refused has brought.
+        private function freeRows(isRefused:Boolean):void
         {
-            for (var i:int = 0; i < count; i++)
+            for (var row:int = 0; row < _rowCount; row++)
             {
-                var shape:ModelShape = shapes[rows[i]];
-                if (shape != null && shape.isVoid)
+                if (agents[row] != null && (isRefused ? shapes[row] == null : _lists[row] != listNumber))
                 {
-                    _extentsRevisions[rows[i]] = -1;
+                    _rowsById.remove(agents[row].serial);
+                    agents[row] = null;
+                    shapes[row] = null;
+                    _freeRows[_freeCount] = row;
+                    _freeCount++;
+                }
+            }
+        }
+
+        private function markVoidShapes():void
+        {
+            for (var row:int = 0; row < _rowCount; row++)
+            {
+                if (shapes[row] != null && shapes[row].isVoid)
+                {
+                    _extentsRevisions[row] = STALE;
                 }
             }
         }
 
         // Finds what stands for the agents that have changed, all before any row changes, and its extents.
-        private function bindChanged():void
+        private function findShapes():void
         {
-            _boundCount = 0;
+            if (_changedCount > _changedShapes.length)
+            {
+                _changedShapes.length = _changedCount;
+            }
             for (var i:int = 0; i < _changedCount; i++)
             {
                 var row:int = _changed[i];
-                var shape:ModelShape = shapes[row];
-                if (shape == null || shape.isVoid || agents[row].shapeRevision != _shapeRevisions[row])
+                if (needsShape(row))
                 {
-                    _bound[_boundCount] = row;
-                    _boundShapes[_boundCount] = _shapes.shapeOf(agents[row]);
-                    _boundCount++;
+                    _changedShapes[i] = _shapes.shapeOf(agents[row]);
                 }
             }
             loadingCount = 0;
-            for (i = 0; i < _boundCount; i++)
-            {
-                bind(_bound[i], _boundShapes[i]);
-                _boundShapes[i] = null;
-            }
             for (i = 0; i < _changedCount; i++)
             {
-                if (shapes[_changed[i]] != null)
+                row = _changed[i];
+                if (needsShape(row))
                 {
-                    takeExtents(_changed[i]);
+                    setShape(row, _changedShapes[i]);
+                    _changedShapes[i] = null;
+                }
+                if (shapes[row] != null)
+                {
+                    findExtents(row);
                 }
             }
         }
 
-        private function bind(row:int, shape:ModelShape):void
+        private function needsShape(row:int):Boolean
+        {
+            var shape:ModelShape = shapes[row];
+            return shape == null || shape.isVoid || agents[row].shapeRevision != _shapeRevisions[row];
+        }
+
+        private function setShape(row:int, shape:ModelShape):void
         {
             var before:ModelShape = shapes[row];
             if (before == null || shape == null || shape.model != before.model)
             {
-                // seen first in the search that is under way
-                _firstSearches[row] = _search + 1;
+                revisions[row] = NOT_SEEN;
             }
             shapes[row] = shape;
             boxes[row] = null;
@@ -532,7 +486,7 @@ package starlogo.search
             if (shape == null)
             {
                 // asked again in the next search
-                _extentsRevisions[row] = -1;
+                _extentsRevisions[row] = STALE;
                 loadingCount++;
             }
             else if (shape.decides)
@@ -541,19 +495,19 @@ package starlogo.search
                 {
                     _placed[row] = shape.structure.clone();
                 }
-                if (shape.outerSphere == null)
+                if (shape.outer == null)
                 {
                     boxes[row] = _placed[row] as Box;
                 }
             }
         }
 
-        private function takeExtents(row:int):void
+        private function findExtents(row:int):void
         {
             var agent:Agent = agents[row];
             var shape:ModelShape = shapes[row];
             var placement:Placement = agent.placement;
-            var found:Vector.<Number> = sExtents;
+            var found:Vector.<Number> = _foundExtents;
             _strategy.findExtents(shape, agent, found);
             _offsetX[row] = found[0];
             _offsetY[row] = found[1];
@@ -574,17 +528,8 @@ package starlogo.search
             _rolls[row] = placement.roll;
             _sizes[row] = placement.size;
             depths[row] = agent.depthLimit;
-            placedRevisions[row] = -1;
+            placedRevisions[row] = STALE;
             _extentsRevisions[row] = placement.extentsRevision;
-        }
-
-        private function fit(row:int):void
-        {
-            if (_bins != null && _bins.fit(extents, row))
-            {
-                // it needs a finer level once it comes back: looked at in every search until then
-                _extentsRevisions[row] = -1;
-            }
         }
     }
 }

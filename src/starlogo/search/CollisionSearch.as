@@ -24,10 +24,8 @@ package starlogo.search
         private var _bins:Bins = new Bins();
         private var _table:AgentTable;
         private var _asked:AgentTable;
-        private var _pair:Vector.<Agent> = new <Agent>[null, null];
         private var _breedNumbers:BreedNumbers = new BreedNumbers();
-        private var _motions:Motions = new Motions();
-        private var _motionTests:MotionTests;
+        private var _motions:Motions;
         private var _isSwept:Boolean = false;
 
         // The members of the bins: all rows, or those that take part, with the places of their agents in the list.
@@ -36,20 +34,14 @@ package starlogo.search
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _places:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds that count, or null for all. Where an agent sweeps, the pairs that were found as numbers of
-        // members, with their times. The first of a pair is the one that comes first in the list.
+        // The search under way: the pairs of breeds that count, or null for all; and the pairs that were found, as numbers of members,
+        // two a pair, the one that comes first in the list first. Where an agent sweeps, with their times.
         private var _breeds:BreedPairs;
         private var _skippedPairs:int;
-        private var _found:int;
-        private var _firsts:Vector.<int> = new Vector.<int>();
-        private var _seconds:Vector.<int> = new Vector.<int>();
+        private var _found:Vector.<int> = new Vector.<int>();
+        private var _foundCount:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
-
-        // Takes the agents of the pairs; and what takes the rest, if that is asked for.
-        private var _out:Vector.<Agent>;
-        private var _pairs:FoundPairs;
-        private var _touches:RowContacts;
 
         /**
          * @param greatLand has the models of the agents
@@ -61,8 +53,7 @@ package starlogo.search
             _strategy = strategy;
             _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), _bins);
             _asked = new AgentTable(strategy, new ModelShapes(greatLand, strategy), null);
-            _motionTests = new MotionTests(strategy);
-            _touches = new RowContacts(strategy, _motions, _motionTests);
+            _motions = new Motions(strategy);
         }
 
         /** What the last search did. */
@@ -74,9 +65,9 @@ package starlogo.search
         /** Whether two agents touch where they are now, as CollisionSystem says. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            ask(a, b);
+            _asked.readPair(a, b);
             var areTouching:Boolean = _asked.loadingCount == 0 && _strategy.areTouching(_asked, 0, 1);
-            endQuestion();
+            _asked.endPair();
             return areTouching;
         }
 
@@ -90,25 +81,28 @@ package starlogo.search
          */
         public function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):void
         {
-            search(agents, breeds, out, null);
-            if (out.length > 2 * _found)
+            search(agents, breeds);
+            writeAgents(out);
+            if (out.length > 2 * _foundCount)
             {
-                out.length = 2 * _found;
+                out.length = 2 * _foundCount;
             }
         }
 
         /** As find, with the places of the agents in the list and the numbers of their breeds. */
         public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, out:FoundPairs):void
         {
-            search(agents, breeds, out.agents, out);
-            out.end(2 * _found);
+            search(agents, breeds);
+            writeAgents(out.agents);
+            writeNumbers(out.places, out.breeds);
+            out.end(2 * _foundCount);
         }
 
         /**
          * How two agents touch: where the last search saw them, or where they are now if it has not seen both.
          *
          * @param out takes it, the normal pointing to the first
-         * @return when, on the ways of their motions
+         * @return when, as the two moved
          * @throws ArgumentError if a model is unknown, or still loading
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
@@ -117,17 +111,17 @@ package starlogo.search
             var rowB:int = _table.rowOf(b);
             if (rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null)
             {
-                return _touches.find(_table, rowA, rowB, _isSwept, out);
+                return _motions.findContact(_table, rowA, rowB, _isSwept, out);
             }
-            ask(a, b);
+            _asked.readPair(a, b);
             if (_asked.loadingCount > 0)
             {
                 var loading:Agent = _asked.shapes[0] == null ? a : b;
-                endQuestion();
+                _asked.endPair();
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            var time:Number = _touches.find(_asked, 0, 1, false, out);
-            endQuestion();
+            var time:Number = _motions.findContact(_asked, 0, 1, false, out);
+            _asked.endPair();
             return time;
         }
 
@@ -136,114 +130,43 @@ package starlogo.search
         {
             if (_breeds != null)
             {
-                var kept:int = _breedNumbers.keepCounting(_table, _bins, place, others, count);
-                _skippedPairs += count - kept;
-                count = kept;
+                var counting:int = _breedNumbers.keepCounting(_table, _bins, place, others, count);
+                _skippedPairs += count - counting;
+                count = counting;
             }
             if (_isSwept)
             {
-                testMotions(place, others, count);
-                return;
+                count = keepTouchingMotions(place, others, count);
             }
-            count = _strategy.keepTouching(_table, _bins, place, others, count);
-            if (_pairs != null)
+            else
             {
-                putNumbers(place, others, count);
+                count = _strategy.keepTouching(_table, _bins, place, others, count);
             }
-            var out:Vector.<Agent> = _out;
-            var listed:Vector.<Agent> = _table.agents;
+            var found:Vector.<int> = _found;
             var memberAt:Vector.<int> = _bins.memberAt;
-            var rowAt:Vector.<int> = _bins.rowAt;
             var member:int = memberAt[place];
-            var agent:Agent = listed[rowAt[place]];
-            var at:int = 2 * _found;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                var otherAgent:Agent = listed[rowAt[other]];
-                if (member < memberAt[other])
-                {
-                    out[at] = agent;
-                    out[at + 1] = otherAgent;
-                }
-                else
-                {
-                    out[at] = otherAgent;
-                    out[at + 1] = agent;
-                }
-                at += 2;
-            }
-            _found += count;
-        }
-
-        // The places of the same agents in the list, and the numbers of their breeds.
-        private function putNumbers(place:int, others:Vector.<int>, count:int):void
-        {
-            var places:Vector.<int> = _pairs.places;
-            var breeds:Vector.<int> = _pairs.breeds;
-            var numbers:Vector.<int> = _table.breeds;
-            var memberAt:Vector.<int> = _bins.memberAt;
-            var rowAt:Vector.<int> = _bins.rowAt;
-            var hasAll:Boolean = _members === _table.rows;
-            var member:int = memberAt[place];
-            var breed:int = numbers[rowAt[place]];
-            var at:int = 2 * _found;
+            var at:int = 2 * _foundCount;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = memberAt[others[i]];
-                var otherBreed:int = numbers[rowAt[others[i]]];
                 if (member < other)
                 {
-                    places[at] = member;
-                    places[at + 1] = other;
-                    breeds[at] = breed;
-                    breeds[at + 1] = otherBreed;
+                    found[at] = member;
+                    found[at + 1] = other;
                 }
                 else
                 {
-                    places[at] = other;
-                    places[at + 1] = member;
-                    breeds[at] = otherBreed;
-                    breeds[at + 1] = breed;
-                }
-                if (!hasAll)
-                {
-                    places[at] = _places[places[at]];
-                    places[at + 1] = _places[places[at + 1]];
+                    found[at] = other;
+                    found[at + 1] = member;
                 }
                 at += 2;
             }
+            _foundCount += count;
         }
 
-        private function put(at:int, member:int):void
-        {
-            var row:int = _members[member];
-            _out[at] = _table.agents[row];
-            if (_pairs != null)
-            {
-                _pairs.places[at] = _members === _table.rows ? member : _places[member];
-                _pairs.breeds[at] = _table.breeds[row];
-            }
-        }
-
-        private function ask(a:Agent, b:Agent):void
-        {
-            _pair[0] = a;
-            _pair[1] = b;
-            _asked.readPair(_pair);
-        }
-
-        private function endQuestion():void
-        {
-            _pair[0] = _pair[1] = null;
-            _asked.endPair();
-        }
-
-        private function search(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs):void
+        private function search(agents:Vector.<Agent>, breeds:BreedPairs):void
         {
             _table.read(agents);
-            _out = out;
-            _pairs = pairs;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
             if (_isSwept)
             {
@@ -255,28 +178,15 @@ package starlogo.search
             }
             chooseMembers(breeds);
             _breeds = breeds == null || breeds.areAll ? null : breeds;
-            _found = _skippedPairs = 0;
+            _foundCount = _skippedPairs = 0;
             _strategy.resetCounts();
             _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _members, _memberCount, this);
             if (_isSwept)
             {
-                putInOrder();
+                _order.sort(_times, _found, _foundCount);
             }
-            _out = null;
-            _pairs = null;
             _strategy.finishCounts();
             report(agents.length);
-        }
-
-        private function putInOrder():void
-        {
-            _order.sort(_times, _found);
-            for (var i:int = 0; i < _found; i++)
-            {
-                var pair:int = _order.order[i];
-                put(2 * i, _firsts[pair]);
-                put(2 * i + 1, _seconds[pair]);
-            }
         }
 
         // Mostly all take part.
@@ -302,38 +212,68 @@ package starlogo.search
             }
         }
 
-        // Pairs of which one sweeps are tested as they moved, others where they are.
-        private function testMotions(place:int, others:Vector.<int>, count:int):void
+        // As keepTouching of a strategy, with the times: pairs of which one sweeps are tested as they moved, others where they are.
+        private function keepTouchingMotions(place:int, others:Vector.<int>, count:int):int
         {
             var row:int = _bins.rowAt[place];
             var member:int = _bins.memberAt[place];
+            var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var otherRow:int = _bins.rowAt[others[i]];
-                var other:int = _bins.memberAt[others[i]];
+                var other:int = others[i];
+                var otherRow:int = _bins.rowAt[other];
                 // the one that comes first in the list is the one that moves
-                var time:Number = member < other ? timeOf(row, otherRow) : timeOf(otherRow, row);
+                var isFirst:Boolean = member < _bins.memberAt[other];
+                var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
                 if (time != RelativeMotion.NEVER)
                 {
-                    _firsts[_found] = Math.min(member, other);
-                    _seconds[_found] = Math.max(member, other);
-                    _times[_found] = time;
-                    _found++;
+                    others[kept] = other;
+                    _times[_foundCount + kept] = time;
+                    kept++;
                 }
             }
+            return kept;
         }
 
-        private function timeOf(a:int, b:int):Number
+        private function impactTime(a:int, b:int):Number
         {
             if (_motions.isSweeping[a] || _motions.isSweeping[b])
             {
-                return _motionTests.impactTime(_table, _motions, a, b, _bins.slack);
+                return _motions.impactTime(_table, _bins, a, b);
             }
-            if (ShapeStrategy.areNear(_table.extents, a, b, _bins.slack) && _strategy.areTouching(_table, a, b))
+            var areTouching:Boolean = ShapeStrategy.areNear(_table.extents, _bins, a, b) && _strategy.areTouching(_table, a, b);
+            return areTouching ? 1 : RelativeMotion.NEVER;
+        }
+
+        private function writeAgents(out:Vector.<Agent>):void
+        {
+            var listed:Vector.<Agent> = _table.agents;
+            var members:Vector.<int> = _members;
+            var found:Vector.<int> = _found;
+            var length:int = 2 * _foundCount;
+            for (var i:int = 0; i < length; i++)
             {
-                return 1;
+                out[i] = listed[members[found[i]]];
             }
-            return RelativeMotion.NEVER;
+        }
+
+        private function writeNumbers(places:Vector.<int>, breeds:Vector.<int>):void
+        {
+            var numbers:Vector.<int> = _table.breeds;
+            var members:Vector.<int> = _members;
+            var found:Vector.<int> = _found;
+            var hasAll:Boolean = members === _table.rows;
+            var length:int = 2 * _foundCount;
+            for (var i:int = 0; i < length; i++)
+            {
+                var member:int = found[i];
+                breeds[i] = numbers[members[member]];
+                if (!hasAll)
+                {
+                    member = _places[member];
+                }
+                places[i] = member;
+            }
         }
 
         private function report(agentCount:int):void
@@ -344,7 +284,7 @@ package starlogo.search
             did.agentsLoading = _table.loadingCount;
             did.binEntries = _bins.entryCount;
             did.candidatePairs = _bins.pairCount - _skippedPairs;
-            did.collisions = _found;
+            did.collisions = _foundCount;
         }
     }
 }

@@ -91,15 +91,15 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
+        override public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
         {
-            return strategyOf(table, a, b).impactTime(table, a, b, way);
+            return strategyOf(table, a, b).impactTime(table, a, b, motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            strategyOf(table, a, b).findContact(table, a, b, way, time, out);
+            strategyOf(table, a, b).findContact(table, a, b, motion, time, out);
         }
 
         /** @inheritDoc */

@@ -2,7 +2,6 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
-    import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
@@ -60,70 +59,13 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
-        {
-            var shapes:Vector.<ModelShape> = table.shapes;
-            var agents:Vector.<Agent> = table.agents;
-            var depths:Vector.<int> = table.depths;
-            var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[place];
-            var agent:Agent = agents[row];
-            var shape:ModelShape = shapes[row];
-            var serial:int = agent.serial;
-            var depth:int = depthOf(table, row);
-            var kept:int = 0;
-            count = keepNear(table.extents, bins, place, others, count);
-            counts.hierarchyTests += count;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                var otherRow:int = rowAt[other];
-                var otherAgent:Agent = agents[otherRow];
-                var otherShape:ModelShape = shapes[otherRow];
-                var otherDepth:int = depths[otherRow];
-                if (otherDepth == 0)
-                {
-                    otherDepth = maxDepth;
-                }
-                // as areTouching does, with what is known of the one already
-                var touches:Boolean;
-                if (shape.hierarchy == null)
-                {
-                    touches = _traversal.structureOverlaps(otherShape.hierarchy, otherAgent.placement, otherDepth, shape.structure, agent.placement);
-                }
-                else if (otherShape.hierarchy == null)
-                {
-                    touches = _traversal.structureOverlaps(shape.hierarchy, agent.placement, depth, otherShape.structure, otherAgent.placement);
-                }
-                else if (serial < otherAgent.serial)
-                {
-                    touches = _traversal.hierarchiesOverlap(shape.hierarchy, agent.placement, depth, otherShape.hierarchy,
-                            otherAgent.placement, otherDepth, exact);
-                }
-                else
-                {
-                    touches = _traversal.hierarchiesOverlap(otherShape.hierarchy, otherAgent.placement, otherDepth, shape.hierarchy,
-                            agent.placement, depth, exact);
-                }
-                if (touches)
-                {
-                    others[kept] = other;
-                    kept++;
-                }
-            }
-            return kept;
-        }
-
-        /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            counts.hierarchyTests++;
-            if (isTheOtherWayRound(table, a, b))
+            if (isSecondFirst(table, a, b))
             {
-                var first:int = b;
-                b = a;
-                a = first;
+                return areTouching(table, b, a);
             }
+            counts.hierarchyTests++;
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
             var placementA:Placement = table.placementOf(a, _placementA);
@@ -137,51 +79,47 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
+        override public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
         {
-            counts.hierarchyTests++;
-            if (isTheOtherWayRound(table, a, b))
+            if (isSecondFirst(table, a, b))
             {
-                _turned.turn(way);
-                way = _turned;
-                var first:int = b;
-                b = a;
-                a = first;
+                _turned.turn(motion);
+                return impactTime(table, b, a, _turned);
             }
+            counts.hierarchyTests++;
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
             var placementA:Placement = table.placementOf(a, _placementA);
             var placementB:Placement = table.placementOf(b, _placementB);
             if (shapeB.hierarchy == null)
             {
-                return _swept.structureTouches(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, way);
+                return _swept.structureTouches(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion);
             }
             return _swept.hierarchiesTouch(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
-                    depthOf(table, b), exact, way);
+                    depthOf(table, b), exact, motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
-            var placementA:Placement = table.placementOf(a, _placementA);
-            var placementB:Placement = table.placementOf(b, _placementB);
             if (shapeA.hierarchy == null)
             {
-                _turned.turn(way);
-                _swept.findStructureContact(shapeB.hierarchy, placementB, depthOf(table, b), shapeA.structure, placementA, _turned, time, out);
-                out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
+                _turned.turn(motion);
+                findContact(table, b, a, _turned, time, out);
+                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+                return;
             }
-            else if (shapeB.hierarchy == null)
+            var placementA:Placement = table.placementOf(a, _placementA);
+            var placementB:Placement = table.placementOf(b, _placementB);
+            if (shapeB.hierarchy == null)
             {
-                _swept.findStructureContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, way, time, out);
+                _swept.findStructureContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion, time, out);
+                return;
             }
-            else
-            {
-                _swept.findContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB, depthOf(table, b), exact,
-                        way, time, out);
-            }
+            _swept.findContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB, depthOf(table, b), exact,
+                    motion, time, out);
         }
 
         /** @inheritDoc */
@@ -199,8 +137,8 @@ package starlogo.search
             counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The hierarchy before the structure, and the older agent before the younger: the same whichever comes first, so that rounding is too.
-        private static function isTheOtherWayRound(table:AgentTable, a:int, b:int):Boolean
+        // The hierarchy is first, and then the older agent: the same whichever comes first, so that rounding is too.
+        private static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
             var isHierarchy:Boolean = table.shapes[a].hierarchy != null;
             if (isHierarchy != (table.shapes[b].hierarchy != null))

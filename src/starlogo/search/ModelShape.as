@@ -1,8 +1,6 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.solid.SolidHierarchy;
 
     /**
@@ -39,17 +37,10 @@ package starlogo.search
         /** The hierarchy, where one is used. */
         public var hierarchy:SolidHierarchy = null;
 
-        /** What is tried before the structure (thesis §7.5), a little wider; or null. */
-        public var outerSphere:Sphere = null;
+        /** What is tried before the structure, a little wider; or null. */
+        public var outer:OuterStructures = null;
 
-        /** @copy #outerSphere */
-        public var outerCapsule:Capsule = null;
-
-        /**
-         * @param model the model's name
-         * @param kind what is asked for
-         * @param revision of what the GreatLand knows of it
-         */
+        /** What is asked for of a model; the strategy finds the rest. */
         public function ModelShape(model:String, kind:int, revision:int)
         {
             this.model = model;

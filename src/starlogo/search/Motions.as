@@ -1,19 +1,24 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.pointPointImpact;
 
     use namespace engine;
 
     /**
      * How the agents of a table have moved from the search before to the last one, in which an agent sweeps: by row, with the extents of all
-     * that they moved through.
-     *
-     * @private
+     * that they moved through; when two rows touch as they move, and how.
      */
-    public final class Motions
+    internal final class Motions
     {
         /** By row: the motion, 0 where there is none. */
         public var x:Vector.<Number> = new Vector.<Number>();
@@ -30,9 +35,25 @@ package starlogo.search
         /** By row: the extents of the motion, its ends included. */
         public var extents:Extents = new Extents();
 
-        /** No motions. */
-        public function Motions()
+        private var _strategy:ShapeStrategy;
+
+        // Of the first of a pair relative to the second.
+        private var _motion:RelativeMotion = new RelativeMotion();
+
+        // When the extents of a pair begin to overlap in those directions that were looked at, and cease to.
+        private var _enters:Number;
+        private var _leaves:Number;
+
+        private var _finder:ContactFinder = new ContactFinder();
+        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
+        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+
+        /**
+         * @param strategy decides what is not a sphere
+         */
+        public function Motions(strategy:ShapeStrategy)
         {
+            _strategy = strategy;
         }
 
         /** Whether an agent of a list sweeps. */
@@ -81,6 +102,72 @@ package starlogo.search
             }
         }
 
+        /**
+         * When two rows of which one sweeps touch for the first time.
+         *
+         * @param bins know by how much extents may miss each other that touch; null to look at all closely
+         * @return from 0 to 1, or RelativeMotion.NEVER
+         */
+        public function impactTime(table:AgentTable, bins:Bins, a:int, b:int):Number
+        {
+            var motion:RelativeMotion = _motion;
+            motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
+            var isStill:Boolean = motion.x == 0 && motion.y == 0 && motion.z == 0;
+            var areSpheres:Boolean = table.shapes[a].isSphere && table.shapes[b].isSphere;
+            if (!isStill && !areSpheres && bins != null && passEachOther(table.extents, a, b, bins.slack))
+            {
+                return RelativeMotion.NEVER;
+            }
+            _strategy.counts.sweptPairs++;
+            if (isStill)
+            {
+                return _strategy.areTouching(table, a, b) ? 0 : RelativeMotion.NEVER;
+            }
+            return areSpheres ? impactTimeOfSpheres(table, a, b) : _strategy.impactTime(table, a, b, motion);
+        }
+
+        /**
+         * Finds how two rows touch.
+         *
+         * @param isSwept whether the motions are those of the table
+         * @param out takes it, the normal pointing from b to a
+         * @return when, as the agents move; 1 where neither sweeps
+         */
+        public function findContact(table:AgentTable, a:int, b:int, isSwept:Boolean, out:ContactPoint):Number
+        {
+            var motion:RelativeMotion = _motion;
+            var isPassing:Boolean = isSwept && (isSweeping[a] || isSweeping[b]);
+            var time:Number = isPassing ? impactTime(table, null, a, b) : 1;
+            if (time == RelativeMotion.NEVER)
+            {
+                isPassing = false;
+                time = 1;
+            }
+            if (!isPassing)
+            {
+                motion.endAfter(0, 0, 0);
+            }
+            if (table.shapes[a].isSphere && table.shapes[b].isSphere)
+            {
+                readSphere(table.extents, a, _sphereA);
+                readSphere(table.extents, b, _sphereB);
+                _finder.find(_sphereA, _sphereB, motion.startX + time * motion.x, motion.startY + time * motion.y,
+                        motion.startZ + time * motion.z, out);
+            }
+            else
+            {
+                _strategy.findContact(table, a, b, motion, time, out);
+            }
+            if (isPassing)
+            {
+                // from where b is now to where it was
+                out.x -= (1 - time) * x[b];
+                out.y -= (1 - time) * y[b];
+                out.z -= (1 - time) * z[b];
+            }
+            return time;
+        }
+
         private function makeRows(length:int):void
         {
             if (length > x.length)
@@ -88,6 +175,66 @@ package starlogo.search
                 x.length = y.length = z.length = isSweeping.length = length;
                 extents.grow(length);
             }
+        }
+
+        private function impactTimeOfSpheres(table:AgentTable, a:int, b:int):Number
+        {
+            _strategy.counts.tests[0]++;
+            var motion:RelativeMotion = _motion;
+            var standing:Extents = table.extents;
+            var fromX:Number = standing.x[a] - standing.x[b] + motion.startX;
+            var fromY:Number = standing.y[a] - standing.y[b] + motion.startY;
+            var fromZ:Number = standing.z[a] - standing.z[b] + motion.startZ;
+            // the motion's own rounding too
+            var reach:Number = ShapeStrategy.reachOfSpheres(table, a, b)
+                + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+            var time:Number = pointPointImpact(fromX, fromY, fromZ, motion.x, motion.y, motion.z, reach);
+            // no rounding hides what stands there
+            return time == RelativeMotion.NEVER && ShapeStrategy.areSpheresTouching(table, a, b) ? 1 : time;
+        }
+
+        private static function readSphere(standing:Extents, row:int, sphere:Sphere):void
+        {
+            sphere.center.setTo(standing.x[row], standing.y[row], standing.z[row]);
+            sphere.radius = standing.halfX[row];
+        }
+
+        // Whether the extents of two rows, which now are where they are at the end of the motion, never overlap in all directions at once.
+        private function passEachOther(standing:Extents, a:int, b:int, slack:Number):Boolean
+        {
+            _enters = 0;
+            _leaves = 1;
+            return isGap(standing.x[b] - standing.x[a], _motion.x, standing.halfX[a] + standing.halfX[b] + slack)
+                || isGap(standing.y[b] - standing.y[a], _motion.y, standing.halfY[a] + standing.halfY[b] + slack)
+                || isGap(standing.z[b] - standing.z[a], _motion.z, standing.halfZ[a] + standing.halfZ[b] + slack);
+        }
+
+        // One direction: where b is from a at the end, and how far it has come down.
+        private function isGap(at:Number, speed:Number, reach:Number):Boolean
+        {
+            at += speed;
+            if (speed < 0)
+            {
+                speed = -speed;
+                at = -at;
+            }
+            if (at < -reach || at - reach > _leaves * speed)
+            {
+                return true;
+            }
+            if (at > reach)
+            {
+                var enters:Number = (at - reach) / speed;
+                if (enters > _enters)
+                {
+                    _enters = enters;
+                }
+            }
+            if (at + reach < _leaves * speed)
+            {
+                _leaves = (at + reach) / speed;
+            }
+            return _enters > _leaves;
         }
     }
 }

@@ -9,7 +9,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * A sphere and a capsule around an agent's structure, in the world, which are tried first (thesis §7.5).
+     * A sphere and a capsule around a structure, which are tried first (thesis §7.5).
      *
      * @private
      */
@@ -21,23 +21,17 @@ package starlogo.search
         /** The capsule. */
         public var capsule:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
-        /** Not placed yet. */
+        /** Points at the origin. */
         public function OuterStructures()
         {
         }
 
-        /**
-         * Puts both where the agent is.
-         *
-         * @param shape has them
-         * @param placement where its model stands
-         * @param margin by how much they are to be wider
-         */
-        public function place(shape:ModelShape, placement:Placement, margin:Number):void
+        /** Makes them those of a model, put where an agent is and wider by a margin. */
+        public function place(model:OuterStructures, placement:Placement, margin:Number):void
         {
-            shape.outerSphere.place(placement, sphere);
+            model.sphere.place(placement, sphere);
             sphere.widen(margin);
-            shape.outerCapsule.place(placement, capsule);
+            model.capsule.place(placement, capsule);
             capsule.widen(margin);
         }
     }

@@ -69,7 +69,20 @@ package starlogo.search
          */
         public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
         {
-            throw new IllegalOperationError(this + " does not implement keepTouching");
+            var rowAt:Vector.<int> = bins.rowAt;
+            var row:int = rowAt[place];
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                var otherRow:int = rowAt[other];
+                if (areNear(table.extents, bins, row, otherRow) && areTouching(table, row, otherRow))
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
         }
 
         /** Whether two rows touch. */
@@ -84,10 +97,10 @@ package starlogo.search
          *
          * @param a a row, where it is now
          * @param b another
-         * @param way of the first, relative to the second
+         * @param motion of the first, relative to the second
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
+        public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
         {
             throw new IllegalOperationError(this + " does not implement impactTime");
         }
@@ -97,11 +110,11 @@ package starlogo.search
          *
          * @param a as in impactTime
          * @param b as in impactTime
-         * @param way as in impactTime
+         * @param motion as in impactTime
          * @param time when they do first
          * @param out takes it, the normal pointing from b to a, with b where it is now
          */
-        public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
+        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             throw new IllegalOperationError(this + " does not implement findContact");
         }
@@ -117,61 +130,10 @@ package starlogo.search
         {
         }
 
-        /** Of those that keepTouching is asked about, moves the ones to the beginning whose extents overlap the member's, or nearly so. */
-        protected static function keepNear(extents:Extents, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        /** Whether the extents of two rows overlap, or nearly so; the heights first, because the circles on the ground do. */
+        public static function areNear(extents:Extents, bins:Bins, a:int, b:int):Boolean
         {
-            var x:Vector.<Number> = extents.x;
-            var y:Vector.<Number> = extents.y;
-            var z:Vector.<Number> = extents.z;
-            var halfX:Vector.<Number> = extents.halfX;
-            var halfY:Vector.<Number> = extents.halfY;
-            var halfZ:Vector.<Number> = extents.halfZ;
-            var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[place];
-            var atX:Number = x[row];
-            var atY:Number = y[row];
-            var atZ:Number = z[row];
-            var reachX:Number = halfX[row] + bins.slack;
-            var reachY:Number = halfY[row] + bins.slack;
-            var reachZ:Number = halfZ[row] + bins.slack;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                var other:int = others[i];
-                var otherRow:int = rowAt[other];
-                var distance:Number = z[otherRow] - atZ;
-                var reach:Number = reachZ + halfZ[otherRow];
-                if (distance <= reach)
-                {
-                    if (distance >= -reach)
-                    {
-                        distance = x[otherRow] - atX;
-                        reach = reachX + halfX[otherRow];
-                        if (distance <= reach)
-                        {
-                            if (distance >= -reach)
-                            {
-                                distance = y[otherRow] - atY;
-                                reach = reachY + halfY[otherRow];
-                                if (distance <= reach)
-                                {
-                                    if (distance >= -reach)
-                                    {
-                                        others[kept] = other;
-                                        kept++;
-                                    }
-                                }
-                            }
-                        }
-                    }
-                }
-            }
-            return kept;
-        }
-
-        /** Whether the extents of two rows overlap, or nearly so. */
-        public static function areNear(extents:Extents, a:int, b:int, slack:Number):Boolean
-        {
+            var slack:Number = bins.slack;
             var distance:Number = extents.z[a] - extents.z[b];
             var reach:Number = extents.halfZ[a] + extents.halfZ[b] + slack;
             if (distance > reach || distance < -reach)
@@ -192,11 +154,18 @@ package starlogo.search
         /** Whether two rows touch that are spheres, as wide as their extents. */
         internal static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var x:Number = table.extents.x[a] - table.extents.x[b];
-            var y:Number = table.extents.y[a] - table.extents.y[b];
-            var z:Number = table.extents.z[a] - table.extents.z[b];
-            var reach:Number = reachOfSpheres(table, a, b);
-            return x * x + y * y + z * z <= reach * reach;
+            var extents:Extents = table.extents;
+            var x:Number = extents.x[a] - extents.x[b];
+            var y:Number = extents.y[a] - extents.y[b];
+            var z:Number = extents.z[a] - extents.z[b];
+            var squared:Number = x * x + y * y + z * z;
+            var reach:Number = extents.halfX[a] + extents.halfX[b];
+            if (squared <= reach * reach)
+            {
+                return true;
+            }
+            reach = reachOfSpheres(table, a, b);
+            return squared <= reach * reach;
         }
 
         /** The distance at which two rows touch that are spheres. */

@@ -7,7 +7,6 @@ package starlogo.search
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleCapsule;
@@ -75,29 +74,27 @@ package starlogo.search
             shape.isSphere = shape.structure.kind == BoundingStructure.SPHERE;
             if (isTightest && !shape.isSphere && library.hasAll(model))
             {
-                shape.outerSphere = library.sphere(model).clone() as Sphere;
-                shape.outerSphere.radius *= OUTER;
-                shape.outerCapsule = library.capsule(model).clone() as Capsule;
-                shape.outerCapsule.radius *= OUTER;
+                shape.outer = new OuterStructures();
+                shape.outer.sphere = library.sphere(model).clone() as Sphere;
+                shape.outer.capsule = library.capsule(model).clone() as Capsule;
+                shape.outer.sphere.radius *= OUTER;
+                shape.outer.capsule.radius *= OUTER;
             }
         }
 
         /** @inheritDoc */
         override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
         {
-            var extents:Extents = table.extents;
-            var zs:Vector.<Number> = extents.z;
-            var halfZs:Vector.<Number> = extents.halfZ;
+            var zs:Vector.<Number> = table.extents.z;
+            var halfZs:Vector.<Number> = table.extents.halfZ;
             var boxes:Vector.<Box> = table.boxes;
             var placed:Vector.<int> = table.placedRevisions;
             var revisions:Vector.<int> = table.revisions;
             var rowAt:Vector.<int> = bins.rowAt;
             var row:int = rowAt[place];
             var atZ:Number = zs[row];
-            var slack:Number = bins.slack;
-            var reachZ:Number = halfZs[row] + slack;
+            var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = boxes[row];
-            var facesOnly:Boolean = boxFacesOnly;
             var boxTests:int = 0;
             var kept:int = 0;
             if (box != null && placed[row] != revisions[row])
@@ -106,7 +103,7 @@ package starlogo.search
             }
             for (var i:int = 0; i < count; i++)
             {
-                // boxes are their own extents but for the heights; the others' are looked at first
+                // boxes are their own extents but for the heights
                 var other:int = others[i];
                 var otherRow:int = rowAt[other];
                 var distance:Number = zs[otherRow] - atZ;
@@ -127,12 +124,12 @@ package starlogo.search
                     {
                         table.place(otherRow);
                     }
-                    if (!boxBox(box, otherBox, facesOnly))
+                    if (!boxBox(box, otherBox, boxFacesOnly))
                     {
                         continue;
                     }
                 }
-                else if (!areNear(table.extents, row, otherRow, slack) || !areTouching(table, row, otherRow))
+                else if (!areNear(table.extents, bins, row, otherRow) || !areTouching(table, row, otherRow))
                 {
                     continue;
                 }
@@ -151,48 +148,13 @@ package starlogo.search
                 counts.tests[0]++;
                 return areSpheresTouching(table, a, b);
             }
-            return areStructuresTouching(table, a, b);
-        }
-
-        /** @inheritDoc */
-        override public function impactTime(table:AgentTable, a:int, b:int, way:RelativeMotion):Number
-        {
             var structureA:BoundingStructure = table.structureOf(a);
             var structureB:BoundingStructure = table.structureOf(b);
-            note(structureA, structureB);
-            if (boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            if (haveOuter(table, a, b) && !areOuterTouching(table, a, b))
             {
-                return boxBoxImpact(Box(structureA), Box(structureB), way, true);
+                return false;
             }
-            var time:Number = timeOfImpact(structureA, structureB, way);
-            if (time != RelativeMotion.NEVER && haveOuter(table, a, b))
-            {
-                time = timeOfImpactOfAll(table, a, b, way, time);
-            }
-            // no rounding hides what stands there
-            return time == RelativeMotion.NEVER && areStructuresTouching(table, a, b) ? 1 : time;
-        }
-
-        /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number, out:ContactPoint):void
-        {
-            _finder.find(table.structureOf(a), table.structureOf(b), way.startX + time * way.x, way.startY + time * way.y,
-                    way.startZ + time * way.z, out);
-        }
-
-        // Whether the structures of two rows touch that are not both spheres.
-        private function areStructuresTouching(table:AgentTable, a:int, b:int):Boolean
-        {
-            var structureA:BoundingStructure = table.structureOf(a);
-            var structureB:BoundingStructure = table.structureOf(b);
-            if (table.shapes[a].outerSphere != null)
-            {
-                if (table.shapes[b].outerSphere != null && !areOuterTouching(table, a, b))
-                {
-                    return false;
-                }
-            }
-            note(structureA, structureB);
+            noteTest(structureA, structureB);
             if (structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
             {
                 return boxBox(Box(structureA), Box(structureB), boxFacesOnly);
@@ -200,13 +162,39 @@ package starlogo.search
             return intersects(structureA, structureB);
         }
 
+        /** @inheritDoc */
+        override public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
+        {
+            var structureA:BoundingStructure = table.structureOf(a);
+            var structureB:BoundingStructure = table.structureOf(b);
+            noteTest(structureA, structureB);
+            if (boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            {
+                return boxBoxImpact(Box(structureA), Box(structureB), motion, true);
+            }
+            var time:Number = timeOfImpact(structureA, structureB, motion);
+            if (time != RelativeMotion.NEVER && haveOuter(table, a, b))
+            {
+                time = impactTimeOfAll(table, a, b, motion, time);
+            }
+            // no rounding hides what stands there
+            return time == RelativeMotion.NEVER && areTouching(table, a, b) ? 1 : time;
+        }
+
+        /** @inheritDoc */
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        {
+            _finder.find(table.structureOf(a), table.structureOf(b), motion.startX + time * motion.x, motion.startY + time * motion.y,
+                    motion.startZ + time * motion.z, out);
+        }
+
         private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var outerA:OuterStructures = table.outerOf(a);
-            var outerB:OuterStructures = table.outerOf(b);
+            var outerA:OuterStructures = table.outer[a];
+            var outerB:OuterStructures = table.outer[b];
             if (spheresFirst)
             {
-                note(outerA.sphere, outerB.sphere);
+                noteTest(outerA.sphere, outerB.sphere);
                 if (!sphereSphere(outerA.sphere, outerB.sphere))
                 {
                     return false;
@@ -214,47 +202,47 @@ package starlogo.search
             }
             if (capsulesFirst && isOneBox(table, a, b))
             {
-                note(outerA.capsule, outerB.capsule);
+                noteTest(outerA.capsule, outerB.capsule);
                 return capsuleCapsule(outerA.capsule, outerB.capsule);
             }
             return true;
         }
 
-        // When the structures that areOuterTouching looks at touch as well. Each two of them do so in one piece of the way.
-        private function timeOfImpactOfAll(table:AgentTable, a:int, b:int, way:RelativeMotion, time:Number):Number
+        // When the structures that areOuterTouching looks at touch as well. Each two of them do so in one piece of the motion.
+        private function impactTimeOfAll(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number):Number
         {
-            var outerA:OuterStructures = table.outerOf(a);
-            var outerB:OuterStructures = table.outerOf(b);
-            var end:Number = lastContact(table.structureOf(a), table.structureOf(b), way);
+            var outerA:OuterStructures = table.outer[a];
+            var outerB:OuterStructures = table.outer[b];
+            var end:Number = timeOfLastContact(table.structureOf(a), table.structureOf(b), motion);
             if (spheresFirst)
             {
-                note(outerA.sphere, outerB.sphere);
-                time = Math.max(time, timeOfImpact(outerA.sphere, outerB.sphere, way));
-                end = Math.min(end, lastContact(outerA.sphere, outerB.sphere, way));
+                noteTest(outerA.sphere, outerB.sphere);
+                time = Math.max(time, timeOfImpact(outerA.sphere, outerB.sphere, motion));
+                end = Math.min(end, timeOfLastContact(outerA.sphere, outerB.sphere, motion));
             }
             if (capsulesFirst && isOneBox(table, a, b))
             {
-                note(outerA.capsule, outerB.capsule);
-                time = Math.max(time, timeOfImpact(outerA.capsule, outerB.capsule, way));
-                end = Math.min(end, lastContact(outerA.capsule, outerB.capsule, way));
+                noteTest(outerA.capsule, outerB.capsule);
+                time = Math.max(time, timeOfImpact(outerA.capsule, outerB.capsule, motion));
+                end = Math.min(end, timeOfLastContact(outerA.capsule, outerB.capsule, motion));
             }
             return time <= end ? time : RelativeMotion.NEVER;
         }
 
-        private function lastContact(a:BoundingStructure, b:BoundingStructure, way:RelativeMotion):Number
+        private function timeOfLastContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
         {
-            _back.takePart(way, 1, 0);
+            _back.takePart(motion, 1, 0);
             return 1 - timeOfImpact(a, b, _back);
         }
 
-        private function note(a:BoundingStructure, b:BoundingStructure):void
+        private function noteTest(a:BoundingStructure, b:BoundingStructure):void
         {
             counts.tests[a.kind << 2 | b.kind]++;
         }
 
         private static function haveOuter(table:AgentTable, a:int, b:int):Boolean
         {
-            return table.shapes[a].outerSphere != null && table.shapes[b].outerSphere != null;
+            return table.shapes[a].outer != null && table.shapes[b].outer != null;
         }
 
         private static function isOneBox(table:AgentTable, a:int, b:int):Boolean

@@ -93,7 +93,7 @@ package starlogo.search
         public function letsGoOfTheAgentsOfAQuestion():void
         {
             var asked:AgentTable = new AgentTable(_strategy, new ModelShapes(_land, _strategy), null);
-            asked.readPair(_agents.slice(0, 2));
+            asked.readPair(_agents[0], _agents[1]);
             assertTrue(asked.agents[0] === _agents[0] && asked.agents[1] === _agents[1]);
             asked.endPair();
             assertEquals("null,null,null,null", asked.agents[0] + "," + asked.agents[1] + "," + asked.shapes[0] + "," + asked.shapes[1]);

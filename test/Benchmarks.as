@@ -3,6 +3,7 @@ package
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
     import benchmark.FittingBenchmark;
+    import benchmark.HandlersBenchmark;
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
@@ -20,7 +21,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;

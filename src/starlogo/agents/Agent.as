@@ -62,6 +62,13 @@ package starlogo.agents
         engine static var breedChanges:int = 0;
 
         /**
+         * The number of the last change of this agent's breed; 0 before the first.
+         *
+         * @private
+         */
+        engine var breedChange:int = 0;
+
+        /**
          * In place of a kind of structure: the tightest.
          *
          * @private
@@ -190,7 +197,7 @@ package starlogo.agents
             if (value != _breed)
             {
                 _breed = value;
-                breedChanges++;
+                breedChange = ++breedChanges;
             }
         }
 

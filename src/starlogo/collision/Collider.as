@@ -20,7 +20,7 @@ package starlogo.collision
      * nothing once it has run. What stands for an agent is found anew when the agent has changed; any number of colliders may share
      * agents.</p>
      *
-     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of their touches. The order
+     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of impact. The order
      * depends on the agents that take part, their order in the list, where they are and how far they reach, and on nothing else. Of a
      * pair the agent that comes first in the list comes first.</p>
      *
@@ -31,7 +31,7 @@ package starlogo.collision
     {
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
-        private var _touch:ContactPoint = new ContactPoint();
+        private var _contactPoint:ContactPoint = new ContactPoint();
 
         /**
          * For the engine's colliders only.
@@ -79,11 +79,11 @@ package starlogo.collision
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            var touch:ContactPoint = _touch;
-            contact.time = _search.findContact(collider, collidee, touch);
-            contact.depth = touch.depth;
-            contact.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
-            contact.point.setTo(touch.x, touch.y, touch.z);
+            var found:ContactPoint = _contactPoint;
+            contact.time = _search.findContact(collider, collidee, found);
+            contact.depth = found.depth;
+            contact.normal.setTo(found.normalX, found.normalY, found.normalZ);
+            contact.point.setTo(found.x, found.y, found.z);
             return contact;
         }
 
@@ -93,7 +93,7 @@ package starlogo.collision
             requireList(agents);
             var start:int = getTimer();
             _search.findPairs(agents, breeds, out);
-            _statistics.takeCounts(_search.counts, getTimer() - start);
+            _statistics.setCounts(_search.counts, getTimer() - start);
         }
 
         private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):Vector.<Agent>
@@ -101,7 +101,7 @@ package starlogo.collision
             requireList(agents);
             var start:int = getTimer();
             _search.find(agents, breeds, out);
-            _statistics.takeCounts(_search.counts, getTimer() - start);
+            _statistics.setCounts(_search.counts, getTimer() - start);
             return out;
         }
 

@@ -4,6 +4,7 @@ package
     import benchmark.CrowdBenchmark;
     import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
+    import benchmark.HandlersBenchmark;
     import benchmark.HierarchicalCrowdBenchmark;
     import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
@@ -22,7 +23,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;

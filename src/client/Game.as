@@ -252,7 +252,7 @@ package client
             }
         }
 
-        // Out of the way that it came, and round what it met.
+        // Back along the path that it came, and around what it hit.
         private function bump(bear:Agent, met:Agent):void
         {
             if (met.breed != "paintballs")

@@ -36,7 +36,7 @@ package client
         private var _shadow:Geometry = new RegularPolygonGeometry(0.5, 24);
         private var _shade:ColorMaterial = new ColorMaterial(0x12300c, 0.3);
 
-        /** A land without anybody. */
+        /** An empty land. */
         public function Land()
         {
             _view.backgroundColor = SKY;

@@ -4,7 +4,7 @@ package evaluation
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
 
-    /** A collision system of somebody else's, for which everything collides with everything. */
+    /** A client's collision system, in which every agent collides with every other. */
     public class EveryPairSystem implements CollisionSystem
     {
         private var _statistics:CollisionStatistics = new CollisionStatistics();

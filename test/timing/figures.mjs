@@ -138,15 +138,15 @@ export const FIGURES = [
 		id: 'access', title: 'Figure 6-3: time to access and transform a tightest fit',
 		head: ['model', 'engine', '× sphere test', 'JIT', 'literal', 'faster', 'thesis'],
 		rows: (entries) => modelRows(entries, () => []),
-		note: 'Of an agent that has moved and turned, both included. The engine does this once for an agent that has moved, the'
-			+ ' literal collider for either agent of each pair.',
+		note: 'For an agent that has moved and turned. The engine does this once for each agent that has moved, the literal'
+			+ ' collider for both agents of each pair.',
 	},
 	{
 		id: 'tests', title: 'Figure 6-4: time of an intersection test',
 		head: ['test', 'engine', '× sphere', 'all hit', 'JIT', 'literal', '× sphere', 'faster', 'thesis', '× sphere'],
 		rows: testRows,
 		note: 'On random pairs of which 40 % intersect, and on pairs that all do; each as a multiple of the sphere-sphere test of the'
-			+ ' same run, the thesis\'s as one of its own. A literal test that is right is the engine\'s and not repeated.',
+			+ ' same run, the thesis\'s figures as a multiple of its own. Literal tests that are the same as the engine\'s are not repeated.',
 	},
 	{
 		id: 'hierarchies', title: 'Figure 6-5: time to build a hierarchy',
@@ -155,8 +155,8 @@ export const FIGURES = [
 			measured(found['engine, vertices']), multiple(found['engine, vertices']),
 			beside(found['engine, vertices']), short(found.literal),
 			times(faster(found['engine, vertices'], found.literal)), thesisTime(found.engine)]),
-		note: 'Ten levels, nodes of five vertices or fewer not split. The engine builds of triangles; of vertices alone, as the thesis'
-			+ ' does, to compare.',
+		note: 'Ten levels; nodes of five vertices or fewer are not split. The engine builds from triangles, and here also from vertices'
+			+ ' alone, as the thesis does.',
 	},
 	{
 		id: 'crowds', title: 'Sections 6.1 to 6.4: a frame of a crowd, all in one bin and all colliding',
@@ -165,23 +165,23 @@ export const FIGURES = [
 		rows: gameRows,
 		note: 'Handlers included. The literal colliders are timed on 300 of the pairs and multiplied, each pair once'
 			+ ' (the thesis counts it twice), without bins and breeds. One agent of the CombinationCollider\'s crowds is hierarchical.'
-			+ ' Pairs: those that collide; checked: trying all pairs finds the same.',
+			+ ' Pairs: those that collide. Checked: whether a test of all pairs finds the same.',
 	},
 	{
 		id: 'combination', title: 'Section 6.4: CombinationCollider, by how many agents are hierarchical',
 		head: ['crowd', 'of them', 'engine', '× sphere', 'JIT', 'literal', 'faster', 'thesis', 'pairs', 'checked'],
 		text: 2,
 		rows: gameRows,
-		note: 'The thesis has no number here but says that it lies between those of the other two colliders.',
+		note: 'The thesis gives no number here; it says that it lies between those of the other two colliders.',
 	},
 	{
 		id: 'scattered', title: 'Scattered games: a frame, by the number of agents',
 		head: ['game', 'bins', 'tightest fit', 'hierarchical', 'combination', 'pairs', 'checked'],
 		rows: scatteredRows,
-		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes that cover as much of the ground, whatever'
-			+ ' their number. Pairs: those that collide, by collider.'
-			+ ' Exponent: of the number of agents, fitted to the times, and of the number of agents and collisions: those of agents of'
-			+ ' size 1 grow with the square of their number.',
+		note: 'Agents all over SpaceLand\'s 100 by 100 patches, all moving: of size 1, and of sizes with which any number of them covers as'
+			+ ' much of the ground. Pairs: those that collide, by collider.'
+			+ ' Exponent: of the number of agents, fitted to the times, and of the number of agents and collisions: the collisions of'
+			+ ' agents of size 1 grow with the square of the number of agents.',
 	},
 	{
 		id: 'monitor', title: 'The monitor in a running game',
@@ -189,7 +189,7 @@ export const FIGURES = [
 		text: 2,
 		rows: (entries) => entries.map((entry) => [entry.subject, entry.variant,
 			entry.unit === 'ms' ? measured(entry) : `${significant(entry.value, 2)} ${entry.unit}`, beside(entry)]),
-		note: 'A frame at 25 a second has 40 ms. What the player takes to draw the monitor is not in it. The CollisionRecorder costs what'
-			+ ' recording its collisions does.',
+		note: 'A frame at 25 a second has 40 ms. The time that the player takes to draw the monitor is not included. The cost of the'
+			+ ' CollisionRecorder is that of recording the collisions.',
 	},
 ];

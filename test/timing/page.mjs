@@ -32,8 +32,8 @@ amber the thesis's algorithms word for word in the same player, grey the thesis'
 ${FIGURES.map((figure) => section(figure, report.entries, charts)).join('\n')}
 </main>
 <footer>
-<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; what varies by more than 30 % is not reported. “×” is a multiple of the sphere-sphere test, measured in turns
-with it: only these compare across machines.</p>
+<p>Times are medians ± half the range of the repetitions, without the fastest and the slowest fifth, after a warm-up; times that vary by more than 30 % are not reported. “×” is a multiple of the sphere-sphere test, measured in turns
+with it: only these can be compared across machines.</p>
 <p>${Object.entries({ ...report.machine, ...report.versions }).map(([name, value]) => `<span>${words(name)}: ${escape(value)}</span>`).join(' · ')}</p>
 </footer>
 <script>${chart.replaceAll('</script', '<\\/script')}</script>
@@ -52,7 +52,7 @@ export function moduleText({ player, count, low, median, high }) {
 
 /** Which numbers were taken in which player. */
 function takenIn({ player, beside }) {
-	const green = beside ? ` Green, and named JIT: this engine in ${escape(beside)}, the machine of the Flash client, in a run of the same on the same computer.` : '';
+	const green = beside ? ` Green, and named JIT: this engine in ${escape(beside)}, the Flash client's virtual machine, in a second run on the same computer.` : '';
 	return `All times but the thesis's were taken in ${escape(player ?? 'an unknown player')}${beside ? ', but for one colour.' : '.'}${green}`;
 }
 

@@ -53,6 +53,9 @@ package starlogo.agents
         /** @private Counts the changes of breeds, of all agents: while it stays, what was found for breeds is right. */
         engine static var breedChanges:int = 0;
 
+        /** @private The number of the last change of this agent's breed; 0 before the first. */
+        engine var breedChange:int = 0;
+
         /** @private In place of a kind of structure: the tightest. */
         engine static const ANY_KIND:int = -1;
 
@@ -148,7 +151,7 @@ package starlogo.agents
             if (value != _breed)
             {
                 _breed = value;
-                breedChanges++;
+                breedChange = ++breedChanges;
             }
         }
 

@@ -9,23 +9,23 @@ package starlogo.away3d
     use namespace engine;
 
     /**
-     * Keeps an agent and what Away3D draws for it at one place: positions, all three turns and size. What is drawn is then
+     * Keeps an agent and what Away3D draws for it in the same place: position, all three turns and size. What is drawn is then
      * what collides.
      *
      * <p>The object's parent is the land: y up, one unit a patch. If the object is, or has, the source of an Away3dModel, that
-     * model says where and how large it is; without one, the object is drawn as it is normalised: a unit wide, its
+     * model says where and how large it is; without one, the object is taken to be normalised: a unit wide, its
      * lowest point at its origin. The object may turn about a pivot point.</p>
      *
-     * <p>Call <code>updateObject()</code> each frame when the agent leads, <code>updateAgent()</code> when the object does. Either looks
-     * at both sides, does nothing when nothing has changed, and allocates nothing: Away3D's events of changes are not sent
-     * for each.</p>
+     * <p>Call <code>updateObject()</code> each frame when the agent leads, <code>updateAgent()</code> when the object does. Either compares
+     * both sides, does nothing when nothing has changed, and allocates nothing; Away3D does not send an event for every change.</p>
      *
-     * <p>Away3D's DAEParser puts the transforms of what it loads where the first change of a trait wipes them out: bind a fresh
-     * ObjectContainer3D around that.</p>
+     * <p>Away3D's DAEParser sets matrices that the first change of a trait overwrites: bind a new ObjectContainer3D around what it
+     * loads.</p>
      */
     public final class Away3dAgentBinding
     {
         private static var sTurn:SwappedTurn = new SwappedTurn();
+        private static var sTraits:Vector.<Number> = new Vector.<Number>(12, true);
 
         private var _agent:Agent;
         private var _object:Object3D;
@@ -38,18 +38,7 @@ package starlogo.away3d
 
         // What both sides were when they were last made the same.
         private var _revision:int = -1;
-        private var _x:Number;
-        private var _y:Number;
-        private var _z:Number;
-        private var _rotationX:Number;
-        private var _rotationY:Number;
-        private var _rotationZ:Number;
-        private var _scaleX:Number;
-        private var _scaleY:Number;
-        private var _scaleZ:Number;
-        private var _pivotX:Number;
-        private var _pivotY:Number;
-        private var _pivotZ:Number;
+        private var _traits:Vector.<Number> = new Vector.<Number>(12, true);
 
         /**
          * Changes neither.
@@ -101,7 +90,7 @@ package starlogo.away3d
             var pivot:Vector3D = drawn.pivotPoint;
             var turn:SwappedTurn = sTurn;
             turn.setAngles(_agent.heading, _agent.pitch, _agent.roll);
-            // unlike moveTo, rotateTo has the matrix computed again whatever it is given
+            // unlike moveTo, rotateTo always has the matrix computed again
             if (differ(turn.roll, drawn.rotationX) || differ(turn.pitch, drawn.rotationY) || differ(turn.heading, drawn.rotationZ))
             {
                 drawn.rotateTo(turn.roll, turn.pitch, turn.heading);
@@ -150,34 +139,43 @@ package starlogo.away3d
 
         private function isUnchanged():Boolean
         {
-            var drawn:Object3D = _object;
-            if (_agent.revision != _revision || drawn.x != _x || drawn.y != _y || drawn.z != _z || drawn.rotationX != _rotationX
-                    || drawn.rotationY != _rotationY || drawn.rotationZ != _rotationZ || drawn.scaleX != _scaleX
-                    || drawn.scaleY != _scaleY || drawn.scaleZ != _scaleZ)
+            if (_agent.revision != _revision)
             {
                 return false;
             }
-            var pivot:Vector3D = drawn.pivotPoint;
-            return pivot.x == _pivotX && pivot.y == _pivotY && pivot.z == _pivotZ;
+            readTraits(sTraits);
+            for (var i:int = 0; i < 12; i++)
+            {
+                if (sTraits[i] != _traits[i])
+                {
+                    return false;
+                }
+            }
+            return true;
         }
 
         private function remember():void
         {
+            _revision = _agent.revision;
+            readTraits(_traits);
+        }
+
+        private function readTraits(traits:Vector.<Number>):void
+        {
             var drawn:Object3D = _object;
             var pivot:Vector3D = drawn.pivotPoint;
-            _revision = _agent.revision;
-            _x = drawn.x;
-            _y = drawn.y;
-            _z = drawn.z;
-            _rotationX = drawn.rotationX;
-            _rotationY = drawn.rotationY;
-            _rotationZ = drawn.rotationZ;
-            _scaleX = drawn.scaleX;
-            _scaleY = drawn.scaleY;
-            _scaleZ = drawn.scaleZ;
-            _pivotX = pivot.x;
-            _pivotY = pivot.y;
-            _pivotZ = pivot.z;
+            traits[0] = drawn.x;
+            traits[1] = drawn.y;
+            traits[2] = drawn.z;
+            traits[3] = drawn.rotationX;
+            traits[4] = drawn.rotationY;
+            traits[5] = drawn.rotationZ;
+            traits[6] = drawn.scaleX;
+            traits[7] = drawn.scaleY;
+            traits[8] = drawn.scaleZ;
+            traits[9] = pivot.x;
+            traits[10] = pivot.y;
+            traits[11] = pivot.z;
         }
 
         // The object keeps radians: an angle comes back rounded.

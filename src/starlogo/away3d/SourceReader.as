@@ -12,7 +12,7 @@ package starlogo.away3d
     /** Reads what Away3dModel takes, in steps of about a millisecond. */
     internal final class SourceReader implements Steps
     {
-        private static const INDICES_A_STEP:int = 900;
+        private static const INDICES_PER_STEP:int = 900;
 
         private var _name:String;
         private var _source:Object;
@@ -139,7 +139,7 @@ package starlogo.away3d
             {
                 open(part.geometry);
             }
-            var end:int = Math.min(_next + INDICES_A_STEP, itemCount());
+            var end:int = Math.min(_next + INDICES_PER_STEP, itemCount());
             if (_hasTriangles)
             {
                 readTriangles(part, end);

@@ -50,7 +50,7 @@ package starlogo.away3d
                 this.roll = 0 - roll;
                 return;
             }
-            takeApart();
+            readRotation();
         }
 
         /** Turns a point of this side. */
@@ -63,7 +63,7 @@ package starlogo.away3d
 
         // Rows and columns 1 and 2 are swapped. The roll is what the heading leaves: when x points up or down, and the heading is
         // any (rounding's), their sum is still right.
-        private function takeApart():void
+        private function readRotation():void
         {
             var r00:Number = _placement.r00;
             var r10:Number = _placement.r20;

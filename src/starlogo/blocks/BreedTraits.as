@@ -2,37 +2,46 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
 
-    /** How the agents of a breed collide, as far as a block said so; null and -1 where none did. */
+    /** How agents collide, as far as blocks have set it: what none has set is null or -1. */
     internal final class BreedTraits
     {
-        /** Whether it is hierarchical: a Boolean, or null. */
-        public var hierarchical:Object = null;
+        private var _hierarchical:Object;
+        private var _depth:int;
+        private var _collideAs:String;
 
-        /** The levels, or -1. */
-        public var depth:int = -1;
-
-        /** The structure, or null. */
-        public var collideAs:String = null;
-
-        /** Nothing was said yet. */
-        public function BreedTraits()
+        /**
+         * @param hierarchical whether they are hierarchical: a Boolean, or null
+         * @param depth the levels, or -1
+         * @param collideAs the structure, or null
+         */
+        public function BreedTraits(hierarchical:Object = null, depth:int = -1, collideAs:String = null)
         {
+            _hierarchical = hierarchical;
+            _depth = depth;
+            _collideAs = collideAs;
         }
 
-        /** Gives an agent what was said. */
+        /** These traits, and of an older set those that these do not set. */
+        public function over(older:BreedTraits):BreedTraits
+        {
+            var hierarchical:Object = _hierarchical == null ? older._hierarchical : _hierarchical;
+            return new BreedTraits(hierarchical, _depth < 0 ? older._depth : _depth, _collideAs || older._collideAs);
+        }
+
+        /** Gives an agent what is set. */
         public function applyTo(agent:Agent):void
         {
-            if (hierarchical != null)
+            if (_hierarchical != null)
             {
-                agent.hierarchical = hierarchical;
+                agent.hierarchical = _hierarchical;
             }
-            if (depth >= 0)
+            if (_depth >= 0)
             {
-                agent.traversalDepth = depth;
+                agent.traversalDepth = _depth;
             }
-            if (collideAs != null)
+            if (_collideAs != null)
             {
-                agent.collideAs = collideAs;
+                agent.collideAs = _collideAs;
             }
         }
     }

@@ -95,7 +95,7 @@ package starlogo.blocks
         {
             if (NAMES.indexOf(name) < 0)
             {
-                throw new BlockError("use collision system", "does not know " + Whom.said(name) + ". Choose one of these: " + NAMES.join(", ") + ".");
+                throw new BlockError("use collision system", "does not know " + BlockSubject.nameOf(name) + ". Choose one of these: " + NAMES.join(", ") + ".");
             }
             if (_systems[name] == null)
             {
@@ -119,8 +119,8 @@ package starlogo.blocks
         /**
          * The block "on collision with ... do".
          *
-         * @param breed whose block it is
-         * @param otherBreed whom they collide with, or Collision.ANY_BREED
+         * @param breed the breed whose block it is
+         * @param otherBreed the breed that they collide with, or Collision.ANY_BREED
          * @param script called with the collider and the collidee, every frame in which they touch
          * @throws BlockError if something is missing
          */
@@ -166,8 +166,8 @@ package starlogo.blocks
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void
         {
-            Whom.checkBreed(block, breed);
-            Whom.checkBreed(block, otherBreed);
+            BlockSubject.checkBreed(block, breed);
+            BlockSubject.checkBreed(block, otherBreed);
             if (script == null)
             {
                 throw new BlockError(block, "has nothing to do: put blocks into it.");

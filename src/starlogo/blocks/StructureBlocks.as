@@ -11,7 +11,7 @@ package starlogo.blocks
 
     use namespace engine;
 
-    /** The block "show bounding structures": of whom it shows them, and the lines of what the collision system in use tests. */
+    /** The block "show bounding structures": the agents whose structures are shown, and the lines of what the collision system in use tests. */
     public class StructureBlocks
     {
         private var _collisions:CollisionBlocks;
@@ -22,7 +22,7 @@ package starlogo.blocks
         private var _revision:int = -1;
 
         /**
-         * Shows nobody's.
+         * Shows those of no agent.
          *
          * @param collisions know the agents, and the collision system in use
          * @throws ArgumentError if it is null
@@ -39,17 +39,17 @@ package starlogo.blocks
         /**
          * The block "show bounding structures".
          *
-         * @param whom an agent, or the name of a breed
+         * @param subject an agent, or the name of a breed
          * @param isOn whether to show them, or to cease to
          * @throws BlockError if it is neither
          */
-        public function show(whom:Object, isOn:Boolean):void
+        public function show(subject:Object, isOn:Boolean):void
         {
-            Whom.check("show bounding structures", whom);
-            var place:int = _shown.indexOf(whom);
+            BlockSubject.check("show bounding structures", subject);
+            var place:int = _shown.indexOf(subject);
             if (isOn && place < 0)
             {
-                _shown.push(whom);
+                _shown.push(subject);
             }
             else if (!isOn && place >= 0)
             {
@@ -57,7 +57,7 @@ package starlogo.blocks
             }
         }
 
-        /** Shows nobody's any more. */
+        /** Shows those of no agent any more. */
         public function showNone():void
         {
             _shown.length = 0;
@@ -66,9 +66,9 @@ package starlogo.blocks
         /** Whether an agent's are shown, for itself or for its breed. */
         public function isShown(agent:Agent):Boolean
         {
-            for each (var whom:Object in _shown)
+            for each (var subject:Object in _shown)
             {
-                if (Whom.means(whom, agent))
+                if (BlockSubject.includes(subject, agent))
                 {
                     return true;
                 }
@@ -84,7 +84,7 @@ package starlogo.blocks
          */
         public function lines(out:Vector.<Number> = null):Vector.<Number>
         {
-            var all:Vector.<Number> = out == null ? new Vector.<Number>() : out;
+            var all:Vector.<Number> = out || new Vector.<Number>();
             for each (var agent:Agent in _collisions.agents)
             {
                 if (isShown(agent))
@@ -111,11 +111,8 @@ package starlogo.blocks
                 var radius:Number = agent.size / 2;
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), out);
             }
-            if (!_collisions.greatLand.hasModel(agent.shape))
-            {
-                return out == null ? new Vector.<Number>() : out;
-            }
-            return placed(linesOfModel(agent), agent.worldPlacement(), out == null ? new Vector.<Number>() : out);
+            var all:Vector.<Number> = out || new Vector.<Number>();
+            return _collisions.greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent), agent.worldPlacement(), all) : all;
         }
 
         private function linesOfModel(agent:Agent):Vector.<Number>
@@ -137,15 +134,8 @@ package starlogo.blocks
 
         private function isHierarchy(agent:Agent):Boolean
         {
-            switch (_collisions.systemName)
-            {
-                case CollisionBlocks.TIGHTEST_FITS:
-                    return false;
-                case CollisionBlocks.COMBINATION:
-                    return agent.hierarchical;
-                default:
-                    return true;
-            }
+            var isCombination:Boolean = _collisions.systemName == CollisionBlocks.COMBINATION;
+            return isCombination ? agent.hierarchical : _collisions.systemName != CollisionBlocks.TIGHTEST_FITS;
         }
 
         private function levelOf(agent:Agent):int

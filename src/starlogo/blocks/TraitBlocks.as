@@ -4,7 +4,7 @@ package starlogo.blocks
 
     /**
      * The blocks that say how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as"
-     * (thesis §7.1 to §7.3). What is set for a breed goes for those that are there and, by <code>welcome()</code>, for those that come later.
+     * (thesis §7.1 to §7.3). What is set for a breed counts for its agents and, by <code>welcome()</code>, for those that join it later.
      */
     public class TraitBlocks
     {
@@ -40,55 +40,49 @@ package starlogo.blocks
         /**
          * The block "set hierarchical".
          *
-         * @param whom an agent, or the name of a breed
+         * @param subject an agent, or the name of a breed
          * @param isOn whether the combination takes it for its hierarchy
          * @throws BlockError if it is neither
          */
-        public function setHierarchical(whom:Object, isOn:Boolean):void
+        public function setHierarchical(subject:Object, isOn:Boolean):void
         {
-            Whom.check("set hierarchical", whom);
-            var traits:BreedTraits = new BreedTraits();
-            traits.hierarchical = isOn;
-            apply(whom, traits);
+            BlockSubject.check("set hierarchical", subject);
+            apply(subject, new BreedTraits(isOn));
         }
 
         /**
          * The block "set collision depth".
          *
-         * @param whom an agent, or the name of a breed
+         * @param subject an agent, or the name of a breed
          * @param levels how many levels of its hierarchy count, from 1; 0 for as many as the collision system says
          * @throws BlockError if it is neither, or the levels are no such number
          */
-        public function setCollisionDepth(whom:Object, levels:Number):void
+        public function setCollisionDepth(subject:Object, levels:Number):void
         {
-            Whom.check("set collision depth", whom);
+            BlockSubject.check("set collision depth", subject);
             if (!(levels >= 0 && levels <= int.MAX_VALUE && levels % 1 == 0))
             {
                 throw new BlockError("set collision depth", "needs a whole number: 1 is the coarsest, greater is more precise, and 0 leaves it to the"
                         + " collision system. It got " + levels + ".");
             }
-            var traits:BreedTraits = new BreedTraits();
-            traits.depth = int(levels);
-            apply(whom, traits);
+            apply(subject, new BreedTraits(null, int(levels)));
         }
 
         /**
          * The block "collide as".
          *
-         * @param whom an agent, or the name of a breed
+         * @param subject an agent, or the name of a breed
          * @param structure one of structureNames
          * @throws BlockError if it is neither, or the structure none of them
          */
-        public function collideAs(whom:Object, structure:String):void
+        public function collideAs(subject:Object, structure:String):void
         {
-            Whom.check("collide as", whom);
+            BlockSubject.check("collide as", subject);
             if (STRUCTURES.indexOf(structure) < 0)
             {
-                throw new BlockError("collide as", "does not know " + Whom.said(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
+                throw new BlockError("collide as", "does not know " + BlockSubject.nameOf(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
             }
-            var traits:BreedTraits = new BreedTraits();
-            traits.collideAs = structure;
-            apply(whom, traits);
+            apply(subject, new BreedTraits(null, -1, structure));
         }
 
         /** Gives an agent that joins the game, or has changed its breed, what was set for the breed. */
@@ -107,34 +101,23 @@ package starlogo.blocks
             _breeds = {};
         }
 
-        private function apply(whom:Object, traits:BreedTraits):void
+        private function apply(subject:Object, traits:BreedTraits):void
         {
-            if (whom is Agent)
+            if (subject is Agent)
             {
-                traits.applyTo(whom as Agent);
+                traits.applyTo(subject as Agent);
                 return;
             }
-            remember(whom as String, traits);
+            var key:String = PREFIX + subject;
+            var older:BreedTraits = _breeds[key] as BreedTraits;
+            _breeds[key] = older == null ? traits : traits.over(older);
             for each (var agent:Agent in _agents)
             {
-                if (agent.breed == whom)
+                if (agent.breed == subject)
                 {
                     traits.applyTo(agent);
                 }
             }
-        }
-
-        private function remember(breed:String, traits:BreedTraits):void
-        {
-            var known:BreedTraits = _breeds[PREFIX + breed] as BreedTraits;
-            if (known == null)
-            {
-                known = new BreedTraits();
-                _breeds[PREFIX + breed] = known;
-            }
-            known.hierarchical = traits.hierarchical == null ? known.hierarchical : traits.hierarchical;
-            known.depth = traits.depth < 0 ? known.depth : traits.depth;
-            known.collideAs = traits.collideAs == null ? known.collideAs : traits.collideAs;
         }
     }
 }

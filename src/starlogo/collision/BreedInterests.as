@@ -1,26 +1,25 @@
 package starlogo.collision
 {
+    import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.search.BreedPairs;
 
     use namespace engine;
 
-    /**
-     * The pairs of breeds whose collisions somebody cares about; the order within a pair does not matter.
-     */
+    /** The pairs of breeds whose collisions are of interest; the order within a pair does not matter. */
     public final class BreedInterests
     {
         /** In place of a breed's name: any breed. An agent's breed that is called so is a breed like any other. */
         public static const ANY_BREED:String = BreedPairs.ANY_BREED;
 
         /**
-         * What searches and handlers ask.
+         * The same for searches and handlers.
          *
          * @private
          */
         engine var breedPairs:BreedPairs = new BreedPairs();
 
-        /** Nobody cares about anything yet. */
+        /** No pairs yet. */
         public function BreedInterests()
         {
         }
@@ -48,10 +47,22 @@ package starlogo.collision
             return breedPairs.numberOf(breed);
         }
 
-        /** Whether somebody cares about a pair of breeds, given by their numbers. */
+        /** Whether a pair of breeds is of interest, given by their numbers. */
         public function includes(index:int, otherIndex:int):Boolean
         {
             return breedPairs.counts[index * breedCount + otherIndex];
+        }
+
+        /**
+         * The collisions of interest that a collision system finds: all of them, if it is not selective.
+         *
+         * @private
+         */
+        engine static function findIn(system:CollisionSystem, agents:Vector.<Agent>, interests:BreedInterests,
+                out:Vector.<Agent>):Vector.<Agent>
+        {
+            var selective:SelectiveCollisionSystem = system as SelectiveCollisionSystem;
+            return selective == null ? system.findCollisions(agents, out) : selective.findCollisionsAmong(agents, interests, out);
         }
     }
 }

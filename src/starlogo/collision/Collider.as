@@ -13,16 +13,15 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * A collision system of the engine's: the common face of its four colliders.
+     * What the engine's four collision systems have in common.
      *
-     * <p>Only agents that are near each other on the ground plane are tested (thesis §3.7), each pair once. A frame costs time in
-     * proportion to the agents and to the pairs that overlap on the ground plane, memory in proportion to the agents, and allocates
-     * nothing once it has run. What stands for an agent is found anew when the agent has changed; any number of colliders may share
-     * agents.</p>
+     * <p>Only agents that are near each other on the ground plane are tested (thesis §3.7), each pair once. A frame takes time in
+     * proportion to the agents and to the pairs that overlap on the ground plane, and memory in proportion to the agents; after the first it
+     * allocates nothing. An agent's shape is placed anew only when the agent has changed. Any number of colliders may share agents.</p>
      *
-     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of their touches. The order
-     * depends on the agents that take part, their order in the list, where they are and how far they reach, and on nothing else. Of a
-     * pair the agent that comes first in the list comes first.</p>
+     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of impact. The order
+     * depends only on the agents that take part, their order in the list, their positions and extents. Of a pair, the agent that is first in
+     * the list comes first.</p>
      *
      * <p>An agent whose model a ModelLoader is still loading collides with nothing, and is counted in the statistics. Models
      * may be replaced and removed at any time.</p>
@@ -31,7 +30,7 @@ package starlogo.collision
     {
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
-        private var _touch:ContactPoint = new ContactPoint();
+        private var _contactPoint:ContactPoint = new ContactPoint();
 
         /**
          * For the engine's colliders only.
@@ -61,7 +60,7 @@ package starlogo.collision
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return find(agents, null, out || new Vector.<Agent>());
+            return find(agents, null, out || new Vector.<Agent>(), null);
         }
 
         /** @inheritDoc */
@@ -71,7 +70,7 @@ package starlogo.collision
             {
                 throw new ArgumentError("out must not be null");
             }
-            return find(agents, interests == null ? null : interests.breedPairs, out);
+            return find(agents, interests == null ? null : interests.breedPairs, out, null);
         }
 
         /** @inheritDoc */
@@ -79,38 +78,38 @@ package starlogo.collision
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            var touch:ContactPoint = _touch;
-            contact.time = _search.findContact(collider, collidee, touch);
-            contact.depth = touch.depth;
-            contact.normal.setTo(touch.normalX, touch.normalY, touch.normalZ);
-            contact.point.setTo(touch.x, touch.y, touch.z);
+            var found:ContactPoint = _contactPoint;
+            contact.time = _search.findContact(collider, collidee, found);
+            contact.depth = found.depth;
+            contact.normal.setTo(found.normalX, found.normalY, found.normalZ);
+            contact.point.setTo(found.x, found.y, found.z);
             return contact;
         }
 
         /** As findCollisionsAmong, with the agents' places in the list and their breeds' numbers. */
         internal function findPairsAmong(agents:Vector.<Agent>, breeds:BreedPairs, out:FoundPairs):void
         {
-            requireList(agents);
-            var start:int = getTimer();
-            _search.findPairs(agents, breeds, out);
-            _statistics.takeCounts(_search.counts, getTimer() - start);
+            find(agents, breeds, null, out);
         }
 
-        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):Vector.<Agent>
-        {
-            requireList(agents);
-            var start:int = getTimer();
-            _search.find(agents, breeds, out);
-            _statistics.takeCounts(_search.counts, getTimer() - start);
-            return out;
-        }
-
-        private static function requireList(agents:Vector.<Agent>):void
+        // Puts the pairs into the one that is not null.
+        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs):Vector.<Agent>
         {
             if (agents == null)
             {
                 throw new ArgumentError("agents must not be null");
             }
+            var start:int = getTimer();
+            if (pairs == null)
+            {
+                _search.find(agents, breeds, out);
+            }
+            else
+            {
+                _search.findPairs(agents, breeds, pairs);
+            }
+            _statistics.setCounts(_search.counts, getTimer() - start);
+            return out;
         }
 
         private static function requireTwo(a:Agent, b:Agent):void

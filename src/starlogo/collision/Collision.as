@@ -11,24 +11,22 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * The collisions of a game: once a frame it finds the pairs of agents that have collided and calls the handlers that
-     * care, as the client's block "on collision with" does (thesis §3.7, §6.1).
+     * The collisions of a game: once a frame it finds the pairs of agents that have collided and calls the handlers of their breeds, as the
+     * client's block "on collision with" does (thesis §3.7, §6.1).
      *
      * <p>A frame's pairs are all known before the first handler runs. A handler may do anything to the game. What it
      * moves or adds counts from the next frame on; an agent that it takes out of the list takes part in no further call
      * of this one. When a handler throws, the others are called all the same; update then throws the first error, and
      * <code>handlerErrors</code> has them all.</p>
      *
-     * <p>When somebody sweeps (<code>Agent.sweeps</code>), the pairs come in the order of the times at which they touch first on their ways: who takes a
-     * paintball out of the list at its first touch stops it there.</p>
+     * <p>When an agent sweeps (<code>Agent.sweeps</code>), the pairs come in the order of the times at which their motions make them touch:
+     * a handler that takes a paintball out of the list at its first touch stops it there.</p>
      *
      * <p>Of a pair, the handlers of the agent that is first in the list run before those of the other, each in the order
      * in which they were added. The breeds count that the two have when the pair's turn comes.</p>
      *
-     * <p>Any number of Collisions and collision systems may share agents, and a handler of one may update another. The time
-     * for the calls goes with the agents and the calls, however many agents handlers take out of the list. Should thousands be taken
-     * out in one frame and others change their places at that, in a way that is neither splicing nor swapping with the last, the calls
-     * of those come after all others.</p>
+     * <p>Any number of Collisions and collision systems may share agents, and a handler of one may update another. The time for the calls is
+     * in proportion to the agents and the calls; an agent that was taken out of the list costs one search of it.</p>
      */
     public class Collision
     {
@@ -80,8 +78,8 @@ package starlogo.collision
         }
 
         /**
-         * What handlers have thrown in the last frame, in order; the next frame empties it. What is no Error is there as one, with
-         * its text as the message.
+         * What handlers have thrown in the last frame, in order; the next frame empties it. What is no Error is put into one, as its
+         * message.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -108,7 +106,8 @@ package starlogo.collision
         /**
          * Adds a handler for the first frame of a touch: it is called before those of onCollision, and not again while the two touch.
          *
-         * <p>A touch begins anew when one of the two has changed its breed, and with the first handler that asks about these breeds' touches.</p>
+         * <p>A touch begins anew when one of the two has changed its breed, and with the first handler for starts or ends of these breeds'
+         * touches.</p>
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -139,8 +138,8 @@ package starlogo.collision
         }
 
         /**
-         * Takes a handler away, of onCollision, onCollisionStart or onCollisionEnd, in the words in which it was added. One that was added several times is taken away once. It is
-         * not called again, in this frame either if a handler does it.
+         * Takes away a handler of onCollision, onCollisionStart or onCollisionEnd; one that was added several times once. It is not called
+         * again, in this frame either if a handler takes it away.
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -166,10 +165,10 @@ package starlogo.collision
         }
 
         /**
-         * Runs one frame: finds every pair that a handler cares about, then calls the handlers.
+         * Runs one frame: finds every pair that has handlers, then calls them.
          *
-         * @param agents the agents of the game; a handler may change the list, in place: agents that are not in another one which it puts into the
-         *     client's variable, as <code>agents = agents.filter(...)</code> does, are missed from the next frame on
+         * @param agents the agents of the game; a handler may change this list, in place. Another list in the client's variable, as from
+         *     <code>agents = agents.filter(...)</code>, counts from the next frame on
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; no handler has then run
          * @throws IllegalOperationError if called from one of its own handlers
          * @throws Error the first error that a handler threw, after all handlers have run
@@ -217,19 +216,14 @@ package starlogo.collision
         {
             var start:int = getTimer();
             var collider:Collider = system as Collider;
-            var selective:SelectiveCollisionSystem = system as SelectiveCollisionSystem;
             if (collider != null)
             {
                 collider.findPairsAmong(agents, _interests.breedPairs, _calls.pairs);
             }
-            else if (selective != null)
-            {
-                _calls.takePairs(selective.findCollisionsAmong(agents, _interests, _found), agents, _interests.breedPairs);
-            }
             else
             {
                 // a client's system may return a vector of its own
-                _calls.takePairs(system.findCollisions(agents, _found), agents, _interests.breedPairs);
+                _calls.setPairs(BreedInterests.findIn(system, agents, _interests, _found), agents, _interests.breedPairs);
             }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;

@@ -7,15 +7,16 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * What one frame of collision detection did and cost. Whoever fills it overwrites it with the next frame; copy the
-     * numbers to keep them.
+     * What one frame of collision detection did and cost. The next frame overwrites it; copy the numbers to keep them.
      */
     public final class CollisionStatistics
     {
+        private static const ZERO:CollisionStatistics = new CollisionStatistics();
+
         /** Agents in the list. */
         public var agents:int;
 
-        /** Agents that take part in no pair that anybody cares about, and were skipped. */
+        /** Agents of breeds without handlers, which were skipped. */
         public var agentsSkipped:int;
 
         /** Agents whose models are still loading: they collide with nothing yet. */
@@ -27,7 +28,7 @@ package starlogo.collision
         /** Pairs of agents whose circles on the ground overlap. */
         public var candidatePairs:int;
 
-        /** Pairs of which one agent sweeps, and that came near each other on their ways: each was tested along them. */
+        /** Pairs of which one agent sweeps, and that came near each other: each was tested along its motion. */
         public var sweptPairs:int;
 
         /** Sphere-sphere tests. */
@@ -48,10 +49,10 @@ package starlogo.collision
         /** Box-box tests. */
         public var boxBoxTests:int;
 
-        /** Pairs of agents of which one was tested by its hierarchy at least. */
+        /** Pairs of agents of which at least one was tested by its hierarchy. */
         public var hierarchyTests:int;
 
-        /** Pairs of nodes that these visited: a node of each hierarchy, or of the one, with the other's structure (§6.3.3). */
+        /** Pairs of nodes that these visited: nodes of both hierarchies, or a node of the one and the other's structure (§6.3.3). */
         public var nodeVisits:int;
 
         /** Triangle-triangle tests. */
@@ -83,19 +84,15 @@ package starlogo.collision
         /** Sets every number to 0. */
         public function reset():void
         {
-            agents = agentsSkipped = agentsLoading = binEntries = candidatePairs = sweptPairs = 0;
-            sphereSphereTests = sphereCapsuleTests = sphereBoxTests = 0;
-            capsuleCapsuleTests = capsuleBoxTests = boxBoxTests = 0;
-            hierarchyTests = nodeVisits = triangleTests = 0;
-            collisions = handlerCalls = findMs = frameMs = 0;
+            copyFrom(ZERO);
         }
 
         /**
-         * Takes over what a search did.
+         * Copies what a search did.
          *
          * @private
          */
-        engine function takeCounts(counts:SearchCounts, milliseconds:int):void
+        engine function setCounts(counts:SearchCounts, milliseconds:int):void
         {
             handlerCalls = frameMs = 0;
             agents = counts.agents;
@@ -117,7 +114,7 @@ package starlogo.collision
             findMs = milliseconds;
         }
 
-        /** Takes over every number of another frame. */
+        /** Copies every number of another frame. */
         public function copyFrom(other:CollisionStatistics):void
         {
             agents = other.agents;

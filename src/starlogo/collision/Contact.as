@@ -7,18 +7,18 @@ package starlogo.collision
     use namespace engine;
 
     /**
-     * How two agents touch: when on their ways, where, and how deep. A handler that takes a third argument gets one; the next call
+     * How two agents touch: when in their motions, where, and how deep. A handler that takes a third argument gets one; the next call
      * overwrites it, so keep the numbers, or clone the vectors.
      *
-     * <p>Of spheres, capsules and boxes it is exact. Of a hierarchy it is that of the first two nodes that touch, leaves or at the depth limit, or, where
-     * triangles decide, of the first two triangles; of a model that is inside of another without touching it, that of what stands around
-     * both. A collision system of a client's own knows none: then it is half way between the agents, with a depth of 0.</p>
+     * <p>Of spheres, capsules and boxes it is exact. Of a hierarchy it is that of the first two nodes that touch, leaves or at the depth
+     * limit, or, where triangles decide, of the first two triangles; of a model that is inside of another without touching it, that of the
+     * structures around both. Where the collision system is no ContactSystem, it is half way between the agents, with a depth of 0.</p>
      */
     public final class Contact
     {
         /**
-         * When they touched first on the ways that they went since the last frame: 0 if they did at the beginning, 1 at the end. 1 as well
-         * where neither sweeps, or has a way.
+         * When they first touched in their motions since the last frame: from 0, at the beginning, to 1, at the end. 1 too where neither
+         * sweeps, or has moved.
          */
         public var time:Number = 1;
 
@@ -29,8 +29,8 @@ package starlogo.collision
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
         /**
-         * How far they overlap along the normal at that time, in patches: 0 if it is their first touch. Moved by as much along the
-         * normal, the collider just touches the collidee, which it does not overlap any more.
+         * How far they overlap along the normal at that time, in patches: 0 where their motions first made them touch. Moved by as much
+         * along the normal, the collider just touches the collidee, without overlapping it.
          */
         public var depth:Number = 0;
 
@@ -40,13 +40,19 @@ package starlogo.collision
         }
 
         /**
-         * Says what is left to say of two agents where the collision system knows no contacts: half way between them, along the line from
-         * one to the other.
+         * Becomes that of two agents in a collision system: a ContactSystem's own, of another half way between the agents, along the line
+         * from one to the other.
          *
          * @private
          */
-        engine function placeBetween(collider:Agent, collidee:Agent):void
+        engine function readFrom(system:CollisionSystem, collider:Agent, collidee:Agent):void
         {
+            var contactSystem:ContactSystem = system as ContactSystem;
+            if (contactSystem != null)
+            {
+                contactSystem.contactOf(collider, collidee, this);
+                return;
+            }
             var x:Number = collider.x - collidee.x;
             var y:Number = collider.y - collidee.y;
             var z:Number = collider.z - collidee.z;

@@ -3,12 +3,12 @@ package starlogo.collision
     import starlogo.agents.Agent;
 
     /**
-     * A collision system that tests only the pairs that somebody cares about.
+     * A collision system that tests only the pairs of some breeds.
      */
     public interface SelectiveCollisionSystem extends CollisionSystem
     {
         /**
-         * Finds every pair of agents that collide and whose breeds somebody cares about.
+         * Finds every pair of agents that collide and whose breeds are of interest.
          *
          * @param agents the agents of the game
          * @param interests the pairs of breeds; null for all

@@ -10,9 +10,6 @@ package starlogo.debug
         /** Six numbers a line. */
         public var lines:Vector.<Number>;
 
-        /** Whether the ends that the axes were set across are two. */
-        public var hasDirection:Boolean = false;
-
         private var _center:Vector3D = new Vector3D();
         private var _u:Vector3D = new Vector3D();
         private var _v:Vector3D = new Vector3D();
@@ -40,25 +37,25 @@ package starlogo.debug
             _w = _u.crossProduct(_v);
         }
 
-        /** Sets w from one point to another, u and v across; as the world's if the points are one. */
-        public function setAxesAcross(start:Vector3D, end:Vector3D):void
+        /** Sets w from one point to another, u and v across it; if the points are the same, sets the world's axes and returns false. */
+        public function setAxesAcross(start:Vector3D, end:Vector3D):Boolean
         {
             var x:Number = end.x - start.x;
             var y:Number = end.y - start.y;
             var z:Number = end.z - start.z;
             // the largest first: squares neither vanish nor overflow
             var largest:Number = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
-            hasDirection = largest > 0;
-            if (!hasDirection)
+            if (!(largest > 0))
             {
                 setAxes(1, 0, 0, 0, 1, 0);
-                return;
+                return false;
             }
             _w = new Vector3D(x / largest, y / largest, z / largest);
             _w.normalize();
             _u = (Math.abs(_w.z) < 0.7 ? Vector3D.Z_AXIS : Vector3D.X_AXIS).crossProduct(_w);
             _u.normalize();
             _v = _w.crossProduct(_u);
+            return true;
         }
 
         /** A circle about the centre, along u and v. */

@@ -1,5 +1,6 @@
 package starlogo.debug
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
@@ -8,7 +9,7 @@ package starlogo.debug
     import starlogo.hierarchy.HierarchyNode;
 
     /**
-     * Structures and levels of hierarchies as lists of lines, for whatever draws lines.
+     * Structures and levels of hierarchies as lists of lines, to be drawn by a client.
      *
      * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. Ends lie on the
      * structure's surface. Lines without length are left out, so that a point has none.</p>
@@ -47,10 +48,12 @@ package starlogo.debug
                     drawBox(pen, Box(structure));
                     break;
                 case BoundingStructure.CAPSULE:
-                    drawCapsule(pen, Capsule(structure));
+                    var capsule:Capsule = Capsule(structure);
+                    drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
                     break;
                 default:
-                    drawCylinder(pen, Cylinder(structure));
+                    var cylinder:Cylinder = Cylinder(structure);
+                    drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, false);
             }
             return pen.lines;
         }
@@ -108,30 +111,26 @@ package starlogo.debug
             }
         }
 
-        private static function drawCapsule(pen:LinePen, capsule:Capsule):void
+        // A capsule, or a cylinder.
+        private static function drawRound(pen:LinePen, start:Vector3D, end:Vector3D, radius:Number, isCapsule:Boolean):void
         {
-            pen.setAxesAcross(capsule.start, capsule.end);
-            pen.drawSides(capsule.start, capsule.end, capsule.radius);
-            pen.moveTo(capsule.start);
-            pen.drawCircle(capsule.radius);
-            pen.drawDome(-capsule.radius);
-            pen.moveTo(capsule.end);
-            pen.drawCircle(capsule.radius);
-            pen.drawDome(capsule.radius);
-        }
-
-        private static function drawCylinder(pen:LinePen, cylinder:Cylinder):void
-        {
-            pen.setAxesAcross(cylinder.start, cylinder.end);
-            if (!pen.hasDirection)
+            if (!pen.setAxesAcross(start, end) && !isCapsule)
             {
                 return;
             }
-            pen.drawSides(cylinder.start, cylinder.end, cylinder.radius);
-            pen.moveTo(cylinder.start);
-            pen.drawCircle(cylinder.radius);
-            pen.moveTo(cylinder.end);
-            pen.drawCircle(cylinder.radius);
+            pen.drawSides(start, end, radius);
+            pen.moveTo(start);
+            pen.drawCircle(radius);
+            if (isCapsule)
+            {
+                pen.drawDome(-radius);
+            }
+            pen.moveTo(end);
+            pen.drawCircle(radius);
+            if (isCapsule)
+            {
+                pen.drawDome(radius);
+            }
         }
     }
 }

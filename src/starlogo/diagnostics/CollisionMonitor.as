@@ -30,7 +30,7 @@ package starlogo.diagnostics
      * memory: what the last update did, and times as the mean of some frames. Its last line is what it costs itself, in
      * parts of such a frame too.</p>
      *
-     * <p>A key hides and shows it; hidden, it does nothing. Drag it where it is in nobody's way.</p>
+     * <p>A key hides and shows it; hidden, it does nothing. It may be dragged.</p>
      */
     public class CollisionMonitor extends Sprite
     {
@@ -86,11 +86,7 @@ package starlogo.diagnostics
          */
         public function CollisionMonitor(collision:Collision)
         {
-            if (collision == null)
-            {
-                throw new ArgumentError("collision must not be null");
-            }
-            _collision = collision;
+            this.collision = collision;
             x = y = MARGIN;
             draw();
             addEventListener(Event.ADDED_TO_STAGE, onAdded);

@@ -6,7 +6,6 @@ package starlogo.diagnostics
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.Contact;
     import starlogo.collision.ContactSystem;
-    import starlogo.collision.SelectiveCollisionSystem;
     import starlogo.engine;
 
     use namespace engine;
@@ -22,8 +21,8 @@ package starlogo.diagnostics
      * trace(recorder.toText());
      * </listing>
      *
-     * <p>A frame is a call of findCollisions or findCollisionsAmong. The pairs of breeds that nobody cares about count only
-     * in the former. The cost goes with the collisions: some ten-thousandths of a millisecond for each.</p>
+     * <p>A frame is a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers count only in the former. The cost is
+     * in proportion to the collisions: some ten-thousandths of a millisecond for each.</p>
      */
     public final class CollisionRecorder implements ContactSystem
     {
@@ -94,12 +93,7 @@ package starlogo.diagnostics
          */
         public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
-            var selective:SelectiveCollisionSystem = _collisionSystem as SelectiveCollisionSystem;
-            if (selective == null)
-            {
-                return findCollisions(agents, out);
-            }
-            out = selective.findCollisionsAmong(agents, interests, out);
+            out = BreedInterests.findIn(_collisionSystem, agents, interests, out);
             record(out);
             return out;
         }
@@ -107,13 +101,8 @@ package starlogo.diagnostics
         /** @inheritDoc */
         public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
-            var system:ContactSystem = _collisionSystem as ContactSystem;
-            if (system != null)
-            {
-                return system.contactOf(collider, collidee, out);
-            }
             var contact:Contact = out || new Contact();
-            contact.placeBetween(collider, collidee);
+            contact.readFrom(_collisionSystem, collider, collidee);
             return contact;
         }
 

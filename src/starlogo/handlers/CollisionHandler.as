@@ -9,13 +9,13 @@ package starlogo.handlers
      */
     public final class CollisionHandler
     {
-        /** Called in every frame of a touch. */
-        public static const COLLISION:int = 0;
+        /** Called in the first frame of a contact. */
+        public static const START:int = 0;
 
-        /** Called in the first. */
-        public static const START:int = 1;
+        /** Called in every frame of a contact, after those of its start. */
+        public static const COLLISION:int = 1;
 
-        /** Called in the first frame without it. */
+        /** Called in the first frame without the contact. */
         public static const END:int = 2;
 
         /** When it is called: one of the constants. */
@@ -33,7 +33,7 @@ package starlogo.handlers
         /** Whether it takes a contact. */
         public var takesContact:Boolean;
 
-        /** Whether it was taken away, while others ran perhaps: then it is not called any more. */
+        /** Whether it was taken away, perhaps by another handler: then it is not called any more. */
         public var isRemoved:Boolean = false;
 
         /** A handler of a pair of breeds. */

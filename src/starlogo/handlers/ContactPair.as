@@ -9,7 +9,7 @@ package starlogo.handlers
      */
     public final class ContactPair
     {
-        /** The agent that was first in the list when it began. */
+        /** The agent that was first in the list when the contact began. */
         public var first:Agent;
 
         /** The other one. */
@@ -21,13 +21,13 @@ package starlogo.handlers
         /** The breed of the other one then. */
         public var secondBreed:String;
 
-        /** The tracker's frame in which it began. */
+        /** The tracker's frame in which the contact began. */
         public var beganIn:int;
 
-        /** The tracker's frame in which it was seen last. */
+        /** The tracker's last frame with the contact. */
         public var seenIn:int;
 
-        /** Whether the turn of the handlers that have the second for their collider has come; that of the first's has. */
+        /** Whether the calls have reached the handlers of the second agent too, not only those of the first. */
         public var isBothWays:Boolean;
 
         /** Of no agents yet. */

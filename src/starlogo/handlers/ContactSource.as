@@ -1,6 +1,5 @@
 package starlogo.handlers
 {
-    import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
 
     /**
@@ -8,36 +7,22 @@ package starlogo.handlers
      *
      * @private
      */
-    public class ContactSource
+    public interface ContactSource
     {
-        /** For subclasses only. */
-        public function ContactSource()
-        {
-        }
-
         /** Begins a frame of so many pairs, numbered from 0, whose contacts are not known. */
-        public function begin(pairCount:int):void
-        {
-            throw new IllegalOperationError(this + " does not implement begin");
-        }
+        function begin(pairCount:int):void;
 
         /** Finds the contact of a pair, before the first handler runs: it may move the agents of other pairs. */
-        public function find(pair:int, first:Agent, second:Agent):void
-        {
-            throw new IllegalOperationError(this + " does not implement find");
-        }
+        function find(pair:int, first:Agent, second:Agent):void;
 
         /**
          * The contact of a pair, in an object that the next call overwrites; found now, if it was not.
          *
          * @param pair its number
-         * @param first the collider, for whom contacts are found
+         * @param first the collider, for which contacts are found
          * @param second the collidee
          * @param isBack whether it is to be that of the second as the collider
          */
-        public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
-        {
-            throw new IllegalOperationError(this + " does not implement contactOf");
-        }
+        function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Object;
     }
 }

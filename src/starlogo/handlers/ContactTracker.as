@@ -3,17 +3,17 @@ package starlogo.handlers
     import starlogo.agents.Agent;
 
     /**
-     * Remembers from frame to frame which agents touch, in the order in which that began; a table finds them by the agents' ids, the
-     * way IdTable does. Pairs that have ended are used again: a frame allocates nothing unless more touch than before, and memory goes
-     * with the pairs that touch.
+     * Keeps from frame to frame which agents touch, in the order in which that began; a table finds pairs by the agents' ids, as IdTable
+     * does. Pairs that have ended are used again: a frame allocates nothing unless more touch than before, and memory is in proportion
+     * to the pairs that touch.
      *
      * @private
      */
     public final class ContactTracker
     {
-        private static const FEWEST:int = 16;
+        private static const LEAST_LENGTH:int = 16;
 
-        /** Counts the frames; whoever begins one counts on. */
+        /** The number of the frame; its caller counts on. */
         public var frame:int = 0;
 
         /** How many pairs touch. */
@@ -22,19 +22,23 @@ package starlogo.handlers
         /** The pairs that this frame did not see any more, in the order in which they began. */
         public var ended:Vector.<ContactPair> = new Vector.<ContactPair>();
 
-        /** So many at its beginning are. */
+        /** How many of these there are, at its beginning. */
         public var endedCount:int = 0;
 
         // Those that touch, and behind them others to be used again.
         private var _pairs:Vector.<ContactPair> = new Vector.<ContactPair>();
-        private var _table:Vector.<ContactPair> = new Vector.<ContactPair>(FEWEST);
+        private var _table:Vector.<ContactPair> = new Vector.<ContactPair>(LEAST_LENGTH);
 
         /** No agents touch. */
         public function ContactTracker()
         {
         }
 
-        /** Has the touch of two agents go on, or gives null: of other breeds, or one that has not begun both ways, it has ended. */
+        /**
+         * Has the contact of two agents go on.
+         *
+         * @return null if there is none: one of other breeds, or that has not begun both ways, has ended
+         */
         public function goOn(a:Agent, b:Agent):ContactPair
         {
             var pair:ContactPair = _table[placeOf(a, b)];
@@ -46,7 +50,7 @@ package starlogo.handlers
             return pair;
         }
 
-        /** The touch of two agents, which begins if there is none. */
+        /** The contact of two agents, which begins if there is none. */
         public function start(first:Agent, second:Agent):ContactPair
         {
             var place:int = placeOf(first, second);
@@ -74,8 +78,8 @@ package starlogo.handlers
             return pair;
         }
 
-        /** Takes out those that this frame has not seen, into <code>ended</code>. */
-        public function takeEnded():void
+        /** Moves the pairs that this frame has not seen into <code>ended</code>. */
+        public function separateEnded():void
         {
             var kept:int = 0;
             endedCount = 0;
@@ -100,7 +104,7 @@ package starlogo.handlers
             }
             if (endedCount > 0)
             {
-                fill(_table.length > FEWEST && 16 * count < _table.length ? _table.length >> 2 : _table.length);
+                fill(_table.length > LEAST_LENGTH && 16 * count < _table.length ? _table.length >> 2 : _table.length);
             }
         }
 
@@ -113,13 +117,13 @@ package starlogo.handlers
                 ended[i] = null;
             }
             endedCount = 0;
-            if (_pairs.length > 4 * count + FEWEST)
+            if (_pairs.length > 4 * count + LEAST_LENGTH)
             {
-                _pairs.length = 2 * count + FEWEST;
+                _pairs.length = 2 * count + LEAST_LENGTH;
             }
         }
 
-        // Makes the table as long, a power of two, and enters all anew.
+        // Makes the table of this length, a power of two, and enters all pairs anew.
         private function fill(length:int):void
         {
             if (_table.length != length)
@@ -136,7 +140,7 @@ package starlogo.handlers
             }
         }
 
-        // Where a pair is in the table, or the free place where it belongs: the same in either order.
+        // Where a pair is in the table, in either order, or the free place where it belongs.
         private function placeOf(a:Agent, b:Agent):int
         {
             var idA:int = a.id;

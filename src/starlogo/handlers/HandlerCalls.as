@@ -8,11 +8,9 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Calls the handlers of a frame's pairs, and goes on after one that throws: those of the ends of touches, those of the pairs, and
-     * those that were put off.
+     * Calls the handlers of a frame: those of contacts that have ended, then those of the pairs. When one throws, it goes on with the next.
      *
-     * <p>The next call is in fields, its pair and which of the pair's calls it is: they are one ahead while a handler runs, so
-     * that after one that throws the next one's turn has come.</p>
+     * <p>Which call is next is in fields, which are one ahead while a handler runs: after one that throws it is the next one's turn.</p>
      *
      * @private
      */
@@ -25,39 +23,31 @@ package starlogo.handlers
         public var count:int = 0;
 
         private var _contacts:ContactSource;
-        private var _touches:ContactTracker = new ContactTracker();
+        private var _tracker:ContactTracker = new ContactTracker();
 
-        // Whether there are calls of onCollision alone, without contacts; else the touch of each pair, null where none is tracked.
+        // Whether there are calls of onCollision alone, without contacts; else the tracked contact of each pair, or null.
         private var _isPlain:Boolean;
-        private var _touchOf:Vector.<ContactPair> = new Vector.<ContactPair>();
+        private var _contactPairs:Vector.<ContactPair> = new Vector.<ContactPair>();
 
         private var _table:HandlerTable = null;
         private var _agents:Vector.<Agent> = null;
         private var _errors:Vector.<Error> = null;
 
-        // The next call: of which end of a touch, or of which pair, those before _end being on.
+        // The next call: of which ended contact, or of which pair, and which of its calls.
         private var _ended:int;
         private var _pair:int;
-        private var _end:int;
         private var _call:int;
 
-        // The handlers of the breeds that the pair had when its turn came.
+        // Of the pair whose turn it is: its handlers, by the breeds when its turn came, and its contact if that begins in this frame.
         private var _handlers:PairHandlers;
+        private var _starting:ContactPair;
 
-        // The pairs' breeds are those of this count of changes. When it has moved, the names of the breeds that were looked up last.
+        // The numbers of the pairs' breeds are those of this count of changes.
         private var _breedChanges:int;
-        private var _name:String;
-        private var _otherName:String;
 
-        // The list's length for as long as every agent was seen in its place; then -1, and the list is asked.
+        // The list's length as long as every agent was in its place; then -1, and the list is asked.
         private var _length:int;
         private var _list:AgentList = new AgentList();
-
-        // Calls that were put off because an agent was in doubt: pair and call of each. Before _knownTo the list was looked at anew.
-        private var _postponed:Vector.<int> = new Vector.<int>();
-        private var _postponedCount:int;
-        private var _turn:int;
-        private var _knownTo:int;
 
         /**
          * @param contacts knows how pairs touch
@@ -67,8 +57,8 @@ package starlogo.handlers
             _contacts = contacts;
         }
 
-        /** Takes the pairs that a client's system has found. There are no calls for an agent that is not in the list. */
-        public function takePairs(found:Vector.<Agent>, agents:Vector.<Agent>, breedPairs:BreedPairs):void
+        /** Sets the pairs to those that a client's system has found. There are no calls for an agent that is not in the list. */
+        public function setPairs(found:Vector.<Agent>, agents:Vector.<Agent>, breedPairs:BreedPairs):void
         {
             _list.begin(agents);
             for (var i:int = 0; i < found.length; i++)
@@ -95,12 +85,10 @@ package starlogo.handlers
             _length = agents.length;
             _list.begin(agents);
             _breedChanges = Agent.breedChanges;
-            _name = _otherName = null;
             _ended = _pair = _call = count = 0;
-            _end = pairs.length;
             _handlers = table.handlersOf(-1, -1);
-            _postponedCount = _turn = _knownTo = 0;
-            _isPlain = table.isPlain && _touches.count == 0;
+            _starting = null;
+            _isPlain = table.isPlain && _tracker.count == 0;
             if (!_isPlain)
             {
                 prepare();
@@ -110,10 +98,10 @@ package starlogo.handlers
             _agents = null;
         }
 
-        // Finds the contacts that are asked for, and the touches that go on.
+        // Finds the contacts that are asked for, and those that go on.
         private function prepare():void
         {
-            _touches.frame++;
+            _tracker.frame++;
             _contacts.begin(pairs.length >> 1);
             for (var i:int = 0; i < pairs.length; i += 2)
             {
@@ -124,9 +112,9 @@ package starlogo.handlers
                 {
                     _contacts.find(i >> 1, first, second);
                 }
-                _touchOf[i >> 1] = handlers.ofStart == null ? null : _touches.goOn(first, second);
+                _contactPairs[i >> 1] = handlers.ofStart == null ? null : _tracker.goOn(first, second);
             }
-            _touches.takeEnded();
+            _tracker.separateEnded();
         }
 
         // From the next call on. Each time that it throws, a handler has thrown.
@@ -139,7 +127,6 @@ package starlogo.handlers
                 {
                     callEnds();
                     callPairs();
-                    callPostponed();
                     return;
                 }
                 catch (error:*)
@@ -154,16 +141,16 @@ package starlogo.handlers
             }
         }
 
-        // For the breeds that the two had when the touch began.
+        // For the breeds that the two had when the contact began.
         private function callEnds():void
         {
             var breedPairs:BreedPairs = _table.breedPairs;
-            for (; _ended < _touches.endedCount; _ended++)
+            for (; _ended < _tracker.endedCount; _ended++)
             {
-                var touch:ContactPair = _touches.ended[_ended];
-                var breed:int = breedPairs.numberOf(touch.firstBreed);
-                var ofPair:PairHandlers = _table.handlersOf(breed, breedPairs.numberOf(touch.secondBreed)).ofEnd;
-                var callCount:int = ofPair == null ? 0 : (touch.isBothWays ? ofPair.handlers.length : ofPair.forwardCount);
+                var pair:ContactPair = _tracker.ended[_ended];
+                var breed:int = breedPairs.numberOf(pair.firstBreed);
+                var ofPair:PairHandlers = _table.handlersOf(breed, breedPairs.numberOf(pair.secondBreed)).ofEnd;
+                var callCount:int = ofPair == null ? 0 : (pair.isBothWays ? ofPair.handlers.length : ofPair.forwardCount);
                 while (_call < callCount)
                 {
                     var handler:CollisionHandler = ofPair.handlers[_call];
@@ -172,12 +159,12 @@ package starlogo.handlers
                     {
                         count++;
                         var isBack:Boolean = _call > ofPair.forwardCount;
-                        handler.call(isBack ? touch.second : touch.first, isBack ? touch.first : touch.second, null);
+                        handler.call(isBack ? pair.second : pair.first, isBack ? pair.first : pair.second, null);
                     }
                 }
                 _call = 0;
             }
-            _touches.forgetEnded();
+            _tracker.forgetEnded();
         }
 
         private function callPairs():void
@@ -186,65 +173,54 @@ package starlogo.handlers
             var ofPairs:Vector.<Agent> = pairs.agents;
             var places:Vector.<int> = pairs.places;
             var breeds:Vector.<int> = pairs.breeds;
-            var breedChanges:int = _breedChanges;
+            var end:int = pairs.length;
             var isPlain:Boolean = _isPlain;
-            var call:int = _call;
-            var made:int = count;
+            var breedChanges:int = _breedChanges;
             var length:int = _length;
-            var end:int = _end;
-            // of no pair
-            var breed:int = -2;
-            var otherBreed:int = -2;
+            var call:int = _call;
             var ofPair:PairHandlers = _handlers;
             var handlers:Vector.<CollisionHandler> = ofPair.handlers;
             var forwardCount:int = ofPair.forwardCount;
             var callCount:int = handlers.length;
+            // of no pair
+            var breed:int = -2;
+            var otherBreed:int = -2;
             for (var pair:int = _pair; pair < end; pair += 2)
             {
                 _pair = pair;
+                var first:Agent = ofPairs[pair];
+                var second:Agent = ofPairs[pair + 1];
                 if (call == 0)
                 {
-                    if (breeds[pair] != breed || breeds[pair + 1] != otherBreed || Agent.breedChanges != breedChanges)
+                    if (first.breedChange > breedChanges || second.breedChange > breedChanges)
                     {
-                        lookUpHandlers();
+                        updateBreeds();
+                    }
+                    if (breeds[pair] != breed || breeds[pair + 1] != otherBreed || !isPlain)
+                    {
                         breed = breeds[pair];
                         otherBreed = breeds[pair + 1];
-                        ofPair = _handlers;
+                        ofPair = _table.handlersOf(breed, otherBreed);
+                        if (!isPlain)
+                        {
+                            ofPair = track(ofPair);
+                            length = _length;
+                        }
+                        _handlers = ofPair;
                         handlers = ofPair.handlers;
                         forwardCount = ofPair.forwardCount;
                         callCount = handlers.length;
                     }
                 }
-                var first:Agent = ofPairs[pair];
-                var second:Agent = ofPairs[pair + 1];
                 var firstPlace:int = places[pair];
                 var secondPlace:int = places[pair + 1];
-                if (!isPlain)
-                {
-                    var touch:ContactPair = _touchOf[pair >> 1];
-                    if (touch == null && ofPair.ofStart != null)
-                    {
-                        var isListed:Boolean = areListed(first, second, call);
-                        length = _length;
-                        if (!isListed)
-                        {
-                            continue;
-                        }
-                        touch = _touchOf[pair >> 1] = _touches.start(first, second);
-                    }
-                    var isStart:Boolean = touch != null && touch.beganIn == _touches.frame;
-                    var now:PairHandlers = isStart && ofPair.ofStart != null ? ofPair.ofStart : ofPair;
-                    handlers = now.handlers;
-                    forwardCount = now.forwardCount;
-                    callCount = handlers.length;
-                }
                 while (call < callCount)
                 {
                     // mostly both still are where they were
                     if (agents.length != length || agents[firstPlace] !== first || agents[secondPlace] !== second)
                     {
-                        length = -1;
-                        if (!areListed(first, second, call))
+                        length = _length = -1;
+                        if (!_list.contains(first) || !_list.contains(second))
                         {
                             break;
                         }
@@ -256,8 +232,7 @@ package starlogo.handlers
                         continue;
                     }
                     _call = call;
-                    made++;
-                    count = made;
+                    count++;
                     var toCall:Function = handler.handler;
                     if (handler.takesContact)
                     {
@@ -274,12 +249,9 @@ package starlogo.handlers
                         toCall(first, second);
                     }
                 }
-                if (!isPlain)
+                if (_starting != null)
                 {
-                    if (isStart)
-                    {
-                        touch.isBothWays = touch.isBothWays || call > forwardCount || call == callCount;
-                    }
+                    _starting.isBothWays = _starting.isBothWays || call > forwardCount || call == callCount;
                 }
                 call = 0;
             }
@@ -288,62 +260,46 @@ package starlogo.handlers
         }
 
         // The breeds count that the two have now, for all of the pair's calls.
-        private function lookUpHandlers():void
+        private function updateBreeds():void
         {
-            var breeds:Vector.<int> = pairs.breeds;
-            if (Agent.breedChanges != _breedChanges)
+            for (var i:int = _pair; i < _pair + 2; i++)
             {
-                var name:String = pairs.agents[_pair].breed;
-                var otherName:String = pairs.agents[_pair + 1].breed;
-                if (name == _name && otherName == _otherName)
+                if (pairs.agents[i].breedChange > _breedChanges)
                 {
-                    return;
+                    pairs.breeds[i] = _table.breedPairs.numberOf(pairs.agents[i].breed);
                 }
-                _name = name;
-                _otherName = otherName;
-                breeds[_pair] = _table.breedPairs.numberOf(name);
-                breeds[_pair + 1] = _table.breedPairs.numberOf(otherName);
             }
-            _handlers = _table.handlersOf(breeds[_pair], breeds[_pair + 1]);
         }
 
-        // Asks the list, from now on for the rest of the frame.
-        private function areListed(first:Agent, second:Agent, call:int):Boolean
+        // Has the pair's contact begin if none goes on: its handlers then are those of the start, and none if an agent is gone.
+        private function track(ofPair:PairHandlers):PairHandlers
         {
-            if (_agents.length == _length && _agents[pairs.places[_pair]] === first && _agents[pairs.places[_pair + 1]] === second)
+            _starting = null;
+            if (ofPair.ofStart == null)
             {
-                return true;
+                return ofPair;
             }
-            _length = -1;
-            if (_list.contains(first) && _list.contains(second))
+            var contactPair:ContactPair = _contactPairs[_pair >> 1];
+            if (contactPair == null)
             {
-                return true;
-            }
-            if (_list.isInDoubt)
-            {
-                _postponed[_postponedCount] = _pair;
-                _postponed[_postponedCount + 1] = call;
-                _postponedCount += 2;
-            }
-            return false;
-        }
-
-        private function callPostponed():void
-        {
-            while (_turn < _postponedCount)
-            {
-                if (_turn == _knownTo)
+                var first:Agent = pairs.agents[_pair];
+                var second:Agent = pairs.agents[_pair + 1];
+                if (_agents.length != _length || _agents[pairs.places[_pair]] !== first || _agents[pairs.places[_pair + 1]] !== second)
                 {
-                    _list.look();
-                    _knownTo = _postponedCount;
+                    _length = -1;
+                    if (!_list.contains(first) || !_list.contains(second))
+                    {
+                        return _table.handlersOf(-1, -1);
+                    }
                 }
-                _pair = _postponed[_turn];
-                _call = _postponed[_turn + 1];
-                _end = _pair + 2;
-                _turn += 2;
-                lookUpHandlers();
-                callPairs();
+                contactPair = _contactPairs[_pair >> 1] = _tracker.start(first, second);
             }
+            if (contactPair.beganIn != _tracker.frame)
+            {
+                return ofPair;
+            }
+            _starting = contactPair;
+            return ofPair.ofStart;
         }
     }
 }

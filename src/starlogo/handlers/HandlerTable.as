@@ -15,25 +15,31 @@ package starlogo.handlers
         /** Whether no handler asks for contacts, or when touches begin or end. */
         public var isPlain:Boolean = true;
 
-        private var _handlers:Vector.<CollisionHandler>;
+        // In the order of their kinds, those of one kind as they were added.
+        private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         // By the numbers of breeds, from -1 on.
         private var _pairs:Vector.<PairHandlers>;
         private var _rowLength:int;
 
         /**
-         * @param handlers in the order in which they are to be called
-         * @param breedPairs takes the pairs of breeds that have handlers; it has none yet
+         * @param handlers in the order in which they were added
+         * @param breedPairs gets the pairs of breeds that have handlers; it has none yet
          */
         public function HandlerTable(handlers:Vector.<CollisionHandler>, breedPairs:BreedPairs)
         {
             this.breedPairs = breedPairs;
-            // others may be added before a pair of breeds is asked about
-            _handlers = handlers.concat();
-            for each (var handler:CollisionHandler in _handlers)
+            for (var kind:int = CollisionHandler.START; kind <= CollisionHandler.END; kind++)
             {
-                breedPairs.add(handler.breed, handler.otherBreed);
-                isPlain = isPlain && handler.kind == CollisionHandler.COLLISION && !handler.takesContact;
+                for each (var handler:CollisionHandler in handlers)
+                {
+                    if (handler.kind == kind)
+                    {
+                        _handlers.push(handler);
+                        breedPairs.add(handler.breed, handler.otherBreed);
+                        isPlain = isPlain && kind == CollisionHandler.COLLISION && !handler.takesContact;
+                    }
+                }
             }
             _rowLength = breedPairs.breedCount + 1;
             _pairs = new Vector.<PairHandlers>(_rowLength * _rowLength, true);
@@ -52,28 +58,29 @@ package starlogo.handlers
 
         private function make(breed:int, otherBreed:int):PairHandlers
         {
-            var forward:Vector.<CollisionHandler> = between(breed, otherBreed, CollisionHandler.COLLISION);
-            var back:Vector.<CollisionHandler> = between(otherBreed, breed, CollisionHandler.COLLISION);
-            var result:PairHandlers = new PairHandlers(forward, back);
-            forward = between(breed, otherBreed, CollisionHandler.START).concat(forward);
-            back = between(otherBreed, breed, CollisionHandler.START).concat(back);
-            var ofStart:PairHandlers = new PairHandlers(forward, back);
-            forward = between(breed, otherBreed, CollisionHandler.END);
-            back = between(otherBreed, breed, CollisionHandler.END);
-            if (ofStart.handlers.length > result.handlers.length || forward.length > 0 || back.length > 0)
+            var result:PairHandlers = ofKinds(CollisionHandler.COLLISION, CollisionHandler.COLLISION, breed, otherBreed);
+            var ofStart:PairHandlers = ofKinds(CollisionHandler.START, CollisionHandler.COLLISION, breed, otherBreed);
+            var ofEnd:PairHandlers = ofKinds(CollisionHandler.END, CollisionHandler.END, breed, otherBreed);
+            if (ofStart.handlers.length > result.handlers.length || ofEnd.handlers.length > 0)
             {
                 result.ofStart = ofStart;
-                result.ofEnd = new PairHandlers(forward, back);
+                result.ofEnd = ofEnd;
                 result.takesContacts = ofStart.takesContacts;
             }
             return result;
         }
 
-        private function between(breed:int, otherBreed:int, kind:int):Vector.<CollisionHandler>
+        private function ofKinds(first:int, last:int, breed:int, otherBreed:int):PairHandlers
+        {
+            return new PairHandlers(between(first, last, breed, otherBreed), between(first, last, otherBreed, breed));
+        }
+
+        private function between(first:int, last:int, breed:int, otherBreed:int):Vector.<CollisionHandler>
         {
             return _handlers.filter(function(handler:CollisionHandler, ...ignored):Boolean
                 {
-                    return handler.kind == kind && standsFor(handler.breed, breed) && standsFor(handler.otherBreed, otherBreed);
+                    return handler.kind >= first && handler.kind <= last && standsFor(handler.breed, breed)
+                        && standsFor(handler.otherBreed, otherBreed);
                 });
         }
 

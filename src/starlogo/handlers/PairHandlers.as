@@ -8,19 +8,19 @@ package starlogo.handlers
      */
     public final class PairHandlers
     {
-        /** Those of a frame in which the two touch. */
+        /** Those of a frame in which the two collide. */
         public var handlers:Vector.<CollisionHandler>;
 
-        /** So many at the beginning have the first agent for their collider, the rest the second. */
+        /** How many of them, at the beginning, have the first agent for their collider; the rest have the second. */
         public var forwardCount:int;
 
-        /** Whether any asks for contacts, those of the first frame included. */
+        /** Whether any takes a contact, those of the first frame included. */
         public var takesContacts:Boolean = false;
 
-        /** All those of the first frame of a touch; null if no handler asks when touches begin or end. */
+        /** Those of the first frame of a contact; null if there are none for starts or ends of contacts. */
         public var ofStart:PairHandlers = null;
 
-        /** Those of the first frame without it; null in the same case. */
+        /** Those of the first frame without the contact; null in the same case. */
         public var ofEnd:PairHandlers = null;
 
         /**

@@ -25,13 +25,14 @@ package starlogo.search
         /** Brings the numbers of a table up to date. */
         public function update(table:AgentTable, breeds:BreedPairs):void
         {
-            var areVoid:Boolean = breeds !== _breeds || breeds.revision != _revision || Agent.breedChanges != _changes;
-            if (!areVoid && table.listNumber == _list)
+            var areVoid:Boolean = breeds !== _breeds || breeds.revision != _revision;
+            if (!areVoid && Agent.breedChanges == _changes && table.listNumber == _list)
             {
                 return;
             }
             _breeds = breeds;
             _revision = breeds.revision;
+            var changes:int = _changes;
             _changes = Agent.breedChanges;
             _list = table.listNumber;
             outsiders = 0;
@@ -39,9 +40,10 @@ package starlogo.search
             for (var i:int = 0; i < table.count; i++)
             {
                 var row:int = table.rows[i];
-                if (areVoid || numbers[row] == AgentTable.UNKNOWN_BREED)
+                var agent:Agent = table.agents[row];
+                if (areVoid || numbers[row] == AgentTable.UNKNOWN_BREED || agent.breedChange > changes)
                 {
-                    numbers[row] = breeds.numberOf(table.agents[row].breed);
+                    numbers[row] = breeds.numberOf(agent.breed);
                 }
                 if (numbers[row] < 0)
                 {

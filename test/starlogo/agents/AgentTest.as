@@ -255,6 +255,7 @@ package starlogo.agents
             assertEquals(breedChanges, Agent.breedChanges);
             agent.breed = "balls";
             assertEquals("breed", breedChanges + 1, Agent.breedChanges);
+            assertEquals("the agent's", Agent.breedChanges, agent.breedChange);
         }
 
         private static function set (agent:Agent, trait:String, value:*):void

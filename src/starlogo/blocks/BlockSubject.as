@@ -2,19 +2,19 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
 
-    /** Whom a block is about, which a student says by an agent or by the name of a breed. */
-    internal final class Whom
+    /** What a block is about: an agent, or all agents of a breed, given by its name. */
+    internal final class BlockSubject
     {
         /** Makes sure that it is one of the two. */
-        public static function check(block:String, whom:Object):void
+        public static function check(block:String, subject:Object):void
         {
-            if (whom is String)
+            if (subject is String)
             {
-                checkBreed(block, whom as String);
+                checkBreed(block, subject as String);
             }
-            else if (!(whom is Agent))
+            else if (!(subject is Agent))
             {
-                throw new BlockError(block, "needs an agent or a breed, but got " + said(whom)
+                throw new BlockError(block, "needs an agent or a breed, but got " + nameOf(subject)
                         + ". Remember: \"collidee\" is somebody only while a collision block runs.");
             }
         }
@@ -28,14 +28,14 @@ package starlogo.blocks
             }
         }
 
-        /** Whether somebody is meant: the agent itself, or one of the breed. */
-        public static function means(whom:Object, agent:Agent):Boolean
+        /** Whether an agent is the subject, or of its breed. */
+        public static function includes(subject:Object, agent:Agent):Boolean
         {
-            return whom === agent || whom === agent.breed;
+            return subject === agent || subject === agent.breed;
         }
 
-        /** How a message speaks of what a student put into a block. */
-        public static function said(value:Object):String
+        /** How a message names what a student put into a block. */
+        public static function nameOf(value:Object):String
         {
             if (value == null || value === "")
             {

@@ -11,8 +11,6 @@ package starlogo.libraries
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
-    import starlogo.fitting.Fit;
-    import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.MinimalBoxFitter;
     import starlogo.fitting.MinimalSphereFitter;
@@ -603,6 +601,13 @@ package starlogo.libraries
         }
     }
 }
+
+import flash.geom.Vector3D;
+import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Sphere;
+import starlogo.fitting.Fit;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
 
 /** Finds a sphere that is large enough for every model. */
 class UnsignedFitter extends Fitter

@@ -13,8 +13,8 @@ package
 
     /**
      * The test SWF: loads the files that the test classes ask for, runs every class of the generated list (or those
-     * that the parameter <code>test</code> names), and reports to the headless runner. With the parameter <code>full</code>
-     * long tests try more.
+     * that the parameter <code>test</code> names), and reports to the headless runner. Those that the parameter
+     * <code>elsewhere</code> lists are left out. With the parameter <code>full</code> long tests try more.
      *
      * <p>A class that needs files lists their addresses in a public static <code>FIXTURES:Array</code>.</p>
      */
@@ -29,7 +29,8 @@ package
             Effort.isFull = loaderInfo.parameters["full"] == "true";
             Garbage.isCounted = loaderInfo.parameters["collects"] == "false";
             Garbage.isCollected = loaderInfo.parameters["player"] == "avmshell" && !Garbage.isCounted;
-            var filter:TestFilter = new TestFilter(loaderInfo.parameters["test"]);
+            Effort.isInterpreted = loaderInfo.parameters["player"] == "ruffle" && !Effort.isFull;
+            var filter:TestFilter = new TestFilter(loaderInfo.parameters["test"], loaderInfo.parameters["elsewhere"]);
             var classes:Array = filter.classesOf(AllTests.CLASSES);
             _request = Request.classes.apply(null, classes);
             if (!filter.doesPick(_request))
@@ -40,6 +41,10 @@ package
                 return;
             }
             _request = filter.narrow(_request);
+            if (filter.leavesOut)
+            {
+                trace("Node alone runs what test/headless/in-node.txt lists");
+            }
             Fixtures.load(Fixtures.listOf(classes), run);
         }
 

@@ -12,7 +12,7 @@ export const mxmlc = (args, options) => run('mxmlc', args, options);
 
 /** Runs one, and throws what it says if it fails. */
 function run(tool, args, options = {}) {
-	const { status, stdout, stderr } = spawnSync(java, [`-Dapplication.home=${flex}`, '-Xmx1g', '-Dfile.encoding=UTF-8',
+	const { status, stdout, stderr } = spawnSync(java, [`-Dapplication.home=${flex}`, '-Xmx1g', '-XX:TieredStopAtLevel=1', '-XX:+UseSerialGC', '-Dfile.encoding=UTF-8',
 		'-jar', path.join(flex, `lib/${tool}.jar`), '-load-config=', `-external-library-path+=${path.join(flex, 'frameworks/libs/air/airglobal.swc')}`,
 		...args], { encoding: 'utf8', ...options });
 	if (status !== 0) {

@@ -4,6 +4,7 @@ package soak
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
+    import support.Effort;
 
     /** Large files are models in every format; every hostile file, a small one, ends: as a model, or with an error that says why. */
     public class HostileFilesTest
@@ -25,7 +26,7 @@ package soak
         [Test(async, timeout="60000")]
         public function allEnd():void
         {
-            var names:Array = HostileFiles.names;
+            var names:Array = HostileFiles.names.filter(isForThisMachine);
             var run:LoadRun = new LoadRun(names, function(name:String):Object
                 {
                     return HostileFiles.make(name, SIZE);
@@ -40,6 +41,12 @@ package soak
                     }
                 }, 55000);
             run.start();
+        }
+
+        // Scenes of 250,000 nodes are plain code, and seconds of it.
+        private static function isForThisMachine(name:String, index:int, names:Array):Boolean
+        {
+            return !Effort.isInterpreted || name.indexOf("placed again") < 0;
         }
     }
 }

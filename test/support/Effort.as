@@ -6,6 +6,12 @@ package support
         /** Whether they try all they can. The test SWF sets it before any test. */
         public static var isFull:Boolean = false;
 
+        /**
+         * Whether the player interprets, some thirty times as slowly as Node runs the same test whole: there a test may leave out the
+         * largest cases. The test SWF sets it before any test; never with <code>-Dfull</code>.
+         */
+        public static var isInterpreted:Boolean = false;
+
         /** The number for this run. */
         public static function choose(everyDay:int, full:int):int
         {

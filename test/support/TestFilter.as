@@ -7,7 +7,7 @@ package support
 
     /**
      * Picks tests by name: <code>BoxBox</code> takes the classes whose name contains it, <code>BoxBoxTest.touching</code>
-     * the tests of such classes whose name contains the rest, nothing takes all.
+     * the tests of such classes whose name contains the rest, nothing takes all but those that run elsewhere.
      */
     public class TestFilter
     {
@@ -16,10 +16,21 @@ package support
 
         private var _classPattern:String;
         private var _method:String;
+        private var _elsewhere:Object = {};
+        private var _leavesOut:Boolean;
 
-        public function TestFilter(pattern:String)
+        /**
+         * @param pattern a part of names
+         * @param elsewhere classes and tests that another machine runs, separated by commas; a pattern takes these too
+         */
+        public function TestFilter(pattern:String, elsewhere:String = null)
         {
             this.pattern = pattern || "";
+            _leavesOut = this.pattern == "" && elsewhere != null && elsewhere != "";
+            for each (var name:String in _leavesOut ? elsewhere.split(",") : [])
+            {
+                _elsewhere[name] = true;
+            }
             var parts:Array = this.pattern.split(/[.#]/);
             _classPattern = parts[0];
             _method = parts.length > 1 ? parts[1] : "";
@@ -31,22 +42,29 @@ package support
             return classes.filter(matches);
         }
 
+        /** Whether tests are left out that another machine runs. */
+        public function get leavesOut():Boolean
+        {
+            return _leavesOut;
+        }
+
         /** Whether the pattern names a test among those of a request. */
         public function doesPick(request:Request):Boolean
         {
-            return shouldRun(request.iRunner.description);
+            // a request that is asked for its description has all its tests in it for good
+            return pattern == "" || shouldRun(request.iRunner.description);
         }
 
         /** The request without the methods that the pattern leaves out. */
         public function narrow(request:Request):Request
         {
-            return _method == "" ? request : request.filterWith(new DynamicFilter(shouldRun, describe));
+            return _method == "" && !_leavesOut ? request : request.filterWith(new DynamicFilter(shouldRun, describe));
         }
 
         private function matches(testClass:Class, index:int, classes:Array):Boolean
         {
-            var name:String = getQualifiedClassName(testClass).split("::").pop();
-            return name.indexOf(_classPattern) >= 0;
+            var name:String = getQualifiedClassName(testClass).replace("::", ".");
+            return name.split(".").pop().indexOf(_classPattern) >= 0 && !_elsewhere[name];
         }
 
         private function shouldRun(description:IDescription):Boolean
@@ -62,12 +80,13 @@ package support
                 }
                 return false;
             }
-            return description.displayName.split(".").pop().indexOf(_method) >= 0;
+            var name:String = description.displayName.replace("::", ".");
+            return name.split(".").pop().indexOf(_method) >= 0 && !_elsewhere[name];
         }
 
         private function describe(description:IDescription):String
         {
-            return "tests named " + _method;
+            return _method == "" ? "tests that run here" : "tests named " + _method;
         }
     }
 }

@@ -35,7 +35,21 @@ package support
             assertFalse("a method that is no test", picks("Filter.picks"));
             assertEquals(1, narrowed("Filter.nothingTakesAll"));
             assertEquals(2, narrowed("Filter.aPartOf"));
-            assertEquals(3, narrowed("Filter"));
+            assertEquals(4, narrowed("Filter"));
+        }
+
+        [Test]
+        public function whatRunsElsewhereIsLeftOutUnlessItIsNamed():void
+        {
+            var elsewhere:String = "support.Effort,support.TestFilterTest.nothingTakesAll";
+            var all:TestFilter = new TestFilter("", elsewhere);
+            assertEquals([TestFilterTest, TestStage].join(), all.classesOf(CLASSES).join());
+            var here:int = new TestFilter("").narrow(Request.classes(TestFilterTest)).iRunner.description.testCount;
+            assertEquals(here - 1, all.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
+            assertTrue(all.leavesOut);
+            var named:TestFilter = new TestFilter("TestFilterTest", elsewhere);
+            assertFalse(named.leavesOut);
+            assertEquals(here, named.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
         }
 
         private static function picks(pattern:String):Boolean

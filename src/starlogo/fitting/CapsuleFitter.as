@@ -1,5 +1,6 @@
 package starlogo.fitting
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
 
     /**
@@ -13,10 +14,8 @@ package starlogo.fitting
      * <p>The box's fitter decides how the capsule lies: an oriented box gives an oriented capsule. Cost beside the box: two
      * passes over the vertices. Where two of the box's sides are equally long, the first counts.</p>
      */
-    public final class CapsuleFitter extends Fitter
+    public final class CapsuleFitter extends BoxAxisFitter
     {
-        private var _boxFitter:Fitter;
-
         /**
          * A fitter of capsules along the boxes of another fitter.
          *
@@ -26,39 +25,21 @@ package starlogo.fitting
          */
         public function CapsuleFitter(boxFitter:Fitter)
         {
-            if (boxFitter == null)
-            {
-                throw new ArgumentError("the box's fitter must not be null");
-            }
-            _boxFitter = boxFitter;
-        }
-
-        /** What finds the box. */
-        public function get boxFitter():Fitter
-        {
-            return _boxFitter;
+            super(boxFitter);
         }
 
         /** @inheritDoc */
         override public function get signature():String
         {
-            var ofBox:String = _boxFitter.signature;
-            return ofBox == null ? null : "capsule of " + ofBox;
+            return boxFitter.signature == null ? null : "capsule of " + boxFitter.signature;
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override protected function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure
         {
-            return new Fit(session, findStructure, _boxFitter.beginOnce(session));
-        }
-
-        /** @inheritDoc */
-        override protected function findStructure(session:FitSession):BoundingStructure
-        {
-            var longest:LongestAxis = new LongestAxis(session, _boxFitter);
-            var radius:Number = EnclosingStructures.distanceFromLine(session.vertices, longest.center, longest.axis);
-            var half:Number = Math.max(0, longest.half - radius);
-            return EnclosingStructures.capsule(session.vertices, longest.center, longest.axis, -half, half, radius);
+            var radius:Number = EnclosingStructures.distanceFromLine(vertices, center, axis);
+            var least:Number = Math.max(0, half - radius);
+            return EnclosingStructures.capsule(vertices, center, axis, -least, least, radius);
         }
     }
 }

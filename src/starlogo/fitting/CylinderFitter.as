@@ -1,5 +1,6 @@
 package starlogo.fitting
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
 
     /**
@@ -7,10 +8,8 @@ package starlogo.fitting
      * measured and shown, not collided: no intersection test takes cylinders (thesis §3.6.1). Cost beside the box: one pass over
      * the vertices.
      */
-    public final class CylinderFitter extends Fitter
+    public final class CylinderFitter extends BoxAxisFitter
     {
-        private var _boxFitter:Fitter;
-
         /**
          * A fitter of cylinders along the boxes of another fitter.
          *
@@ -19,30 +18,13 @@ package starlogo.fitting
          */
         public function CylinderFitter(boxFitter:Fitter)
         {
-            if (boxFitter == null)
-            {
-                throw new ArgumentError("the box's fitter must not be null");
-            }
-            _boxFitter = boxFitter;
-        }
-
-        /** What finds the box. */
-        public function get boxFitter():Fitter
-        {
-            return _boxFitter;
+            super(boxFitter);
         }
 
         /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
+        override protected function findAlong(vertices:Vector.<Number>, center:Vector3D, axis:Vector3D, half:Number):BoundingStructure
         {
-            return new Fit(session, findStructure, _boxFitter.beginOnce(session));
-        }
-
-        /** @inheritDoc */
-        override protected function findStructure(session:FitSession):BoundingStructure
-        {
-            var longest:LongestAxis = new LongestAxis(session, _boxFitter);
-            return EnclosingStructures.cylinder(session.vertices, longest.center, longest.axis, longest.half);
+            return EnclosingStructures.cylinder(vertices, center, axis, half);
         }
     }
 }

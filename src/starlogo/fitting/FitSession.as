@@ -17,9 +17,9 @@ package starlogo.fitting
     {
         private var _hull:ConvexHull;
 
-        // The work begun for the vertices, and the object that each was begun for.
-        private var _owners:Vector.<Object> = new Vector.<Object>();
-        private var _works:Vector.<Steps> = new Vector.<Steps>();
+        // The fits begun for the vertices, and the fitter of each.
+        private var _fitters:Vector.<Fitter> = new Vector.<Fitter>();
+        private var _fits:Vector.<Fit> = new Vector.<Fit>();
 
         /**
          * A session without fits.
@@ -58,25 +58,21 @@ package starlogo.fitting
         }
 
         /**
-         * The work that was kept for an owner, which is any object; null if there is none.
+         * The fit of a fitter for these vertices: begun at the first call, and the same object at every other.
          *
          * @private
          */
-        engine function workOf(owner:Object):Steps
+        engine function fitOf(fitter:Fitter):Fit
         {
-            var i:int = _owners.indexOf(owner);
-            return i < 0 ? null : _works[i];
-        }
-
-        /**
-         * Keeps work, for all that need it.
-         *
-         * @private
-         */
-        engine function keep(owner:Object, work:Steps):void
-        {
-            _owners.push(owner);
-            _works.push(work);
+            var i:int = _fitters.indexOf(fitter);
+            if (i >= 0)
+            {
+                return _fits[i];
+            }
+            var fit:Fit = fitter.begin(this);
+            _fitters.push(fitter);
+            _fits.push(fit);
+            return fit;
         }
     }
 }

@@ -114,13 +114,7 @@ package starlogo.fitting
          */
         public final function beginOnce(session:FitSession):Fit
         {
-            var work:Fit = session.workOf(this) as Fit;
-            if (work == null)
-            {
-                work = begin(session);
-                session.keep(this, work);
-            }
-            return work;
+            return session.fitOf(this);
         }
     }
 }

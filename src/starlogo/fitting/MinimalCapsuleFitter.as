@@ -67,8 +67,7 @@ package starlogo.fitting
             var points:Vector.<Number> = session.hull.points;
             var start:Vector3D = new Vector3D(points[0], points[1], points[2]);
             var axis:Vector3D = new Vector3D(session.hull.axes[0], session.hull.axes[1], session.hull.axes[2]);
-            var radius:Number = EnclosingStructures.distanceFromLine(session.vertices, start, axis);
-            return EnclosingStructures.capsule(session.vertices, start, axis, Infinity, -Infinity, radius);
+            return around(session.vertices, start, axis, 0);
         }
 
         private static function enclose(vertices:Vector.<Number>, descent:CapsuleDescent):Capsule
@@ -80,7 +79,12 @@ package starlogo.fitting
             {
                 axis.setTo(1, 0, 0);
             }
-            var radius:Number = Math.max(descent.radius, EnclosingStructures.distanceFromLine(vertices, start, axis));
+            return around(vertices, start, axis, descent.radius);
+        }
+
+        private static function around(vertices:Vector.<Number>, start:Vector3D, axis:Vector3D, leastRadius:Number):Capsule
+        {
+            var radius:Number = Math.max(leastRadius, EnclosingStructures.distanceFromLine(vertices, start, axis));
             return EnclosingStructures.capsule(vertices, start, axis, Infinity, -Infinity, radius);
         }
 

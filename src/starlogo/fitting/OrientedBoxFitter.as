@@ -11,10 +11,8 @@ package starlogo.fitting
      * by climbing over the hull from those of the rotation before: the boxes tried are the same, and so is the result.
      * Cost: n log n for the hull of n vertices; per rotation one native transformation of the hull and some steps.</p>
      */
-    public final class OrientedBoxFitter extends Fitter
+    public final class OrientedBoxFitter extends TurnedBoxFitter
     {
-        private var _degIncrement:Number;
-
         /**
          * A fitter that tries rotations of this step.
          *
@@ -23,30 +21,19 @@ package starlogo.fitting
          */
         public function OrientedBoxFitter(degIncrement:Number = 10)
         {
-            _degIncrement = RotationSearch.checkIncrement(degIncrement);
-        }
-
-        /** The step in degrees. */
-        public function get degIncrement():Number
-        {
-            return _degIncrement;
-        }
-
-        public function set degIncrement(value:Number):void
-        {
-            _degIncrement = RotationSearch.checkIncrement(value);
+            super(degIncrement);
         }
 
         /** @inheritDoc */
         override public function get signature():String
         {
-            return "oriented box " + _degIncrement;
+            return "oriented box " + degIncrement;
         }
 
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            var search:RotationSearch = new RotationSearch(session, _degIncrement, _degIncrement, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, degIncrement, degIncrement, degIncrement);
             return new Fit(session, search.smallestBox, search);
         }
     }

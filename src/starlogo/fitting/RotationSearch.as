@@ -71,21 +71,6 @@ package starlogo.fitting
             _work.call(prepare).repeat(tryNext);
         }
 
-        /**
-         * Checks an increment.
-         *
-         * @return the increment
-         * @throws ArgumentError if it is not a positive, finite number
-         */
-        public static function checkIncrement(degrees:Number):Number
-        {
-            if (!(degrees > 0 && degrees < Infinity))
-            {
-                throw new ArgumentError("the increment must be a positive number of degrees: " + degrees);
-            }
-            return degrees;
-        }
-
         /** @inheritDoc */
         public function step():Boolean
         {

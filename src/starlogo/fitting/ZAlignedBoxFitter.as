@@ -7,10 +7,8 @@ package starlogo.fitting
      * <p>Never larger than the axis-aligned box. At the default each side is at most 9 % longer than that of the best box with
      * an axis along z.</p>
      */
-    public final class ZAlignedBoxFitter extends Fitter
+    public final class ZAlignedBoxFitter extends TurnedBoxFitter
     {
-        private var _degIncrement:Number;
-
         /**
          * A fitter that tries rotations of this step.
          *
@@ -19,30 +17,19 @@ package starlogo.fitting
          */
         public function ZAlignedBoxFitter(degIncrement:Number = 10)
         {
-            _degIncrement = RotationSearch.checkIncrement(degIncrement);
-        }
-
-        /** The step in degrees. */
-        public function get degIncrement():Number
-        {
-            return _degIncrement;
-        }
-
-        public function set degIncrement(value:Number):void
-        {
-            _degIncrement = RotationSearch.checkIncrement(value);
+            super(degIncrement);
         }
 
         /** @inheritDoc */
         override public function get signature():String
         {
-            return "z-aligned box " + _degIncrement;
+            return "z-aligned box " + degIncrement;
         }
 
         /** @inheritDoc */
         override public function begin(session:FitSession):Fit
         {
-            var search:RotationSearch = new RotationSearch(session, 90, 90, _degIncrement);
+            var search:RotationSearch = new RotationSearch(session, 90, 90, degIncrement);
             return new Fit(session, search.smallestBox, search);
         }
     }

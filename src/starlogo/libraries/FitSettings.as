@@ -31,13 +31,6 @@ package starlogo.libraries
         engine var hierarchy:Fingerprint = null;
 
         /**
-         * How many levels a hierarchy may have.
-         *
-         * @private
-         */
-        engine var maxDepth:int = 0;
-
-        /**
          * Whether what exact colliders need is wanted.
          *
          * @private
@@ -52,15 +45,13 @@ package starlogo.libraries
          */
         public function FitSettings(structures:BoundingStructuresLibrary, hierarchies:HierarchiesLibrary)
         {
-            var text:String = structures == null ? null : textOf(structures.fitters);
-            if (text != null)
+            if (structures != null)
             {
-                this.structures = fingerprintOf(text);
+                this.structures = fingerprintOfAll(structures.fitters);
             }
             if (hierarchies != null)
             {
                 hierarchy = fingerprintOf(["hierarchy", hierarchies.minVerticesToSplit, hierarchies.maxDepth, hierarchies.splitByMean].join());
-                maxDepth = hierarchies.maxDepth;
                 wantsSurface = hierarchies.prepareExact;
             }
         }
@@ -84,7 +75,7 @@ package starlogo.libraries
         }
 
         // null if one of the fitters has no signature
-        private static function textOf(fitters:Vector.<Fitter>):String
+        private static function fingerprintOfAll(fitters:Vector.<Fitter>):Fingerprint
         {
             var signatures:Array = ["structures"];
             for each (var fitter:Fitter in fitters)
@@ -95,7 +86,7 @@ package starlogo.libraries
                 }
                 signatures.push(fitter.signature);
             }
-            return signatures.join(", ");
+            return fingerprintOf(signatures.join(", "));
         }
 
         private static function fingerprintOf(text:String):Fingerprint

@@ -124,10 +124,10 @@ package starlogo.libraries
             refuse(name, VertexData.vertexProblem(vertices));
             if (triangles == null || triangles.length == 0)
             {
-                return begin(vertices.concat(), null);
+                return builderOf(vertices.concat(), null);
             }
             refuse(name, VertexData.triangleProblem(triangles, vertices.length / 3));
-            return begin(vertices.concat(), triangles.concat());
+            return builderOf(vertices.concat(), triangles.concat());
         }
 
         /**
@@ -138,10 +138,10 @@ package starlogo.libraries
         engine function newBuilderOf(model:Model):SolidHierarchyBuilder
         {
             checkSettings();
-            return begin(model.vertices, model.triangles);
+            return builderOf(model.vertices, model.triangles);
         }
 
-        private function begin(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
+        private function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
             var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
             builder.begin(vertices, triangles);

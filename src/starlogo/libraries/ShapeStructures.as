@@ -44,7 +44,8 @@ package starlogo.libraries
             }
             for each (structure in smallest)
             {
-                if (tightest == null && structure != null && structure.volume <= least * cheaperTestsFactor)
+                // a volume that was read may be no number: such a structure is refused when it is checked
+                if (tightest == null && structure != null && !(structure.volume > least * cheaperTestsFactor))
                 {
                     tightest = structure;
                 }

@@ -10,7 +10,8 @@ package starlogo.libraries
 
     /**
      * Whether a structure contains all vertices of a model, as precisely as a fit has to (Tolerances.CONTAINMENT): whether the tightest one
-     * of its position is no wider. One or two passes over the vertices.
+     * of its position is no wider. What is allowed goes with the model's size, not with that of a structure that may be forged. One to three
+     * passes over the vertices.
      *
      * @param structure a sphere, a capsule or a box
      * @param vertices x, y, z each
@@ -24,16 +25,20 @@ package starlogo.libraries
         var box:Box = structure as Box;
         try
         {
+            var slack:Number = 0;
+            if (box == null)
+            {
+                slack = Tolerances.CONTAINMENT * EnclosingStructures.sphere(vertices, vertices[0], vertices[1], vertices[2]).radius;
+            }
             if (sphere != null)
             {
                 var ball:Sphere = EnclosingStructures.sphere(vertices, sphere.center.x, sphere.center.y, sphere.center.z);
-                return ball.radius <= sphere.radius * (1 + Tolerances.CONTAINMENT);
+                return ball.radius <= sphere.radius + slack;
             }
             if (capsule != null)
             {
                 var axis:Vector3D = capsule.end.subtract(capsule.start);
                 var length:Number = axis.normalize();
-                var slack:Number = Tolerances.CONTAINMENT * (capsule.radius + length / 2);
                 var radius:Number = Math.max(capsule.radius, EnclosingStructures.distanceFromLine(vertices, capsule.start, axis));
                 var longer:Capsule = EnclosingStructures.capsule(vertices, capsule.start, axis, 0, length, radius);
                 return radius <= capsule.radius + slack && Vector3D.distance(longer.start, capsule.start) <= slack
@@ -43,7 +48,7 @@ package starlogo.libraries
                     box.axisZ.x, box.axisZ.y, box.axisZ.z];
             var tight:Box = EnclosingStructures.box(vertices, axes);
             var apart:Vector3D = tight.center.subtract(box.center);
-            slack = Tolerances.CONTAINMENT * Math.max(box.halfX, box.halfY, box.halfZ);
+            slack = Tolerances.CONTAINMENT * Math.max(tight.halfX, tight.halfY, tight.halfZ);
             return Math.abs(apart.dotProduct(box.axisX)) + tight.halfX <= box.halfX + slack
                 && Math.abs(apart.dotProduct(box.axisY)) + tight.halfY <= box.halfY + slack
                 && Math.abs(apart.dotProduct(box.axisZ)) + tight.halfZ <= box.halfZ + slack;

@@ -9,6 +9,7 @@ package starlogo.libraries
     import starlogo.GreatLand;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.fitting.Fitter;
@@ -237,8 +238,14 @@ package starlogo.libraries
             small.halfY *= 0.999;
             var moved:BoundingStructure = right.clone();
             Box(moved).center.x += 1e-3;
-            var huge:Sphere = new Sphere(Box(right).center, 1e-9);
-            for each (var wrong:BoundingStructure in [small, moved, huge])
+            var middle:Vector3D = Box(right).center;
+            var flat:Box = Box(right.clone());
+            flat.halfX = flat.halfY = 1e200;
+            flat.halfZ = 0;
+            var far:Vector3D = new Vector3D(1e200, 0, 0);
+            for each (var wrong:BoundingStructure in [small, moved, flat, new Sphere(middle, 1e-9), new Sphere(far, 1), new Sphere(new Vector3D(1e9, 0, 0), 1e9), new Capsule(middle, middle, 1e-9),
+                        new Capsule(middle.subtract(Vector3D.Z_AXIS), middle.add(Vector3D.Z_AXIS), 0.01), new Capsule(middle, middle.add(Vector3D.Z_AXIS), 0.6),
+                        new Capsule(far, far, 1), new Capsule(far, middle, 1)])
             {
                 var fits:ModelFits = fitsOf(model);
                 fits.structures = new Vector.<BoundingStructure>(3);
@@ -260,7 +267,7 @@ package starlogo.libraries
             sphere.radius *= 0.99;
             fits.structures[BoundingStructure.SPHERE] = sphere;
             var land:GreatLand = new GreatLand();
-            // too large to be the tightest, so nobody needs it at first
+            // too large to be the tightest, so it is not needed at first
             finish(land.receiveWithFits(model, bytesOf(fits, model)));
             assertEquals(LibraryContents.of(_greatLand, "bear"), LibraryContents.of(land, "bear"));
             assertEquals(radius, Sphere(land.structureOfKind("bear", BoundingStructure.SPHERE)).radius);

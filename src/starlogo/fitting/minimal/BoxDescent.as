@@ -81,7 +81,7 @@ package starlogo.fitting.minimal
             }
         }
 
-        private function tryDirection(x:Number, y:Number, z:Number):Boolean
+        private function tryDirection(x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             x /= length;
@@ -90,7 +90,7 @@ package starlogo.fitting.minimal
             var measured:Number = _box.measure(x, y, z, _volume);
             if (!(measured < _volume))
             {
-                return false;
+                return;
             }
             _volume = measured;
             _x = x;
@@ -101,7 +101,6 @@ package starlogo.fitting.minimal
             _sideZ = _box.sideZ;
             _highest = _box.highest;
             _lowest = _box.lowest;
-            return true;
         }
 
         // To the crease of each edge at the corner that is within a step, and a step along it both ways.
@@ -155,11 +154,9 @@ package starlogo.fitting.minimal
 
         private function tryOtherSides():void
         {
-            var thirdX:Number = _y * _sideZ - _z * _sideY;
-            var thirdY:Number = _z * _sideX - _x * _sideZ;
-            var thirdZ:Number = _x * _sideY - _y * _sideX;
-            tryDirection(_sideX, _sideY, _sideZ);
-            tryDirection(thirdX, thirdY, thirdZ);
+            var box:Vector.<Number> = axes;
+            tryDirection(box[3], box[4], box[5]);
+            tryDirection(box[6], box[7], box[8]);
         }
     }
 }

@@ -5,13 +5,12 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.DeepContact;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a capsule and a box: in the box's axes, mirrored so that the capsule's axis points up each of them. */
     internal final class SegmentBox extends PointBox
     {
-        private static const DEEP:DeepContact = new DeepContact();
+        private static const DEEP:BoxPair = new BoxPair();
 
         // From the start of the capsule's axis to its end, not negative.
         private var _alongX:Number;
@@ -104,7 +103,7 @@ package starlogo.intersection
 
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            DEEP.find(a, b, radii, displacement.startX, displacement.startY, displacement.startZ, out);
+            DEEP.findDeepContact(a, b, radii, displacement, out);
         }
 
         /**

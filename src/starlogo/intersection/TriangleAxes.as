@@ -106,13 +106,6 @@ package starlogo.intersection
             tolerance = gap;
         }
 
-        /** Whether the cross product of an edge of each separates them: 0, 3 and 6 for those from first to second, to third, and the other. */
-        internal final function areApartAcross(edgeA:int, edgeB:int):Boolean
-        {
-            setEdges();
-            return isAxisAcross(edgeA, edgeB);
-        }
-
         /** Whether the triangles have a gap of more than the tolerance. Those of one surface, or of models in one place, share corners. */
         internal final function areApart():Boolean
         {
@@ -213,7 +206,8 @@ package starlogo.intersection
             return false;
         }
 
-        private function isAxis(x:Number, y:Number, z:Number):Boolean
+        /** Whether a direction separates the triangles. */
+        internal final function isAxis(x:Number, y:Number, z:Number):Boolean
         {
             var second:Number = x * ux + y * uy + z * uz;
             var third:Number = x * vx + y * vy + z * vz;

@@ -85,7 +85,18 @@ package starlogo.intersection
             var z:Number = fromZ + time * motionZ;
             var along:Number = nearest(x, y, z);
             share = along;
-            putGap(x + along * _alongX, y + along * _alongY, z + along * _alongZ);
+            x += along * _alongX;
+            y += along * _alongY;
+            z += along * _alongZ;
+            var half:Number = halfX;
+            x = x > half ? x - half : (x < -half ? x + half : 0);
+            half = halfY;
+            y = y > half ? y - half : (y < -half ? y + half : 0);
+            half = halfZ;
+            z = z > half ? z - half : (z < -half ? z + half : 0);
+            gapX = x;
+            gapY = y;
+            gapZ = z;
         }
 
         override protected function get size():Number

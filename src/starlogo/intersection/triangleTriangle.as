@@ -192,6 +192,22 @@ package starlogo.intersection
             }
             if (overlap < 0)
             {
+                axes.ux = ux;
+                axes.uy = uy;
+                axes.uz = uz;
+                axes.vx = vx;
+                axes.vy = vy;
+                axes.vz = vz;
+                axes.px = px;
+                axes.py = py;
+                axes.pz = pz;
+                axes.qx = qx;
+                axes.qy = qy;
+                axes.qz = qz;
+                axes.rx = rx;
+                axes.ry = ry;
+                axes.rz = rz;
+                axes.tolerance = tolerance;
                 // the edges through the ends that face each other: begins are on a first edge, or a second where a third corner is alone
                 var isFirst:Boolean = highA < lowB;
                 var isBegin:Boolean = isFirst ? highA == beginA : lowA == beginA;
@@ -210,7 +226,6 @@ package starlogo.intersection
                     fy = isThirdEdge ? gy - fy : gy;
                     fz = isThirdEdge ? gz - fz : gz;
                 }
-                axes.relate(a, atA, b, atB, tolerance);
                 return !axes.isAxis(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx) && !axes.areApart();
             }
         }

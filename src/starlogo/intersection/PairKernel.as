@@ -42,7 +42,7 @@ package starlogo.intersection
 
         private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
         {
-            return new ArgumentError("there is no intersection test for " + a + " and " + b);
+            return new ArgumentError("there is neither a test nor a contact for " + a + " and " + b);
         }
     }
 }

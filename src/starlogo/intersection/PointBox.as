@@ -50,12 +50,9 @@ package starlogo.intersection
 
         override protected function find(time:Number):void
         {
-            putGap(fromX + time * motionX, fromY + time * motionY, fromZ + time * motionZ);
-        }
-
-        /** Makes the gap that of a point. */
-        protected final function putGap(x:Number, y:Number, z:Number):void
-        {
+            var x:Number = fromX + time * motionX;
+            var y:Number = fromY + time * motionY;
+            var z:Number = fromZ + time * motionZ;
             var half:Number = halfX;
             x = x > half ? x - half : (x < -half ? x + half : 0);
             half = halfY;

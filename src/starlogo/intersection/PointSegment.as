@@ -45,13 +45,16 @@ package starlogo.intersection
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
-            var along:Number = x * _axisX + y * _axisY + z * _axisZ;
+            var axisX:Number = _axisX;
+            var axisY:Number = _axisY;
+            var axisZ:Number = _axisZ;
+            var along:Number = x * axisX + y * axisY + z * axisZ;
             if (along > 0)
             {
                 along = along < _lengthSquared ? along / _lengthSquared : 1;
-                x -= along * _axisX;
-                y -= along * _axisY;
-                z -= along * _axisZ;
+                x -= along * axisX;
+                y -= along * axisY;
+                z -= along * axisZ;
             }
             gapX = x;
             gapY = y;

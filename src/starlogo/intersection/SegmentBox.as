@@ -5,13 +5,12 @@ package starlogo.intersection
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.DeepContact;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a capsule and a box: in the box's axes, mirrored so that the capsule's axis points up each of them. */
     internal final class SegmentBox extends PointBox
     {
-        private static const DEEP:DeepContact = new DeepContact();
+        private static const DEEP:BoxPair = new BoxPair();
 
         // From the start of the capsule's axis to its end, not negative.
         private var _alongX:Number;
@@ -86,7 +85,18 @@ package starlogo.intersection
             var z:Number = fromZ + time * motionZ;
             var along:Number = nearest(x, y, z);
             share = along;
-            putGap(x + along * _alongX, y + along * _alongY, z + along * _alongZ);
+            x += along * _alongX;
+            y += along * _alongY;
+            z += along * _alongZ;
+            var half:Number = halfX;
+            x = x > half ? x - half : (x < -half ? x + half : 0);
+            half = halfY;
+            y = y > half ? y - half : (y < -half ? y + half : 0);
+            half = halfZ;
+            z = z > half ? z - half : (z < -half ? z + half : 0);
+            gapX = x;
+            gapY = y;
+            gapZ = z;
         }
 
         override protected function get size():Number
@@ -104,7 +114,7 @@ package starlogo.intersection
 
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            DEEP.find(a, b, radii, displacement.startX, displacement.startY, displacement.startZ, out);
+            DEEP.findDeepContact(a, b, radii, displacement, out);
         }
 
         /**

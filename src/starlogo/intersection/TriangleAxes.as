@@ -25,7 +25,7 @@ package starlogo.intersection
         protected var isStanding:Boolean = true;
 
         /** The gap that still counts as touching, a distance. */
-        protected var tolerance:Number;
+        public var tolerance:Number;
 
         /** Whether triangles without area are compared as segments. */
         protected var comparesSegments:Boolean = true;
@@ -36,34 +36,50 @@ package starlogo.intersection
         /** That of the second. */
         protected var segmentB:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
-        /** What the first triangle's projection begins at, on the axis that is tried. */
-        protected var lowA:Number;
+        /** The first triangle's second corner, from its first. */
+        public var ux:Number;
 
-        /** What it ends at. */
-        protected var highA:Number;
+        /** @copy #ux */
+        public var uy:Number;
 
-        /** What the second's begins at. */
-        protected var lowB:Number;
+        /** @copy #ux */
+        public var uz:Number;
 
-        /** What it ends at. */
-        protected var highB:Number;
+        /** The first triangle's third corner, from its first. */
+        public var vx:Number;
 
-        /** The corners of both, from the first one's first: its second and third, u and v, and the second one's three, p, q and r. */
-        protected var ux:Number;
-        protected var uy:Number;
-        protected var uz:Number;
-        protected var vx:Number;
-        protected var vy:Number;
-        protected var vz:Number;
-        protected var px:Number;
-        protected var py:Number;
-        protected var pz:Number;
-        protected var qx:Number;
-        protected var qy:Number;
-        protected var qz:Number;
-        protected var rx:Number;
-        protected var ry:Number;
-        protected var rz:Number;
+        /** @copy #vx */
+        public var vy:Number;
+
+        /** @copy #vx */
+        public var vz:Number;
+
+        /** The second triangle's first corner, from the first one's first. */
+        public var px:Number;
+
+        /** @copy #px */
+        public var py:Number;
+
+        /** @copy #px */
+        public var pz:Number;
+
+        /** The second triangle's second corner, from the first one's first. */
+        public var qx:Number;
+
+        /** @copy #qx */
+        public var qy:Number;
+
+        /** @copy #qx */
+        public var qz:Number;
+
+        /** The second triangle's third corner, from the first one's first. */
+        public var rx:Number;
+
+        /** @copy #rx */
+        public var ry:Number;
+
+        /** @copy #rx */
+        public var rz:Number;
 
         // From the first corner to the second, to the third, and from the second to the third.
         private var _edgesA:Vector.<Number> = new Vector.<Number>(9, true);
@@ -104,13 +120,6 @@ package starlogo.intersection
             ry = b[int(atB + 7)] - y;
             rz = b[int(atB + 8)] - z;
             tolerance = gap;
-        }
-
-        /** Whether the cross product of an edge of each separates them: 0, 3 and 6 for those from first to second, to third, and the other. */
-        internal final function areApartAcross(edgeA:int, edgeB:int):Boolean
-        {
-            setEdges();
-            return isAxisAcross(edgeA, edgeB);
         }
 
         /** Whether the triangles have a gap of more than the tolerance. Those of one surface, or of models in one place, share corners. */
@@ -155,9 +164,18 @@ package starlogo.intersection
             }
             for (var i:int = 0; i < 9; i += 3)
             {
-                if (isAxisAcross(i, 0) || isAxisAcross(i, 3) || isAxisAcross(i, 6))
+                var ex:Number = edgesA[i];
+                var ey:Number = edgesA[int(i + 1)];
+                var ez:Number = edgesA[int(i + 2)];
+                for (var k:int = 0; k < 9; k += 3)
                 {
-                    return true;
+                    var fx:Number = edgesB[k];
+                    var fy:Number = edgesB[int(k + 1)];
+                    var fz:Number = edgesB[int(k + 2)];
+                    if (isAxis(ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx))
+                    {
+                        return true;
+                    }
                 }
             }
             // In the plane of the one whose normal is the more precise.
@@ -171,10 +189,15 @@ package starlogo.intersection
         }
 
         /**
-         * Whether an axis separates triangles that do not just stand there; lowA, highA, lowB and highB are where their projections on it
-         * begin and end.
+         * Whether an axis separates triangles that do not just stand there.
+         *
+         * @param x the axis, of any length
+         * @param y likewise
+         * @param z likewise
+         * @param at where on it the second's projection has its middle, from the first's
+         * @param reach half of how long both projections are
          */
-        protected function separates(x:Number, y:Number, z:Number):Boolean
+        protected function separates(x:Number, y:Number, z:Number, at:Number, reach:Number):Boolean
         {
             return false;
         }
@@ -183,19 +206,6 @@ package starlogo.intersection
         protected function areSegmentsSeparated():Boolean
         {
             return !capsuleCapsule(segmentA, segmentB);
-        }
-
-        private function isAxisAcross(edgeA:int, edgeB:int):Boolean
-        {
-            var edgesA:Vector.<Number> = _edgesA;
-            var edgesB:Vector.<Number> = _edgesB;
-            var ex:Number = edgesA[edgeA];
-            var ey:Number = edgesA[int(edgeA + 1)];
-            var ez:Number = edgesA[int(edgeA + 2)];
-            var fx:Number = edgesB[edgeB];
-            var fy:Number = edgesB[int(edgeB + 1)];
-            var fz:Number = edgesB[int(edgeB + 2)];
-            return isAxis(ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx);
         }
 
         private function isAxisInPlane(edges:Vector.<Number>, nx:Number, ny:Number, nz:Number):Boolean
@@ -213,7 +223,8 @@ package starlogo.intersection
             return false;
         }
 
-        private function isAxis(x:Number, y:Number, z:Number):Boolean
+        /** Whether a direction separates the triangles. */
+        internal final function isAxis(x:Number, y:Number, z:Number):Boolean
         {
             var second:Number = x * ux + y * uy + z * uz;
             var third:Number = x * vx + y * vy + z * vz;
@@ -221,22 +232,18 @@ package starlogo.intersection
             low = third < low ? third : low;
             var high:Number = second > 0 ? second : 0;
             high = third > high ? third : high;
-            lowA = low;
-            highA = high;
             var first:Number = x * px + y * py + z * pz;
             second = x * qx + y * qy + z * qz;
             third = x * rx + y * ry + z * rz;
-            low = first < second ? first : second;
-            low = third < low ? third : low;
-            high = first > second ? first : second;
-            high = third > high ? third : high;
-            lowB = low;
-            highB = high;
+            var lowB:Number = first < second ? first : second;
+            lowB = third < lowB ? third : lowB;
+            var highB:Number = first > second ? first : second;
+            highB = third > highB ? third : highB;
             if (!isStanding)
             {
-                return separates(x, y, z);
+                return separates(x, y, z, (lowB + highB - low - high) / 2, (high - low + highB - lowB) / 2);
             }
-            var gap:Number = low > highA ? low - highA : lowA - high;
+            var gap:Number = lowB > high ? lowB - high : low - highB;
             return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
         }
 

@@ -3,8 +3,6 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.boxBoxImpact;
 
     /**
      * Whether two boxes meet: separating axes, with each box projected by its half-extents (thesis §3.6.4; Gottschalk,
@@ -175,13 +173,12 @@ package starlogo.intersection
                 || absYZ > near || absYY > near || absYX > near
                 || absXZ > near || absXY > near || absXX > near)
         {
-            // With one pair of edges parallel, every other cross product is the direction of a face, which has been tried.
-            var parallel:Number = Tolerances.PARALLEL;
-            return cosXZ * cosXZ + cosYZ * cosYZ <= parallel || cosYX * cosYX + cosZX * cosZX <= parallel
-                || cosXY * cosXY + cosZY * cosZY <= parallel || cosYY * cosYY + cosZY * cosZY <= parallel
-                || cosYZ * cosYZ + cosZZ * cosZZ <= parallel || cosXX * cosXX + cosZX * cosZX <= parallel
-                || cosXZ * cosXZ + cosZZ * cosZZ <= parallel || cosXX * cosXX + cosYX * cosYX <= parallel
-                || cosXY * cosXY + cosYY * cosYY <= parallel || boxBoxImpact(a, b, RelativeMotion.NONE) == 0;
+            // both upright
+            if (cosXZ * cosXZ + cosYZ * cosYZ <= Tolerances.PARALLEL)
+            {
+                return true;
+            }
+            return meetNearlyParallel(a, b, cosXX, cosXY, cosXZ, cosYX, cosYY, cosYZ, cosZX, cosZY, cosZZ);
         }
         along = tZ * cosYX - tY * cosZX;
         reach = halfAY * absZX + halfAZ * absYX + halfBY * absXZ + halfBZ * absXY;

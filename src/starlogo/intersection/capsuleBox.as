@@ -112,42 +112,6 @@ package starlogo.intersection
         var firstOut:Number = outX < outY ? outX : outY;
         firstOut = firstOut < outZ ? firstOut : outZ;
 
-        var distanceSquared:Number = 0;
-        var excess:Number;
-        if (lastIn <= firstOut && lastIn <= 1 && firstOut >= 0)
-        {
-            // Somewhere the segment is inside of all the slabs that it crosses; those that it runs along remain. A point
-            // of it is not computed: rounding may put that outside, which a radius of 0 does not forgive.
-            if (dx == 0)
-            {
-                excess = px < 0 ? -px : px;
-                excess -= hx;
-                if (excess > 0)
-                {
-                    distanceSquared = excess * excess;
-                }
-            }
-            if (dy == 0)
-            {
-                excess = py < 0 ? -py : py;
-                excess -= hy;
-                if (excess > 0)
-                {
-                    distanceSquared += excess * excess;
-                }
-            }
-            if (dz == 0)
-            {
-                excess = pz < 0 ? -pz : pz;
-                excess -= hz;
-                if (excess > 0)
-                {
-                    distanceSquared += excess * excess;
-                }
-            }
-            return distanceSquared <= radius * radius;
-        }
-
         var t:Number = lastIn;
         if (lastIn > firstOut)
         {
@@ -216,26 +180,40 @@ package starlogo.intersection
             t = 1;
         }
 
-        excess = px + t * dx;
-        excess = excess < 0 ? -excess : excess;
-        excess -= hx;
-        if (excess > 0)
+        // Somewhere the segment may be inside of all the slabs that it crosses; those that it runs along remain. A point of it is not
+        // computed then: rounding may put that outside, which a radius of 0 does not forgive.
+        var isOutside:Boolean = lastIn > firstOut || lastIn > 1 || firstOut < 0;
+        var distanceSquared:Number = 0;
+        var excess:Number;
+        if (isOutside || dx == 0)
         {
-            distanceSquared = excess * excess;
+            excess = px + t * dx;
+            excess = excess < 0 ? -excess : excess;
+            excess -= hx;
+            if (excess > 0)
+            {
+                distanceSquared = excess * excess;
+            }
         }
-        excess = py + t * dy;
-        excess = excess < 0 ? -excess : excess;
-        excess -= hy;
-        if (excess > 0)
+        if (isOutside || dy == 0)
         {
-            distanceSquared += excess * excess;
+            excess = py + t * dy;
+            excess = excess < 0 ? -excess : excess;
+            excess -= hy;
+            if (excess > 0)
+            {
+                distanceSquared += excess * excess;
+            }
         }
-        excess = pz + t * dz;
-        excess = excess < 0 ? -excess : excess;
-        excess -= hz;
-        if (excess > 0)
+        if (isOutside || dz == 0)
         {
-            distanceSquared += excess * excess;
+            excess = pz + t * dz;
+            excess = excess < 0 ? -excess : excess;
+            excess -= hz;
+            if (excess > 0)
+            {
+                distanceSquared += excess * excess;
+            }
         }
         return distanceSquared <= radius * radius;
     }

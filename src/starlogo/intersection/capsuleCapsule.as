@@ -3,6 +3,8 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
 
     /**
      * Whether two capsules meet: the distance of their segments against the sum of the radii (thesis §3.6.3).
@@ -55,9 +57,10 @@ package starlogo.intersection
         var longest:Number = uu > vv ? uu : vv;
         if (longest > 1e140 || longest < 1e-140)
         {
+            // products of four lengths would overflow or vanish
             if (longest > 0)
             {
-                return ExtremeCapsules.areClose(a, b, Math.sqrt(longest));
+                return timeOfImpact(a, b, RelativeMotion.NONE) == 0;
             }
         }
         var uv:Number = ux * vx + uy * vy + uz * vz;

@@ -192,14 +192,41 @@ package starlogo.intersection
             }
             if (overlap < 0)
             {
-                axes.relate(a, atA, b, atB, tolerance);
-                // the edges through the ends that face each other, as areApartAcross counts them
+                axes.ux = ux;
+                axes.uy = uy;
+                axes.uz = uz;
+                axes.vx = vx;
+                axes.vy = vy;
+                axes.vz = vz;
+                axes.px = px;
+                axes.py = py;
+                axes.pz = pz;
+                axes.qx = qx;
+                axes.qy = qy;
+                axes.qz = qz;
+                axes.rx = rx;
+                axes.ry = ry;
+                axes.rz = rz;
+                axes.tolerance = tolerance;
+                // the edges through the ends that face each other: begins are on a first edge, or a second where a third corner is alone
                 var isFirst:Boolean = highA < lowB;
-                var facing:Number = isFirst ? highA : lowA;
-                var edgeA:int = facing == beginA ? (isThirdA ? 3 : 0) : (isThirdA || isSecondA ? 6 : 3);
-                facing = isFirst ? lowB : highB;
-                var edgeB:int = facing == beginB ? (isThirdB ? 3 : 0) : (isThirdB || isSecondB ? 6 : 3);
-                return !axes.areApartAcross(edgeA, edgeB) && !axes.areApart();
+                var isBegin:Boolean = isFirst ? highA == beginA : lowA == beginA;
+                if (!isBegin || isThirdA)
+                {
+                    var isThirdEdge:Boolean = !isBegin && (isThirdA || isSecondA);
+                    ux = isThirdEdge ? vx - ux : vx;
+                    uy = isThirdEdge ? vy - uy : vy;
+                    uz = isThirdEdge ? vz - uz : vz;
+                }
+                isBegin = isFirst ? lowB == beginB : highB == beginB;
+                if (!isBegin || isThirdB)
+                {
+                    isThirdEdge = !isBegin && (isThirdB || isSecondB);
+                    fx = isThirdEdge ? gx - fx : gx;
+                    fy = isThirdEdge ? gy - fy : gy;
+                    fz = isThirdEdge ? gz - fz : gz;
+                }
+                return !axes.isAxis(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx) && !axes.areApart();
             }
         }
         axes.relate(a, atA, b, atB, tolerance);

@@ -6,7 +6,11 @@ package starlogo.intersection.contact
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
 
-    /** A box or a capsule's axis as the sum of three segments, or one, about a middle. */
+    /**
+     * A box or a capsule's axis as the sum of three segments, or one, about a middle.
+     *
+     * @private
+     */
     public final class SegmentSum
     {
         /** The middle. */
@@ -32,14 +36,14 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Takes a structure.
+         * Becomes that of a structure.
          *
          * @param structure a Box, or a Capsule of which the axis counts
          * @param x how far it is displaced
          * @param y likewise
          * @param z likewise
          */
-        public function take(structure:BoundingStructure, x:Number, y:Number, z:Number):void
+        public function setTo(structure:BoundingStructure, x:Number, y:Number, z:Number):void
         {
             this.x = x;
             this.y = y;

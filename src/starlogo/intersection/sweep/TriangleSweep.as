@@ -98,10 +98,8 @@ package starlogo.intersection.sweep
         }
 
         // All the time; or, where a contact is looked for, never: then the shortest way out is kept.
-        override protected function separates(x:Number, y:Number, z:Number):Boolean
+        override protected function separates(x:Number, y:Number, z:Number, at:Number, reach:Number):Boolean
         {
-            var at:Number = (lowB + highB - lowA - highA) / 2;
-            var reach:Number = (highA - lowA + highB - lowB) / 2;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (comparesSegments)
             {

@@ -32,11 +32,6 @@ package starlogo.broadphase
         /** The number of the level of bins that fits; 0 for none yet. */
         public var level:Vector.<int> = new Vector.<int>();
 
-        /** No rows. */
-        public function Extents()
-        {
-        }
-
         /** Makes sure that there are so many rows; new ones are points at the origin that fit no level yet. */
         public function grow(length:int):void
         {

@@ -15,11 +15,6 @@ package starlogo.search
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
 
-        /** An empty table. */
-        public function IdTable()
-        {
-        }
-
         /**
          * The value of an id; -1 if it has none.
          *
@@ -90,7 +85,7 @@ package starlogo.search
             _count = 0;
         }
 
-        // Where an id is, or the free place where it belongs. Ids that follow one another do not get into one another's way.
+        // Where an id is, or the free place where it belongs. Ids that follow one another have places of their own.
         private function placeOf(id:int):int
         {
             var ids:Vector.<int> = _ids;

@@ -40,11 +40,6 @@ package starlogo.search
         /** Tests of two structures: at four times the kind of the one plus that of the other. */
         public var tests:Vector.<int> = new Vector.<int>(16, true);
 
-        /** All zero. */
-        public function SearchCounts()
-        {
-        }
-
         /** Sets every number to 0. */
         public function reset():void
         {

@@ -2,7 +2,6 @@ package benchmark
 {
     import evaluation.Measurement;
     import evaluation.Table;
-    import headless.Host;
     import evaluation.scenes.Scene;
     import evaluation.scenes.Scenes;
     import starlogo.GreatLand;
@@ -23,9 +22,9 @@ package benchmark
         /** What is read. */
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
-        private static const COUNTS:Array = [1, 10];
+        private static const COUNTS:Array = [1, 10, 100];
         private static const SYSTEMS:Array = [BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider];
-        private static const ROUNDS:int = 25;
+        private static const ROUNDS:int = 9;
         private static const FRAMES:int = 20;
 
         private var _greatLand:GreatLand = new GreatLand();
@@ -39,6 +38,7 @@ package benchmark
             for each (var count:int in COUNTS)
             {
                 addRow(table, count + " bears, a crowd", count, Scenes.crowd, "bears");
+                addRow(table, count + " spheres, a crowd", count, Scenes.crowd, "spheres");
                 addRow(table, count + " bears, scattered", count, Scenes.scattered, "bears");
             }
             return String(table);
@@ -47,69 +47,56 @@ package benchmark
         private function addRow(table:Table, name:String, count:int, sceneOf:Function, cast:String):void
         {
             var scene:Scene = sceneOf(count, cast);
-            var methods:Array = [];
+            var measurements:Vector.<Measurement> = new Vector.<Measurement>();
             for each (var system:Class in SYSTEMS)
             {
-                methods.push(find(scene, new system(_greatLand)));
+                measurements.push(find(scene, new system(_greatLand)));
             }
-            methods.push(update(scene));
-            methods.push((function():void
+            measurements.push(update(scene));
+            measurements.push(new Measurement("moves", function():void
                     {
                         for (var i:int = 0; i < FRAMES; i++)
                         {
                             scene.step();
                         }
-                    }));
+                    }, FRAMES));
+            Measurement.runAll(measurements, ROUNDS);
             var cells:Array = [name];
-            var best:Array = [1e9, 1e9, 1e9, 1e9, 1e9, 1e9];
-            for (var round:int = 0; round < 120; round++)
+            for each (var measurement:Measurement in measurements)
             {
-                for (var m:int = 0; m < 6; m++)
-                {
-                    var start:Number = Host.now;
-                    var method:Function = methods[m];
-                    for (var k:int = 0; k < 10; k++)
-                    {
-                        method();
-                    }
-                    best[m] = Math.min(best[m], (Host.now - start) / 10 / FRAMES);
-                }
-            }
-            for each (var ms:Number in best)
-            {
-                cells.push((ms * 1000).toFixed(2));
+                cells.push((measurement.samples.low / 1000).toFixed(2));
             }
             table.add.apply(table, cells);
         }
 
-        private static function find(scene:Scene, system:CollisionSystem):Function
+        private static function find(scene:Scene, system:CollisionSystem):Measurement
         {
             var found:Vector.<Agent> = new Vector.<Agent>();
-            return (function():void
+            return new Measurement("find", function():void
                 {
                     for (var i:int = 0; i < FRAMES; i++)
                     {
                         scene.step();
                         system.findCollisions(scene.agents, found);
                     }
-                });
+                }, FRAMES);
         }
 
-        private function update(scene:Scene):Function
+        private function update(scene:Scene):Measurement
         {
             var collision:Collision = new Collision(new BinCollider(_greatLand));
             collision.onCollision("turtles", "turtles", function(a:Agent, b:Agent):void
                 {
                     a.color++;
                 });
-            return (function():void
+            return new Measurement("update", function():void
                 {
                     for (var i:int = 0; i < FRAMES; i++)
                     {
                         scene.step();
                         collision.update(scene.agents);
                     }
-                });
+                }, FRAMES);
         }
     }
 }

@@ -32,22 +32,13 @@ package starlogo.broadphase
         // A point at the origin asks for no width at all.
         private static const MIN_WIDTH:Number = 1e-300;
 
-        /** By place: the number of the member, which is its index in the list of rows that was searched. */
+        // By place: the number of the member, which is its index in the list of rows that was searched; its row; the middle of its extents,
+        // and the radius of its circle.
         public var memberAt:Vector.<int> = new Vector.<int>();
-
-        /** By place: the member's row. */
         public var rowAt:Vector.<int> = new Vector.<int>();
-
-        /** By place: the middle of its extents. */
         public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
-
-        /** By place: the radius of its circle. */
         public var radius:Vector.<Number> = new Vector.<Number>();
 
         /** By how much pairs that are handed over may miss each other, at the time of the call: more than rounding comes to. */
@@ -76,6 +67,11 @@ package starlogo.broadphase
         // The places of those that the member at hand may meet.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
+        /** No bins yet. */
+        public function Bins()
+        {
+        }
+
         /**
          * Finds the level that a row's extents and their distance from the world's origin ask for.
          *
@@ -93,21 +89,18 @@ package starlogo.broadphase
             if (level == null || half > level.largestHalf || half <= level.tooSmallHalf)
             {
                 level = levelFor(Math.max(2 * half, MIN_WIDTH));
-                extents.level[row] = level.number;
             }
             var middleX:Number = extents.x[row];
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
             var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            var isFar:Boolean = distanceSquared >= level.reachSquared;
-            if (isFar)
+            var isFar:Boolean = false;
+            while (distanceSquared >= level.reachSquared)
             {
-                while (distanceSquared >= level.reachSquared)
-                {
-                    level = levelFor(2 * level.width);
-                }
-                extents.level[row] = level.number;
+                level = levelFor(2 * level.width);
+                isFar = true;
             }
+            extents.level[row] = level.number;
             return isFar;
         }
 

@@ -8,22 +8,14 @@ package starlogo.broadphase
      */
     public final class Extents
     {
-        /** The middle. */
+        // the middle
         public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        /** Half the length along x. */
+        // half the lengths
         public var halfX:Vector.<Number> = new Vector.<Number>();
-
-        /** Half the length along y. */
         public var halfY:Vector.<Number> = new Vector.<Number>();
-
-        /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
         /** The radius of a circle on the ground, about the middle, around what has the extents. */
@@ -31,6 +23,11 @@ package starlogo.broadphase
 
         /** The number of the level of bins that fits; 0 for none yet. */
         public var level:Vector.<int> = new Vector.<int>();
+
+        /** No rows. */
+        public function Extents()
+        {
+        }
 
         /** Makes sure that there are so many rows; new ones are points at the origin that fit no level yet. */
         public function grow(length:int):void

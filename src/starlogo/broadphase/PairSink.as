@@ -10,6 +10,11 @@ package starlogo.broadphase
      */
     public class PairSink
     {
+        /** For subclasses only. */
+        public function PairSink()
+        {
+        }
+
         /**
          * Takes the pairs of a member with others whose circles on the ground overlap its own. All at once: a call for each pair
          * would cost as much as its test.

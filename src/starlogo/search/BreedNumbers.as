@@ -17,6 +17,11 @@ package starlogo.search
         private var _changes:int;
         private var _list:int;
 
+        /** No breeds yet. */
+        public function BreedNumbers()
+        {
+        }
+
         /** Brings the numbers of a table up to date. */
         public function update(table:AgentTable, breeds:BreedPairs):void
         {

@@ -30,6 +30,11 @@ package starlogo.search
         // breed, otherBreed, breed, otherBreed, ...
         private var _added:Vector.<String> = new Vector.<String>();
 
+        /** No pair counts yet. */
+        public function BreedPairs()
+        {
+        }
+
         /** How many breeds are told apart: those that were named, and all others as one if any breed counts. */
         public function get breedCount():int
         {

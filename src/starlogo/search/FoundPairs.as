@@ -22,6 +22,11 @@ package starlogo.search
         /** The number of the breed of each, as BreedPairs counts them; -1 for a breed that takes part in no pair. */
         public var breeds:Vector.<int> = new Vector.<int>();
 
+        /** No pairs. */
+        public function FoundPairs()
+        {
+        }
+
         /** Says how many agents they are, and lets go of those that other searches have left behind these. */
         public function end(length:int):void
         {

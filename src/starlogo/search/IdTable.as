@@ -15,6 +15,11 @@ package starlogo.search
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
 
+        /** An empty table. */
+        public function IdTable()
+        {
+        }
+
         /**
          * The value of an id; -1 if it has none.
          *

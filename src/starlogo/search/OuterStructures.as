@@ -18,6 +18,11 @@ package starlogo.search
         internal var sphere:Sphere = new Sphere(new Vector3D(), 0);
         internal var capsule:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
+        /** Points at the origin. */
+        public function OuterStructures()
+        {
+        }
+
         /** Makes them those of a model, put where an agent is and wider by a margin. */
         public function place(model:OuterStructures, placement:Placement, margin:Number):void
         {

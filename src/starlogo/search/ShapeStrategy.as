@@ -23,6 +23,11 @@ package starlogo.search
         /** Takes the numbers of the tests; of the search under way. */
         public var counts:SearchCounts = new SearchCounts();
 
+        /** For subclasses only. */
+        public function ShapeStrategy()
+        {
+        }
+
         /** What stands for an agent's model: a kind of BoundingStructure, Agent.ANY_KIND or ModelShape.HIERARCHY. */
         public function kindOf(agent:Agent):int
         {

@@ -8,6 +8,11 @@ package starlogo.search
         private var _merged:Vector.<int> = new Vector.<int>();
         private var _before:Vector.<int> = new Vector.<int>();
 
+        /** Nothing ordered yet. */
+        public function TimeOrder()
+        {
+        }
+
         /**
          * Orders pairs.
          *

@@ -13,6 +13,11 @@ package starlogo.search
      */
     public final class UnitSphereStrategy extends ShapeStrategy
     {
+        /** Without settings. */
+        public function UnitSphereStrategy()
+        {
+        }
+
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {

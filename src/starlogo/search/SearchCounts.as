@@ -1,40 +1,22 @@
 package starlogo.search
 {
     /**
-     * What a search did: see CollisionStatistics, which has the same numbers for clients.
+     * What a search did: see CollisionStatistics, which says the same to clients.
      *
      * @private
      */
     public final class SearchCounts
     {
-        /** Agents in the list. */
+        // what these count stands in CollisionStatistics
         public var agents:int;
-
-        /** Agents that take part in no pair that counts. */
         public var agentsSkipped:int;
-
-        /** Agents whose models are loading. */
         public var agentsLoading:int;
-
-        /** Entries of agents in bins. */
         public var binEntries:int;
-
-        /** Pairs whose circles on the ground overlap. */
         public var candidatePairs:int;
-
-        /** Pairs that were tested along their motions. */
         public var sweptPairs:int;
-
-        /** Pairs of which one was tested by its hierarchy at least. */
         public var hierarchyTests:int;
-
-        /** Pairs of nodes that were visited. */
         public var nodeVisits:int;
-
-        /** Pairs of triangles that were tested. */
         public var triangleTests:int;
-
-        /** Pairs that were found. */
         public var collisions:int;
 
         /** Tests of two structures: at four times the kind of the one plus that of the other. */
@@ -45,11 +27,10 @@ package starlogo.search
         {
         }
 
-        /** Sets every number to 0. */
+        /** Sets the numbers to 0 that are counted up; the others are set at the end of a search. */
         public function reset():void
         {
-            agents = agentsSkipped = agentsLoading = binEntries = candidatePairs = sweptPairs = 0;
-            hierarchyTests = nodeVisits = triangleTests = collisions = 0;
+            sweptPairs = hierarchyTests = nodeVisits = triangleTests = 0;
             for (var i:int = 0; i < 16; i++)
             {
                 tests[i] = 0;

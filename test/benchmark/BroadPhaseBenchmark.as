@@ -32,7 +32,7 @@ package benchmark
         private var _found:Vector.<Agent> = new Vector.<Agent>();
         private var _foundByFloor:Vector.<Agent> = new Vector.<Agent>();
 
-        // where everybody is in each of some frames: x, y, x, y, ...; they are played to and fro
+        // where all agents are in each of some frames: x, y, x, y, ...; they are played to and fro
         private var _places:Vector.<Vector.<Number>>;
         private var _frame:int = 0;
 

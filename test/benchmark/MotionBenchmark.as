@@ -61,7 +61,7 @@ package benchmark
             table.add.apply(table, cells);
         }
 
-        // Each with agents of its own, and its own collider of the kind: whether somebody sweeps is asked about the list.
+        // Each with agents of its own, and its own collider of the kind: it looks through the list for agents that sweep.
         private function frame(like:Collider, sweeping:int, takesContacts:Boolean, tracks:Boolean):Measurement
         {
             var agents:Vector.<Agent> = walkers(sweeping);

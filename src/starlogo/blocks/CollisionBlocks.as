@@ -10,7 +10,7 @@ package starlogo.blocks
     import starlogo.collision.TightestFitCollider;
 
     /**
-     * The blocks that say what happens at collisions, and what decides about them: "on collision with", "when touching starts",
+     * The blocks for what happens at collisions, and for how they are found: "on collision with", "when touching starts",
      * "when touching ends", "use collision system" (thesis §7.1).
      */
     public class CollisionBlocks
@@ -42,7 +42,7 @@ package starlogo.blocks
          * Blocks without scripts, with the tightest fits.
          *
          * @param greatLand has the models of the agents
-         * @param agents those of the game, a list that goes on being the game's
+         * @param agents the game's own list of its agents, which is not copied
          * @throws ArgumentError if one is null
          */
         public function CollisionBlocks(greatLand:GreatLand, agents:Vector.<Agent>)

@@ -11,18 +11,18 @@ package starlogo.blocks
 
     use namespace engine;
 
-    /** The block "show bounding structures": the agents whose structures are shown, and the lines of what the collision system in use tests. */
+    /** The block "show bounding structures": which agents it shows, and the lines of what the collision system in use tests. */
     public class StructureBlocks
     {
         private var _collisions:CollisionBlocks;
         private var _shown:Array = [];
 
-        // The lines of models' structures, in the models' space, by what they are of; for one revision of the models.
+        // The lines of models' structures, in the models' space, by level, kind and model; for one revision of the models.
         private var _lines:Object = {};
         private var _revision:int = -1;
 
         /**
-         * Shows those of no agent.
+         * Shows no agent's structures.
          *
          * @param collisions know the agents, and the collision system in use
          * @throws ArgumentError if it is null
@@ -57,13 +57,13 @@ package starlogo.blocks
             }
         }
 
-        /** Shows those of no agent any more. */
+        /** Shows no agent's structures any more. */
         public function showNone():void
         {
             _shown.length = 0;
         }
 
-        /** Whether an agent's are shown, for itself or for its breed. */
+        /** Whether an agent's structures are shown, for itself or for its breed. */
         public function isShown(agent:Agent):Boolean
         {
             for each (var subject:Object in _shown)
@@ -96,8 +96,8 @@ package starlogo.blocks
         }
 
         /**
-         * The lines of what stands for an agent in the collision system in use, shown or not; none while its model is loading. Of a
-         * hierarchy, the level at which the collider stops; in exact mode the leaves, whose triangles decide.
+         * The lines of what the collision system in use tests of an agent, shown or not; none while its model is loading. Of a hierarchy,
+         * the level at which the collider stops; in exact mode the leaves, whose triangles decide.
          *
          * @param agent one of the game
          * @param out the lines are added to it; made if null
@@ -157,7 +157,7 @@ package starlogo.blocks
             return _collisions.greatLand.structureOfKind(agent.shape, agent.structureKind);
         }
 
-        // In doubles, which a Matrix3D's numbers are not.
+        // Not by a Matrix3D, which has single precision.
         private static function placed(lines:Vector.<Number>, placement:Placement, out:Vector.<Number>):Vector.<Number>
         {
             var size:Number = placement.size;

@@ -3,7 +3,7 @@ package starlogo.blocks
     import starlogo.agents.Agent;
 
     /**
-     * The blocks that say how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as"
+     * The blocks for how an agent or a breed collides: "set hierarchical", "set collision depth", "collide as"
      * (thesis §7.1 to §7.3). What is set for a breed counts for its agents and, by <code>welcome()</code>, for those that join it later.
      */
     public class TraitBlocks
@@ -19,7 +19,7 @@ package starlogo.blocks
         /**
          * Nothing is set.
          *
-         * @param agents those of the game, a list that goes on being the game's
+         * @param agents the game's own list of its agents, which is not copied
          * @throws ArgumentError if it is null
          */
         public function TraitBlocks(agents:Vector.<Agent>)

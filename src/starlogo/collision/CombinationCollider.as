@@ -10,11 +10,10 @@ package starlogo.collision
      * (thesis §5): precise where a player looks, cheap everywhere else.
      *
      * <p>Two agents that are not hierarchical collide as in the TightestFitCollider, two that are as in the
-     * HierarchicalCollider. Of one that is and one that is not, the hierarchy meets the structure: it is visited down to a
-     * leaf, or to the depth limit, that the structure overlaps. An agent may become hierarchical, or cease to be, between
-     * frames.</p>
+     * HierarchicalCollider. If one is, its hierarchy is tested against the other's structure: it is visited down to a leaf, or a
+     * node at the depth limit, that the structure overlaps. The trait <code>hierarchical</code> may change between frames.</p>
      *
-     * <p>The hierarchy is needed of models whose agents are hierarchical, the tightest fit of the others.</p>
+     * <p>Models of hierarchical agents need their hierarchies, other models their tightest fits.</p>
      */
     public class CombinationCollider extends PreciseCollider
     {
@@ -34,7 +33,7 @@ package starlogo.collision
             super(greatLand, new CombinationStrategy(tightestFit, hierarchy), hierarchy);
         }
 
-        /** How the structures of two agents are tested that are not hierarchical. */
+        /** How the structures of two agents that are not hierarchical are tested. */
         public function get structureTests():StructureTests
         {
             return _structureTests;

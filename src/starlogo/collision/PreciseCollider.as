@@ -4,7 +4,7 @@ package starlogo.collision
     import starlogo.search.HierarchyStrategy;
     import starlogo.search.ShapeStrategy;
 
-    /** What the HierarchicalCollider and the CombinationCollider have in common: how deep they look into hierarchies. */
+    /** What the HierarchicalCollider and the CombinationCollider have in common: how deep they visit hierarchies. */
     public class PreciseCollider extends Collider
     {
         private var _hierarchy:HierarchyStrategy;
@@ -45,14 +45,13 @@ package starlogo.collision
         }
 
         /**
-         * Whether triangles decide between two hierarchies, so that the answer is the models' own. Leaves that overlap then are
-         * looked into, no depth limit counts, and a model that is inside of another without touching its surface collides with it if
-         * that surface is closed. An agent whose model has no triangles is decided by the leaves of its hierarchy, and so are a
-         * hierarchy and a structure.
+         * Whether the triangles of overlapping leaves decide between two hierarchies. No depth limit applies then, and a model inside of
+         * another, without touching its surface, collides with it if that surface is closed. Where a model has no triangles, and between a
+         * hierarchy and a structure, the leaves decide.
          *
-         * <p>The first frame that an exact collider meets a model in takes some time to prepare its triangles, tens of
-         * milliseconds for thousands, unless GreatLand.prepareExact was set when the model was added. So does the first frame that
-         * any other meets it in without a hit: whether one is inside of the other is decided by triangles at every depth.</p>
+         * <p>The first frame in which an exact collider tests a model takes some time to prepare its triangles, tens of milliseconds for
+         * thousands, unless GreatLand.prepareExact was set when the model was added. So does the first frame in which any other
+         * collider tests it without finding a collision: triangles decide at every depth whether one model is inside of the other.</p>
          */
         public function get exact():Boolean
         {

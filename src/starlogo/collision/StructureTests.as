@@ -3,15 +3,15 @@ package starlogo.collision
     import starlogo.search.TightestFitStrategy;
 
     /**
-     * How a collider tests the structures of two agents: by the exact test of their kinds (thesis §3.6), after cheaper ones if
-     * those are wanted. May be changed at any time; what is found changes with <code>boxFacesOnly</code> alone.
+     * How a collider tests the structures of two agents: by the exact test of their kinds (thesis §3.6), optionally after cheaper tests.
+     * May be changed at any time; only <code>boxFacesOnly</code> changes what is found.
      */
     public final class StructureTests
     {
         private var _strategy:TightestFitStrategy;
 
         /**
-         * For the engine's colliders only: the exact tests, with spheres first where they are at hand.
+         * For the engine's colliders only: exact tests, after those of spheres around structures.
          *
          * @param strategy makes the tests
          */
@@ -21,7 +21,7 @@ package starlogo.collision
         }
 
         /**
-         * Whether two structures that are not both spheres are tested only if spheres around them meet (thesis §7.5). Counts for
+         * Whether two structures that are not both spheres are tested only if spheres around them overlap (thesis §7.5). Applies to
          * models that were added with loadAllBoundingStructures.
          */
         public function get spheresFirst():Boolean
@@ -35,8 +35,8 @@ package starlogo.collision
         }
 
         /**
-         * Whether a box and another box or a capsule are tested only if capsules around them meet (thesis §7.5), after the
-         * spheres. It pays where many boxes are long, thin and near each other. Counts for models that were added with
+         * Whether a box and another box or a capsule are tested only if capsules around them overlap (thesis §7.5), after the
+         * spheres. It pays where many boxes are long, thin and near each other. Applies to models that were added with
          * loadAllBoundingStructures.
          */
         public function get capsulesFirst():Boolean
@@ -51,7 +51,7 @@ package starlogo.collision
 
         /**
          * Whether two boxes are taken to collide if none of their faces separates them (thesis §3.6.4). This is conservative: no
-         * collision is missed, but boxes that pass each other edge to edge are said to collide, by the thesis's estimate in 7.5 % of
+         * collision is missed, but boxes that only edges separate are found to collide, by the thesis's estimate in 7.5 % of
          * the tests. It saves about a third of the time of boxes that meet.
          */
         public function get boxFacesOnly():Boolean

@@ -7,9 +7,8 @@ package starlogo.collision
      * Takes every agent for the tightest fitting sphere, box or capsule of its model (thesis §3), put through the agent's
      * whole transform.
      *
-     * <p>An agent is in the bins that the extents of its structure reach into (§3.7), and a structure is put into the world when
-     * its agent has changed, not for each pair. Pairs that overlap in all three extents are decided by the exact test of their
-     * kinds (§3.6).</p>
+     * <p>The extents of its structure decide which agents it is near (§3.7). A structure is placed in the world when its agent has changed,
+     * not for each pair. Pairs that are near each other are decided by the exact test of their kinds (§3.6).</p>
      */
     public class TightestFitCollider extends Collider
     {

@@ -2,7 +2,7 @@ package starlogo.debug
 {
     import flash.geom.Vector3D;
 
-    /** Draws lines into a list: about a point, along two axes u and v at right angles, and w at right angles to both. */
+    /** Draws lines into a list: about a centre, along axes u, v and w at right angles to each other. */
     internal final class LinePen
     {
         private static const SEGMENTS:int = 32;
@@ -23,7 +23,7 @@ package starlogo.debug
             this.lines = lines == null ? new Vector.<Number>() : lines;
         }
 
-        /** Sets the point that all is drawn about; it is not copied. */
+        /** Sets the centre; it is not copied. */
         public function moveTo(center:Vector3D):void
         {
             _center = center;
@@ -71,7 +71,7 @@ package starlogo.debug
             drawArc(_v, _w, radius, SEGMENTS / 2);
         }
 
-        /** Four lines from about one point to about another, as far away along u and v. */
+        /** Four lines from around one point to around another, at this distance along u and v, either way. */
         public function drawSides(start:Vector3D, end:Vector3D, radius:Number):void
         {
             drawSide(start, end, _u, radius);
@@ -83,7 +83,7 @@ package starlogo.debug
             }
         }
 
-        /** An edge of a box about the centre: along a, in the middle at b and c. */
+        /** An edge of a box about the centre: along a, at a distance from the centre along b and c. */
         public function drawEdge(a:Vector3D, half:Number, b:Vector3D, atB:Number, c:Vector3D, atC:Number):void
         {
             var x:Number = _center.x + b.x * atB + c.x * atC;
@@ -100,7 +100,7 @@ package starlogo.debug
             drawLine(start.x + x, start.y + y, start.z + z, end.x + x, end.y + y, end.z + z);
         }
 
-        // From a over b, by as many segments of a circle.
+        // From a towards b, by so many segments of a circle.
         private function drawArc(a:Vector3D, b:Vector3D, radius:Number, count:int):void
         {
             var fromX:Number = _center.x + a.x * radius;

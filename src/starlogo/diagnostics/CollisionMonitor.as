@@ -25,10 +25,9 @@ package starlogo.diagnostics
      * stage.addChild(new CollisionMonitor(collision));
      * </listing>
      *
-     * <p>It shows frames a second, the milliseconds of collision detection in a frame and their last 180 frames as a graph
-     * (of the height of a frame at 25 a second), agents, candidate pairs, tests by kind, node visits, collisions and
-     * memory: what the last update did, and times as the mean of some frames. Its last line is what it costs itself, in
-     * parts of such a frame too.</p>
+     * <p>It shows frames a second; the milliseconds of collision detection, also as a graph of the last 180 frames, whose height is a
+     * frame at 25 a second; and the agents, candidate pairs, tests by kind, node visits, collisions and memory of the last update. Times
+     * are means of some frames. The last line is the cost of the monitor itself, also in parts of a frame at 25 a second.</p>
      *
      * <p>A key hides and shows it; hidden, it does nothing. It may be dragged.</p>
      */
@@ -172,7 +171,7 @@ package starlogo.diagnostics
         }
 
         /**
-         * Takes in one frame.
+         * Counts one frame.
          *
          * @private
          */

@@ -28,10 +28,9 @@ package starlogo.diagnostics
     {
         private var _collisionSystem:CollisionSystem;
         private var _frames:int = 0;
-        private var _collisions:Number = 0;
-        private var _total:Histogram = new Histogram();
-        private var _pairs:Vector.<BreedPair> = new Vector.<BreedPair>();
-        private var _lastPair:BreedPair;
+        private var _all:Tally = new Tally();
+        private var _pairs:Vector.<Tally> = new Vector.<Tally>();
+        private var _lastPair:Tally;
 
         /**
          * A recorder that has seen no frame yet.
@@ -63,7 +62,7 @@ package starlogo.diagnostics
         /** The collisions of all recorded frames. */
         public function get collisions():Number
         {
-            return _collisions;
+            return _all.collisions;
         }
 
         /** @inheritDoc */
@@ -110,8 +109,7 @@ package starlogo.diagnostics
         public function clear():void
         {
             _frames = 0;
-            _collisions = 0;
-            _total = new Histogram();
+            _all = new Tally();
             _pairs.length = 0;
             _lastPair = null;
         }
@@ -127,15 +125,14 @@ package starlogo.diagnostics
         public function toObject():Object
         {
             var breeds:Array = [];
-            for each (var pair:BreedPair in _pairs)
+            for each (var pair:Tally in _pairs)
             {
-                breeds.push({breeds: [pair.breed, pair.otherBreed], collisions: pair.collisions,
-                            mean: _frames == 0 ? 0 : pair.collisions / _frames, most: pair.histogram.most,
-                            histogram: pair.histogram.toArray(_frames)});
+                breeds.push(pair.addTo({breeds: [pair.breed, pair.otherBreed]}, _frames));
             }
             breeds.sortOn("collisions", Array.NUMERIC | Array.DESCENDING);
-            return {frames: _frames, collisions: _collisions, mean: _frames == 0 ? 0 : _collisions / _frames,
-                    most: _total.most, histogram: _total.toArray(_frames), breeds: breeds};
+            var record:Object = _all.addTo({frames: _frames}, _frames);
+            record.breeds = breeds;
+            return record;
         }
 
         /** The record as JSON text. */
@@ -151,7 +148,7 @@ package starlogo.diagnostics
             {
                 var breed:String = found[i].breed;
                 var otherBreed:String = found[i + 1].breed;
-                var pair:BreedPair = _lastPair;
+                var pair:Tally = _lastPair;
                 // mostly the pair of breeds that collided just before
                 if (pair == null || pair.breed != breed || pair.otherBreed != otherBreed)
                 {
@@ -160,50 +157,50 @@ package starlogo.diagnostics
                 pair.inFrame++;
             }
             _frames++;
-            _collisions += length >> 1;
-            _total.add(length >> 1);
+            _all.inFrame = length >> 1;
+            _all.endFrame();
             for (i = 0; i < _pairs.length; i++)
             {
                 _pairs[i].endFrame();
             }
         }
 
-        private function pairOf(breed:String, otherBreed:String):BreedPair
+        private function pairOf(breed:String, otherBreed:String):Tally
         {
-            for each (var pair:BreedPair in _pairs)
+            for each (var pair:Tally in _pairs)
             {
                 if ((pair.breed == breed && pair.otherBreed == otherBreed) || (pair.breed == otherBreed && pair.otherBreed == breed))
                 {
                     return pair;
                 }
             }
-            pair = new BreedPair(breed, otherBreed);
+            pair = new Tally(breed, otherBreed);
             _pairs.push(pair);
             return pair;
         }
     }
 }
 
-/** Two breeds, and how often they have collided. */
-final class BreedPair
+/** How often two breeds have collided, or all breeds. */
+final class Tally
 {
-    /** The one's name. */
+    /** The name of one breed, or null. */
     public var breed:String;
 
-    /** The other's name. */
+    /** The name of the other. */
     public var otherBreed:String;
 
-    /** Their collisions in the frame under way. */
+    /** The collisions in the frame under way. */
     public var inFrame:int = 0;
 
-    /** Their collisions in all frames before it. */
+    /** The collisions in all frames before it. */
     public var collisions:Number = 0;
 
-    /** The frames in which there were any. */
-    public var histogram:Histogram = new Histogram();
+    // of the frames in which there were any
+    private var _histogram:Histogram = new Histogram();
 
-    /** Two breeds that have not collided yet. */
-    public function BreedPair(breed:String, otherBreed:String)
+    /** No collisions yet. */
+    public function Tally(breed:String = null, otherBreed:String = null)
     {
         this.breed = breed;
         this.otherBreed = otherBreed;
@@ -214,14 +211,24 @@ final class BreedPair
     {
         if (inFrame > 0)
         {
-            histogram.add(inFrame);
+            _histogram.add(inFrame);
             collisions += inFrame;
             inFrame = 0;
         }
     }
+
+    /** Adds its numbers, of so many frames, to an object for JSON, which it returns. */
+    public function addTo(record:Object, frames:int):Object
+    {
+        record.collisions = collisions;
+        record.mean = frames == 0 ? 0 : collisions / frames;
+        record.most = _histogram.most;
+        record.histogram = _histogram.toArray(frames);
+        return record;
+    }
 }
 
-/** In how many frames there were how many: exact up to 16, then in classes that double. */
+/** In how many frames there were so many collisions: exact up to 16, then in classes whose widths double. */
 final class Histogram
 {
     private static const EXACT:int = 16;
@@ -237,7 +244,7 @@ final class Histogram
     {
     }
 
-    /** Counts a frame that had a number of them. */
+    /** Counts a frame with a number of collisions. */
     public function add(number:int):void
     {
         most = Math.max(most, number);
@@ -257,7 +264,7 @@ final class Histogram
         _added++;
     }
 
-    /** The classes that have frames. Of all the frames given, those that were not added had none. */
+    /** The classes that have frames, of so many frames in all: those that were not added had no collisions. */
     public function toArray(frames:int):Array
     {
         var classes:Array = [];

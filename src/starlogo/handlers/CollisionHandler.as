@@ -46,11 +46,20 @@ package starlogo.handlers
             takesContact = handler.length == 3;
         }
 
-        /** Calls it, with the contact if it takes one. */
-        public function call(collider:Agent, collidee:Agent, contact:Object):void
+        /**
+         * Calls it, with the contact if it takes one.
+         *
+         * @param first the collider
+         * @param second the collidee
+         * @param isBack whether the two are the other way round
+         * @param contact how they touch, or null
+         */
+        public function call(first:Agent, second:Agent, isBack:Boolean, contact:Object):void
         {
             // not as a method of this
             var toCall:Function = handler;
+            var collider:Agent = isBack ? second : first;
+            var collidee:Agent = isBack ? first : second;
             if (takesContact)
             {
                 toCall(collider, collidee, contact);

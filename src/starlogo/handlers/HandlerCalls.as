@@ -16,6 +16,9 @@ package starlogo.handlers
      */
     public final class HandlerCalls
     {
+        // In place of a breed's number: that of no pair.
+        private static const NO_PAIRS:int = -2;
+
         /** The pairs of the frame, in the order of their calls. */
         public var pairs:FoundPairs = new FoundPairs();
 
@@ -158,8 +161,7 @@ package starlogo.handlers
                     if (!handler.isRemoved)
                     {
                         count++;
-                        var isBack:Boolean = _call > ofPair.forwardCount;
-                        handler.call(isBack ? pair.second : pair.first, isBack ? pair.first : pair.second, null);
+                        handler.call(pair.first, pair.second, _call > ofPair.forwardCount, null);
                     }
                 }
                 _call = 0;
@@ -176,15 +178,12 @@ package starlogo.handlers
             var end:int = pairs.length;
             var isPlain:Boolean = _isPlain;
             var breedChanges:int = _breedChanges;
-            var length:int = _length;
             var call:int = _call;
-            var ofPair:PairHandlers = _handlers;
-            var handlers:Vector.<CollisionHandler> = ofPair.handlers;
-            var forwardCount:int = ofPair.forwardCount;
+            var handlers:Vector.<CollisionHandler> = _handlers.handlers;
+            var forwardCount:int = _handlers.forwardCount;
             var callCount:int = handlers.length;
-            // of no pair
-            var breed:int = -2;
-            var otherBreed:int = -2;
+            var breed:int = NO_PAIRS;
+            var otherBreed:int = NO_PAIRS;
             for (var pair:int = _pair; pair < end; pair += 2)
             {
                 _pair = pair;
@@ -200,15 +199,9 @@ package starlogo.handlers
                     {
                         breed = breeds[pair];
                         otherBreed = breeds[pair + 1];
-                        ofPair = _table.handlersOf(breed, otherBreed);
-                        if (!isPlain)
-                        {
-                            ofPair = track(ofPair);
-                            length = _length;
-                        }
-                        _handlers = ofPair;
-                        handlers = ofPair.handlers;
-                        forwardCount = ofPair.forwardCount;
+                        lookUpHandlers();
+                        handlers = _handlers.handlers;
+                        forwardCount = _handlers.forwardCount;
                         callCount = handlers.length;
                     }
                 }
@@ -217,13 +210,9 @@ package starlogo.handlers
                 while (call < callCount)
                 {
                     // mostly both still are where they were
-                    if (agents.length != length || agents[firstPlace] !== first || agents[secondPlace] !== second)
+                    if ((agents.length != _length || agents[firstPlace] !== first || agents[secondPlace] !== second) && !areListed())
                     {
-                        length = _length = -1;
-                        if (!_list.contains(first) || !_list.contains(second))
-                        {
-                            break;
-                        }
+                        break;
                     }
                     var handler:CollisionHandler = handlers[call];
                     call++;
@@ -237,8 +226,7 @@ package starlogo.handlers
                     if (handler.takesContact)
                     {
                         var isBack:Boolean = call > forwardCount;
-                        var contact:Object = _contacts.contactOf(pair >> 1, first, second, isBack);
-                        handler.call(isBack ? second : first, isBack ? first : second, contact);
+                        handler.call(first, second, isBack, _contacts.contactOf(pair >> 1, first, second, isBack));
                     }
                     else if (call > forwardCount)
                     {
@@ -249,9 +237,9 @@ package starlogo.handlers
                         toCall(first, second);
                     }
                 }
-                if (_starting != null)
+                if (_starting != null && (call > forwardCount || call == callCount))
                 {
-                    _starting.isBothWays = _starting.isBothWays || call > forwardCount || call == callCount;
+                    _starting.isBothWays = true;
                 }
                 call = 0;
             }
@@ -271,35 +259,45 @@ package starlogo.handlers
             }
         }
 
-        // Has the pair's contact begin if none goes on: its handlers then are those of the start, and none if an agent is gone.
-        private function track(ofPair:PairHandlers):PairHandlers
+        // The handlers of the pair's breeds. Its contact begins if they ask for it and none goes on: then they are those of a start, or
+        // none if an agent is gone.
+        private function lookUpHandlers():void
         {
+            var ofPair:PairHandlers = _table.handlersOf(pairs.breeds[_pair], pairs.breeds[_pair + 1]);
+            _handlers = ofPair;
             _starting = null;
             if (ofPair.ofStart == null)
             {
-                return ofPair;
+                return;
             }
             var contactPair:ContactPair = _contactPairs[_pair >> 1];
             if (contactPair == null)
             {
-                var first:Agent = pairs.agents[_pair];
-                var second:Agent = pairs.agents[_pair + 1];
-                if (_agents.length != _length || _agents[pairs.places[_pair]] !== first || _agents[pairs.places[_pair + 1]] !== second)
+                if (!areListed())
                 {
-                    _length = -1;
-                    if (!_list.contains(first) || !_list.contains(second))
-                    {
-                        return _table.handlersOf(-1, -1);
-                    }
+                    _handlers = _table.handlersOf(-1, -1);
+                    return;
                 }
-                contactPair = _contactPairs[_pair >> 1] = _tracker.start(first, second);
+                contactPair = _contactPairs[_pair >> 1] = _tracker.start(pairs.agents[_pair], pairs.agents[_pair + 1]);
             }
-            if (contactPair.beganIn != _tracker.frame)
+            if (contactPair.beganIn == _tracker.frame)
             {
-                return ofPair;
+                _starting = contactPair;
+                _handlers = ofPair.ofStart;
             }
-            _starting = contactPair;
-            return ofPair.ofStart;
+        }
+
+        // Whether both agents of the pair are in the list. Once one was not in its place, the list is asked for the rest of the frame.
+        private function areListed():Boolean
+        {
+            var first:Agent = pairs.agents[_pair];
+            var second:Agent = pairs.agents[_pair + 1];
+            if (_agents.length == _length && _agents[pairs.places[_pair]] === first && _agents[pairs.places[_pair + 1]] === second)
+            {
+                return true;
+            }
+            _length = -1;
+            return _list.contains(first) && _list.contains(second);
         }
     }
 }

@@ -176,7 +176,7 @@ package starlogo.blocks
             return agent;
         }
 
-        // What the lines must lie on, in the world, by ways of its own.
+        // What the lines must lie on, in the world, computed in another way.
         private static function structuresOf(agent:Agent, system:String):Vector.<BoundingStructure>
         {
             var structures:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();

@@ -120,7 +120,7 @@ package starlogo.collision
             var grown:Number = growth(function(i:int):void
                 {
                     moveAll();
-                    // somebody comes and goes in every frame
+                    // an agent comes and goes in every frame
                     _agents[0].z = _agents[0].z == 0 ? 100 : 0;
                     collision.update(_agents);
                 });

@@ -247,7 +247,7 @@ package starlogo.collision
             {
                 agents.push(agentAt(7.5, -3.25, i * 1.5));
             }
-            assertEquals("stacked, nobody touches", 0, _collider.findCollisions(agents).length);
+            assertEquals("stacked, no two touch", 0, _collider.findCollisions(agents).length);
             assertEquals(1000 * 999 / 2, _collider.statistics.candidatePairs);
             for each (var agent:Agent in agents)
             {

@@ -45,7 +45,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function whatIsNoErrorStopsNobodyEither():void
+        public function whatIsNoErrorStopsNoCallEither():void
         {
             addAll("bears", "bears");
             _collision.onCollision("bears", "bears", function(collider:Agent, collidee:Agent):void
@@ -63,7 +63,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aHandlerThatChangesItsBreedAndThrowsSkipsNobody():void
+        public function aHandlerThatChangesItsBreedAndThrowsSkipsNoCall():void
         {
             addAll("bears", "balls", "balls");
             _collision.onCollision("bears", "balls", function(collider:Agent, collidee:Agent):void
@@ -92,7 +92,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aSystemThatFindsWhoIsNotListedCallsNobody():void
+        public function aSystemThatFindsAgentsThatAreNotListedMakesNoCalls():void
         {
             addAll("bears", "balls");
             _collision.onCollision("bears", "balls", note("hit"));
@@ -184,7 +184,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function whatNobodyHandlesAnyMoreIsNotTested():void
+        public function whatHasNoHandlersAnyMoreIsNotTested():void
         {
             addAll("bears", "balls");
             var handler:Function = note("hit");
@@ -232,7 +232,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function everybodyIsCalledInTheEndHoweverALongListIsMixed():void
+        public function allCallsAreMadeHoweverALongListIsMixed():void
         {
             var count:int = 0;
             for (var i:int = 0; i < 1500; i++)
@@ -353,7 +353,7 @@ import evaluation.pairs.SeededRandom;
 import starlogo.agents.Agent;
 import starlogo.collision.CollisionSystem;
 
-/** A game whose handlers change the list at random, in the same way whoever calls them. */
+/** A game whose handlers change the list at random, the same with either caller. */
 class RuleBook
 {
     public var agents:Vector.<Agent> = new Vector.<Agent>();
@@ -398,7 +398,7 @@ class RuleBook
         }
     }
 
-    // Somebody cares about the breeds that the two have before the first call.
+    // The breeds that the two have before the first call have handlers.
     private static function ofInterest(found:Vector.<Agent>):Vector.<Agent>
     {
         var pairs:Vector.<Agent> = new Vector.<Agent>();

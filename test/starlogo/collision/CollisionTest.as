@@ -290,7 +290,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function pairsThatNobodyCaresAboutAreDroppedForAnySystem():void
+        public function pairsWithoutHandlersAreDroppedForAnySystem():void
         {
             add("bears", 0);
             add("trees", 5);

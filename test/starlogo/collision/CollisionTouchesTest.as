@@ -53,7 +53,7 @@ package starlogo.collision
             note("bears", Collision.ANY_BREED);
             assertFrame("first", 0.5, "start bears balls,stay bears balls,start balls bears,stay balls bears");
             assertFrame("second", 0.5, "stay bears balls,stay balls bears");
-            // whoever is first in the list now
+            // in the new order of the list
             _agents.reverse();
             assertFrame("the other way round", 0.5, "stay balls bears,stay bears balls");
             assertFrame("gone", 5, "end bears balls,end balls bears");
@@ -72,7 +72,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function theEndOfWhoIsTakenOut():void
+        public function theEndOfAnAgentThatIsTakenOut():void
         {
             note("bears", "balls");
             assertFrame("first", 0.5, "start bears balls,stay bears balls");
@@ -160,7 +160,7 @@ package starlogo.collision
             _ball.breed = "walls";
             assertFrame("a wall", 0.5, "end bears balls,start bears walls,stay bears walls");
             _ball.breed = "trees";
-            assertFrame("nobody asks about trees", 0.5, "end bears walls");
+            assertFrame("no handler is about trees", 0.5, "end bears walls");
             _ball.breed = "balls";
             assertFrame("a ball", 0.5, "start bears balls,stay bears balls");
         }
@@ -177,16 +177,16 @@ package starlogo.collision
         }
 
         [Test]
-        public function aTouchBeginsAnewAfterAFrameInWhichNobodyAsked():void
+        public function aTouchBeginsAnewAfterAFrameWithoutHandlers():void
         {
             var start:Function = noting("start");
             _collision.onCollisionStart("bears", "balls", start);
             assertFrame("first", 0.5, "start bears balls");
             assertTrue(_collision.removeHandler("bears", "balls", start));
             _collision.onCollision("bears", "balls", noting("stay"));
-            assertFrame("nobody asks when it begins", 0.5, "stay bears balls");
+            assertFrame("no handler when it begins", 0.5, "stay bears balls");
             _collision.onCollisionStart("bears", "balls", start);
-            assertFrame("somebody asks again", 0.5, "start bears balls,stay bears balls");
+            assertFrame("handlers again", 0.5, "start bears balls,stay bears balls");
         }
 
         [Test]
@@ -197,7 +197,7 @@ package starlogo.collision
             _collision.collisionSystem = new TightestFitCollider(_greatLand);
             assertFrame("the same", 0.4, "stay bears balls");
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[]);
-            assertFrame("finds nobody", 0.4, "end bears balls");
+            assertFrame("finds no pair", 0.4, "end bears balls");
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_ball, _bear]);
             assertFrame("finds them far apart", 40, "start bears balls,stay bears balls");
         }
@@ -213,9 +213,9 @@ package starlogo.collision
             {
                 _calls.push("late end");
             };
-            assertFrame("nobody asks", 0.5, "");
+            assertFrame("no handler", 0.5, "");
             _collision.onCollisionStart("bears", "balls", start);
-            assertFrame("somebody asks", 0.5, "late start");
+            assertFrame("a handler", 0.5, "late start");
             _collision.onCollisionStart("bears", "balls", start);
             _collision.onCollisionEnd("bears", "balls", end);
             assertFrame("too late for this touch's start", 0.5, "");
@@ -225,11 +225,11 @@ package starlogo.collision
             assertTrue(!_collision.removeHandler("bears", "balls", start));
             assertFrame("again", 0.5, "");
             assertTrue(_collision.removeHandler("bears", "balls", end));
-            assertFrame("nobody is left", 5, "");
+            assertFrame("no agent is left", 5, "");
         }
 
         [Test]
-        public function whatIsThrownStopsNobody():void
+        public function whatIsThrownStopsNoCall():void
         {
             var thrower:Function = function(collider:Agent, collidee:Agent):void
             {
@@ -269,7 +269,7 @@ package starlogo.collision
             assertFrame("gone", 4, "null");
             // of a system that does not know
             _collision.collisionSystem = new OwnVectorSystem(new <Agent>[_bear, _ball]);
-            assertFrame("somebody else's", 4, "bears 0.000 -1,balls 0.000 1");
+            assertFrame("a client's system", 4, "bears 0.000 -1,balls 0.000 1");
         }
 
         [Test]
@@ -333,7 +333,7 @@ package starlogo.collision
                 updateQuietly();
             }
             _agents.length = 0;
-            // those who were thrown out by the last handlers have their ends here
+            // agents that the last handlers took out have their ends here
             updateQuietly();
             for (var key:String in touching)
             {

@@ -32,7 +32,7 @@ package starlogo.collision
         // whether a test has left others than those that begin() needs
         private static var sAreModelsSpoilt:Boolean;
 
-        // worlds of each collider: nobody sweeps in every other one, and questions are asked in two of four
+        // worlds of each collider: no agent sweeps in every other one, and questions are asked in two of four
         private var _rounds:int = Effort.choose(4, 40);
         private var _random:SeededRandom;
         private var _agents:Vector.<Agent>;
@@ -142,7 +142,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function stayWhenAgentsTakeAShapeThatNobodyKnows():void
+        public function stayWhenAgentsTakeAnUnknownShape():void
         {
             assertContactsStay(function(agents:Array):void
                 {
@@ -355,7 +355,7 @@ package starlogo.collision
                     compare(name + (_isSwept ? ", swept" : ""), expected, contactsOf(asked, _agents));
                     if (!_isSwept)
                     {
-                        // of a frame in which nobody sweeps a new collider tells the same
+                        // of a frame in which no agent sweeps a new collider gives the same
                         var fresh:Collider = EachCollider.make(name, sGreatLand);
                         fresh.findCollisions(_agents);
                         compare(name + ", a new one", contactsOf(fresh, _agents), expected);
@@ -431,13 +431,13 @@ package starlogo.collision
                         stayed[0].sweeps = _isSwept;
                     }
                     collider.findCollisions(stayed);
-                    compareWithNow(name, "who left", collider);
+                    compareWithNow(name, "left", collider);
                     change("position", someOf(_agents));
                     change("size", someOf(_agents));
-                    compareWithNow(name, "who left and moved", collider);
+                    compareWithNow(name, "left and moved", collider);
                     askAll(collider, _agents);
                     change("heading", someOf(_agents));
-                    compareWithNow(name, "who left and were asked about", collider);
+                    compareWithNow(name, "left and asked about", collider);
                 }
             }
             assertEnough(0);
@@ -455,11 +455,11 @@ package starlogo.collision
                     collider.findCollisions(_agents);
                     var left:Agent = _agents.pop();
                     collider.findCollisions(_agents);
-                    // who stayed has not moved
+                    // the agents that stayed have not moved
                     change("position", [left]);
                     change("size", [left]);
                     _agents.push(left);
-                    compareWithNow(name, "one who left", collider);
+                    compareWithNow(name, "one that left", collider);
                 }
             }
             assertEnough(0);

@@ -156,7 +156,7 @@ package starlogo.collision
             }
             else
             {
-                agent.shape = "nobody";
+                agent.shape = "unknown";
             }
             var thrown:int = 0;
             // twice over: the second time nothing is new

@@ -82,7 +82,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aWallOfTwoTrianglesStopsWhoWalksIntoItsMiddle():void
+        public function aWallOfTwoTrianglesIsHitInItsMiddle():void
         {
             _greatLand.addModel(new Model("wall", new <Number>[0, -0.5, 0, 0, 0.5, 0, 0, 0.5, 1, 0, -0.5, 1], new <uint>[0, 1, 2, 0, 2, 3]));
             // so that the two triangles are two leaves

@@ -16,7 +16,7 @@ package starlogo.collision
     import support.SolidModels;
 
     /**
-     * Models in models: whoever the exact collider reports is reported by all others but the BinCollider, and no greater depth
+     * Models in models: what the exact collider reports is reported by all others but the BinCollider, and no greater depth
      * ever reports more. What is exact is found out with every triangle, and the solid angles around every vertex.
      */
     public class HierarchyNestingTest

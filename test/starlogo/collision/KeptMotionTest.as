@@ -38,7 +38,7 @@ package starlogo.collision
             _ball.size = 0.2;
             _wall = new Agent("cube", "walls");
             _wall.moveTo(5, 0, 0);
-            // nobody comes near it
+            // no agent comes near it
             _third = new Agent("cube", "walls");
             _third.moveTo(5, 30, 0);
             _agents = new <Agent>[_ball, _wall, _third];
@@ -82,7 +82,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function replacingTheModelOfWhomItMeetsEndsNoMotion():void
+        public function replacingTheModelOfTheAgentThatItHitsEndsNoMotion():void
         {
             assertKept(function(collider:Collider):void
                 {
@@ -192,7 +192,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aQuestionAboutSomebodyElseEndsNoMotion():void
+        public function aQuestionAboutAnotherAgentEndsNoMotion():void
         {
             assertKept(function(collider:Collider):void
                 {
@@ -202,7 +202,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aQuestionAboutWhoIsNotListedEndsNoMotion():void
+        public function aQuestionAboutAnAgentThatIsNotListedEndsNoMotion():void
         {
             assertKept(function(collider:Collider):void
                 {
@@ -230,7 +230,7 @@ package starlogo.collision
         {
             assertKept(function(collider:Collider):void
                 {
-                    // past the wall without touching it whenever somebody asks
+                    // past the wall without touching it in every question
                     for each (var x:Number in [1, 3, 4, 6, 8, 12])
                     {
                         _ball.moveTo(x, 0, 0.4);
@@ -255,7 +255,7 @@ package starlogo.collision
         [Test]
         public function whoseMotionItIsDoesNotMatter():void
         {
-            // the ball stands and sweeps, the wall comes over it, and is asked about on the way
+            // the ball stands and sweeps, the wall comes over it, and is asked about in between
             for each (var name:String in EachCollider.NAMES)
             {
                 for each (var sweepsBefore:Boolean in [false, true])
@@ -270,7 +270,7 @@ package starlogo.collision
                     collider.areColliding(_wall, _third);
                     if (found(collider) != 2)
                     {
-                        _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which nobody sweeps");
+                        _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which no agent sweeps");
                     }
                 }
             }
@@ -377,7 +377,7 @@ package starlogo.collision
                 });
             assertEnded(function(collider:Collider):void
                 {
-                    // back and forth: it is where it was, but no way led there
+                    // back and forth: it is where it was, but it did not move there
                     _ball.jumpTo(-3, 0, 0.4);
                     _ball.jumpTo(0, 0, 0.4);
                 });
@@ -467,7 +467,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function whatDoesNotSweepHasMetNobodyOnItsWay():void
+        public function whatDoesNotSweepHitsNothingOnItsPath():void
         {
             for each (var name:String in EachCollider.NAMES)
             {
@@ -482,7 +482,7 @@ package starlogo.collision
             }
         }
 
-        // Whatever happens between two frames, the wall between the places of the ball is met once: whether somebody swept before or not.
+        // Whatever happens between two frames, the wall between the places of the ball is met once: whether an agent swept before or not.
         private function assertKept(happens:Function):void
         {
             for each (var name:String in EachCollider.NAMES)
@@ -501,7 +501,7 @@ package starlogo.collision
             _ball.moveTo(10, 0, 0.4);
             if (found(collider) != 2)
             {
-                _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which nobody sweeps");
+                _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which no agent sweeps");
                 return;
             }
             var time:Number = collider.contactOf(_ball, _wall).time;
@@ -522,7 +522,7 @@ package starlogo.collision
                     _ball.moveTo(10, 0, 0.4);
                     if (found(collider) != 0)
                     {
-                        _wrong.add(name, sweepsBefore ? "found" : "found after a frame in which nobody sweeps");
+                        _wrong.add(name, sweepsBefore ? "found" : "found after a frame in which no agent sweeps");
                     }
                     _ball.moveTo(0, 0, 0.4);
                     assertEquals(name + ": the next one", 2, found(collider));

@@ -13,7 +13,7 @@ package starlogo.collision
 
     /**
      * The order of pairs depends on the list and on where its agents are: what a collider has seen before does not show. Of a pair the agent that
-     * comes first in the list comes first; when somebody sweeps, pairs come by the times of their touch.
+     * comes first in the list comes first; when an agent sweeps, pairs come by time of impact.
      */
     public class OrderOfPairsTest
     {
@@ -116,7 +116,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function isOneAfterFramesInWhichSomebodySwept():void
+        public function isTheSameAfterFramesInWhichAgentsSwept():void
         {
             for each (var name:String in EachCollider.NAMES)
             {
@@ -167,7 +167,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function isThatOfTimesWhenSomebodySweeps():void
+        public function isThatOfTimesWhenAnAgentSweeps():void
         {
             var frames:int = Effort.choose(30, 300);
             var differing:int = 0;
@@ -404,7 +404,7 @@ package starlogo.collision
             assertSame(name, fresh, found);
         }
 
-        // The times are null where nobody sweeps.
+        // The times are null where no agent sweeps.
         private function checkOrder(name:String, when:String, found:Vector.<Agent>, times:Vector.<Number>):void
         {
             for (var i:int = 0; i < found.length; i += 2)

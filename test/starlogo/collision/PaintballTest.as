@@ -124,9 +124,9 @@ package starlogo.collision
         private function pathHits(collider:Collider, shot:Shot, size:Number):Boolean
         {
             _ball.size = size;
-            for (var way:Number = 0; way <= LENGTH; way += 0.01)
+            for (var distance:Number = 0; distance <= LENGTH; distance += 0.01)
             {
-                placeBall(shot, way, size, false);
+                placeBall(shot, distance, size, false);
                 if (collider.areColliding(_ball, _target))
                 {
                     return true;
@@ -141,23 +141,23 @@ package starlogo.collision
             _ball.sweeps = sweeps;
             var agents:Vector.<Agent> = new <Agent>[_target, _ball];
             placeBall(shot, -shot.before, SIZE, true);
-            for (var way:Number = speed - shot.before; way < LENGTH + speed; way += speed)
+            for (var distance:Number = speed - shot.before; distance < LENGTH + speed; distance += speed)
             {
                 if (collider.findCollisions(agents).length > 0)
                 {
                     return true;
                 }
-                placeBall(shot, way, SIZE, false);
+                placeBall(shot, distance, SIZE, false);
             }
             return collider.findCollisions(agents).length > 0;
         }
 
         // Its middle, whatever its size.
-        private function placeBall(shot:Shot, way:Number, size:Number, jumps:Boolean):void
+        private function placeBall(shot:Shot, distance:Number, size:Number, jumps:Boolean):void
         {
-            var x:Number = shot.x + way * shot.wayX;
-            var y:Number = shot.y + way * shot.wayY;
-            var z:Number = shot.z + way * shot.wayZ - size / 2;
+            var x:Number = shot.x + distance * shot.directionX;
+            var y:Number = shot.y + distance * shot.directionY;
+            var z:Number = shot.z + distance * shot.directionZ - size / 2;
             if (jumps)
             {
                 _ball.jumpTo(x, y, z);
@@ -191,24 +191,24 @@ class Shot
     public var x:Number;
     public var y:Number;
     public var z:Number;
-    public var wayX:Number;
-    public var wayY:Number;
-    public var wayZ:Number;
+    public var directionX:Number;
+    public var directionY:Number;
+    public var directionZ:Number;
     public var before:Number = 0;
 
     public function Shot(random:SeededRandom, length:Number)
     {
         var direction:Vector3D = new RandomStructures(random).direction();
-        wayX = direction.x;
-        wayY = direction.y;
-        wayZ = direction.z;
-        x = random.between(-0.6, 0.6) - length / 2 * wayX;
-        y = random.between(-0.6, 0.6) - length / 2 * wayY;
-        z = random.between(-0.2, 2) - length / 2 * wayZ;
+        directionX = direction.x;
+        directionY = direction.y;
+        directionZ = direction.z;
+        x = random.between(-0.6, 0.6) - length / 2 * directionX;
+        y = random.between(-0.6, 0.6) - length / 2 * directionY;
+        z = random.between(-0.2, 2) - length / 2 * directionZ;
     }
 
     public function toString():String
     {
-        return "from " + [x, y, z] + " along " + [wayX, wayY, wayZ] + ", " + before + " before";
+        return "from " + [x, y, z] + " along " + [directionX, directionY, directionZ] + ", " + before + " before";
     }
 }

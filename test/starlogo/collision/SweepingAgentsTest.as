@@ -9,7 +9,7 @@ package starlogo.collision
     import starlogo.models.BuiltInModel;
     import support.assertThrows;
 
-    /** An agent that sweeps meets whatever is on its way, and nothing else. */
+    /** An agent that sweeps hits everything on its path, and nothing else. */
     public class SweepingAgentsTest
     {
         private var _greatLand:GreatLand;
@@ -162,7 +162,7 @@ package starlogo.collision
                     _wall.moveTo(0, start + 12, 0);
                     assertEquals(collider + " from " + start, start == -6 ? 2 : 0, found(collider));
                 }
-                // what stands still is met at the same place, whoever moves
+                // the contact is at the same place, whichever of the two moves
                 _ball.jumpTo(0, 0, 0.4);
                 _wall.jumpTo(5, 0, 0);
                 found(collider);
@@ -172,7 +172,7 @@ package starlogo.collision
                 assertEquals(collider + " jumps over it", 0, found(collider));
                 _ball.sweeps = false;
                 _wall.moveTo(-5, 0, 0);
-                assertEquals(collider + ": nobody sweeps", 0, found(collider));
+                assertEquals(collider + ": no agent sweeps", 0, found(collider));
                 _ball.sweeps = true;
                 _wall.jumpTo(5, 0, 0);
             }
@@ -273,7 +273,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function contactsOfThoseWhoStand():void
+        public function contactsOfStandingAgents():void
         {
             _ball.sweeps = false;
             _ball.moveTo(4.45, 0, 0.4);
@@ -291,7 +291,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function handlersMoveNobodysContact():void
+        public function handlersMoveNoContact():void
         {
             // the first handler moves what the second one is about
             var collision:Collision = new Collision(new HierarchicalCollider(_greatLand));

@@ -9,7 +9,7 @@ package starlogo.collision
 
     /**
      * With all bounding structures loaded, two agents collide when their spheres, their capsules and their tightest fits meet: on their
-     * ways too, when all of them do at once.
+     * motions too, when all of them do at once.
      */
     public class SweptOuterStructuresTest
     {

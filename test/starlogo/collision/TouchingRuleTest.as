@@ -13,7 +13,7 @@ package starlogo.collision
     import support.TouchingPair;
 
     /**
-     * Touching is one rule: what touches but for the rounding of its decimals touches in every system, standing, on its way and asked, wherever in the
+     * Touching is one rule: what touches but for the rounding of its decimals touches in every system, standing, moving and asked, wherever in the
      * world; and what has a gap does not, in every system that is exact for its shape.
      */
     public class TouchingRuleTest
@@ -191,7 +191,7 @@ package starlogo.collision
         }
 
         // Asks all systems about a pair that touches or has a gap. Returns whether they differ.
-        private function ask(pair:TouchingPair, ways:Array, expected:Boolean):Boolean
+        private function ask(pair:TouchingPair, manners:Array, expected:Boolean):Boolean
         {
             var hits:int = 0;
             var asked:int = 0;
@@ -203,14 +203,14 @@ package starlogo.collision
                 }
                 begin(i);
                 pair.resize(_a, _b);
-                for each (var way:String in ways)
+                for each (var manner:String in manners)
                 {
-                    var isHit:Boolean = isColliding(way, pair, _colliders[i]);
+                    var isHit:Boolean = isColliding(manner, pair, _colliders[i]);
                     asked++;
                     hits += isHit ? 1 : 0;
                     if (isHit != expected)
                     {
-                        _wrong.add(nameOf(i) + ", " + pair.shape + ", " + (ways === STANDING ? "standing" : "on their ways"), way + ", " + pair);
+                        _wrong.add(nameOf(i) + ", " + pair.shape + ", " + (manners === STANDING ? "standing" : "moving"), manner + ", " + pair);
                     }
                 }
             }
@@ -237,16 +237,16 @@ package starlogo.collision
             _b.hierarchical = SYSTEMS[system][1] > 1;
         }
 
-        private function isColliding(way:String, pair:TouchingPair, collider:Collider):Boolean
+        private function isColliding(manner:String, pair:TouchingPair, collider:Collider):Boolean
         {
             _a.sweeps = _b.sweeps = false;
-            if (STANDING.indexOf(way) >= 0)
+            if (STANDING.indexOf(manner) >= 0)
             {
                 pair.place(_a, false, 0, 0, 0, true);
                 pair.place(_b, true, 0, 0, 0, true);
-                return isCollidingNow(way, collider);
+                return isCollidingNow(manner, collider);
             }
-            switch (way)
+            switch (manner)
             {
                 case "moving along, both sweep":
                     _a.sweeps = _b.sweeps = true;
@@ -285,9 +285,9 @@ package starlogo.collision
             }
         }
 
-        private function isCollidingNow(way:String, collider:Collider):Boolean
+        private function isCollidingNow(manner:String, collider:Collider):Boolean
         {
-            switch (way)
+            switch (manner)
             {
                 case "found":
                     return collider.findCollisions(_agents).length == 2;

@@ -15,14 +15,14 @@ package starlogo.collision
 
     /**
      * Whatever makes void what a collider keeps from frame to frame, cause by cause: one that has been kept finds what a new one finds. In games in which
-     * somebody sweeps, the new one has seen the frame before, which is all that a motion needs.
+     * an agent sweeps, the new one has seen the frame before, which is all that a motion needs.
      */
     public class VoidedTest
     {
         private static const SHAPES:Array = ["sphere", "cube", "cylinder", "flat", "apart"];
         private static const COUNT:int = 16;
 
-        // who is changed by what
+        // which agents are changed, and how
         private static const NOBODY:Array = [];
         private static const STRUCTURES:Array = ["tightest fits", "combinations"];
         private static const HIERARCHIES:Array = ["hierarchies", "combinations"];
@@ -30,7 +30,7 @@ package starlogo.collision
 
         private static var sGreatLand:GreatLand;
 
-        // games of each collider: every third is one in which somebody sweeps
+        // games of each collider: every third is one in which an agent sweeps
         private var _rounds:int = Effort.choose(3, 12);
         private var _random:SeededRandom;
         private var _agents:Vector.<Agent>;
@@ -468,7 +468,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aModelThatNobodyHasWasAddedAndRemoved():void
+        public function aModelThatNoAgentHasWasAddedAndRemoved():void
         {
             check(NOBODY, function():void
                 {
@@ -885,7 +885,7 @@ package starlogo.collision
                 });
         }
 
-        // Each collider in games of several frames, in which nobody sweeps, and in which some do.
+        // Each collider in games of several frames, in which no agent sweeps, and in which some do.
         private function check(changed:Array, happens:Function, interests:Function = null, before:Function = null):void
         {
             var changes:Object = {};
@@ -988,7 +988,7 @@ package starlogo.collision
             return found;
         }
 
-        // The pairs, and who takes part.
+        // The pairs, and the agents that take part.
         private function find(collider:Collider):String
         {
             var found:Vector.<Agent> = new Vector.<Agent>();

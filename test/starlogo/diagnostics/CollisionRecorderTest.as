@@ -135,14 +135,14 @@ package starlogo.diagnostics
             var collision:Collision = new Collision(recorder);
             collision.onCollision("cats", "dogs", ignore);
             collision.update(new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "dogs"), new Agent("sphere", "mice")]);
-            assertEquals("mice are nobody's concern", 1, recorder.collisions);
+            assertEquals("mice have no handlers", 1, recorder.collisions);
             assertEquals(1, collision.statistics.agentsSkipped);
             assertEquals(1, collision.statistics.collisions);
             assertTrue(collision.statistics.sphereSphereTests > 0);
         }
 
         [Test]
-        public function recordsASystemOfSomebodyElses():void
+        public function recordsAClientsSystem():void
         {
             var recorder:CollisionRecorder = new CollisionRecorder(new EveryPairSystem());
             var collision:Collision = new Collision(recorder);

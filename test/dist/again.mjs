@@ -5,7 +5,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, utimesSync } from 
 import path from 'node:path';
 import { test } from 'node:test';
 import { strFromU8, unzipSync } from 'fflate';
-import { NAME, VERSION, inRoot, releaseTime } from '../../dist/project.mjs';
+import { NAME, VERSION, inRoot, releaseTime } from '../../build/dist/project.mjs';
 
 const release = `${NAME}-${VERSION}`;
 const copy = inRoot('bin/dist again/elsewhere');

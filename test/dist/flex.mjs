@@ -1,7 +1,7 @@
 /** Adobe's compilers, as the build calls them. */
 import { spawnSync } from 'node:child_process';
 import path from 'node:path';
-import { inRoot } from '../../dist/project.mjs';
+import { inRoot } from '../../build/dist/project.mjs';
 
 const flex = process.env.FLEX_HOME ?? inRoot('node_modules/flex-sdk/lib/flex_sdk');
 const java = process.env.JAVA_HOME ? path.join(process.env.JAVA_HOME, 'bin/java') : 'java';

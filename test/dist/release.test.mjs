@@ -6,7 +6,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { strFromU8, unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
-import { NAME, ROOT, VERSION, inRoot } from '../../dist/project.mjs';
+import { NAME, ROOT, VERSION, inRoot } from '../../build/dist/project.mjs';
 import { readSwf } from '../headless/swf.mjs';
 import { play } from '../headless/player.mjs';
 import { serve } from '../headless/server.mjs';

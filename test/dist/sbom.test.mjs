@@ -2,8 +2,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { test } from 'node:test';
-import { VERSION, inRoot } from '../../dist/project.mjs';
-import { sbom } from '../../dist/sbom.mjs';
+import { VERSION, inRoot } from '../../build/dist/project.mjs';
+import { sbom } from '../../build/dist/sbom.mjs';
 
 // of its two builds, the one that finds its schemas
 const { Spec, Validation } = createRequire(import.meta.url)('@cyclonedx/cyclonedx-library');

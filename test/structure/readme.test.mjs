@@ -40,7 +40,7 @@ test('links and pictures lead somewhere', () => {
 });
 
 test('paths that the pages name are there', () => {
-	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`((?:src|test|module|playground|assets|standins|lib|docs)\/[\w./-]*)`/g)].map(([, to]) => [page, to]));
+	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`((?:src|test|build|module|playground|assets|standins|lib|docs)\/[\w./-]*)`/g)].map(([, to]) => [page, to]));
 	assert.ok(named.length > 20, 'there are some');
 	// what a build or the user puts there
 	const isMade = (to) => to === 'lib/away3d.swc' || to.includes('node_modules');

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { inRoot, readJson } from './project.mjs';
 
 const NPM_FOLDERS = ['', 'module/', 'playground/'];
-const IVY_FILES = ['ivy.xml', 'module/ivy.xml'];
+const IVY_FILES = ['build/ivy.xml', 'module/ivy.xml'];
 
 /** The packages that are in the zip, as a whole or in part: where, and as what. */
 const INSIDE = {

@@ -2,7 +2,7 @@
 /**
  * Puts the release into one zip, the same bytes wherever it is built, and its checksum beside it.
  *
- *   node dist/build.mjs BIN BAKED      where all was built, and the folder of the models with their fits
+ *   node build/dist/build.mjs BIN BAKED      where all was built, and the folder of the models with their fits
  */
 import { createHash } from 'node:crypto';
 import { writeFileSync } from 'node:fs';

@@ -6,7 +6,7 @@ package starlogo.geometry
     /**
      * Tells data apart: 64 bits that depend on every bit of it and on the order. Made of two of Bob Jenkins's one-at-a-time
      * hashes ("Hash functions", Dr. Dobb's Journal, September 1997) that take 32 bits at a time in place of 8: of two that
-     * differ in a single word the fingerprints always differ. Not proof against somebody who looks for two that are alike.
+     * differ in a single word the fingerprints always differ. Not proof against a search for two that are alike.
      *
      * @private
      */

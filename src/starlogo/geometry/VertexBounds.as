@@ -62,7 +62,7 @@ package starlogo.geometry
                 var y:Number = vertices[int(i + 1)];
                 var z:Number = vertices[int(i + 2)];
                 // infinity minus itself is NaN
-                differences += x - x + y - y + z - z;
+                differences += (x - x) + (y - y) + (z - z);
                 if (x < lowX)
                 {
                     lowX = x;

@@ -1,8 +1,7 @@
 package starlogo.geometry
 {
     /**
-     * Says what is wrong with vertices and triangles that somebody handed in; whoever asks knows whose they are and what to
-     * throw.
+     * Says what is wrong with vertices and triangles that a caller was given; the caller adds whose they are, and throws.
      *
      * @private
      */

@@ -17,9 +17,18 @@ package starlogo.steps
      */
     public class StepSequence implements Steps
     {
-        // what each part does in a step, function():Boolean, whether there is more of it; those left are at _next and after
+        // what is done with a part: called once, called until it returns false, or called for the work that it returns
+        private static const ONCE:int = 0;
+        private static const AGAIN:int = 1;
+        private static const MAKES_WORK:int = 2;
+
+        // the parts, what is done with each, and the number of the one whose turn it is; no closures: making one costs as much as a small part
         private var _parts:Vector.<Function> = new Vector.<Function>();
+        private var _kinds:Vector.<int> = new Vector.<int>();
         private var _next:int = 0;
+
+        // the work that this part has made
+        private var _made:Steps = null;
 
         /** A sequence without parts: one step that does nothing. */
         public function StepSequence()
@@ -35,14 +44,16 @@ package starlogo.steps
         /** Adds a step; returns the sequence. @param action function():void */
         public function call(action:Function):StepSequence
         {
-            return repeat(function():Boolean
-                {
-                    action();
-                    return false;
-                });
+            return addPart(action, ONCE);
         }
 
-        /** Adds work on a row of things, as Slices does it; returns the sequence. @copy Slices#Slices() */
+        /**
+         * Adds work on a row of things, as Slices does it; returns the sequence.
+         *
+         * @param count how many things there are
+         * @param size how many of them a step does
+         * @param work function(first:int, end:int):void; does the things from one number up to another
+         */
         public function slices(count:int, size:int, work:Function):StepSequence
         {
             return add(new Slices(count, size, work));
@@ -55,16 +66,7 @@ package starlogo.steps
          */
         public function begin(make:Function):StepSequence
         {
-            var work:Steps = null;
-            return repeat(function():Boolean
-                {
-                    if (work == null)
-                    {
-                        work = make();
-                        return work != null;
-                    }
-                    return work.step();
-                });
+            return addPart(make, MAKES_WORK);
         }
 
         /**
@@ -74,18 +76,40 @@ package starlogo.steps
          */
         public function repeat(advance:Function):StepSequence
         {
-            _parts.push(advance);
-            return this;
+            return addPart(advance, AGAIN);
         }
 
         /** @inheritDoc */
         public function step():Boolean
         {
-            if (_next < _parts.length && !_parts[_next]())
+            if (_next < _parts.length && !advancePart(_parts[_next], _kinds[_next]))
             {
                 _parts[_next++] = null;
             }
             return _next < _parts.length;
+        }
+
+        private function addPart(part:Function, kind:int):StepSequence
+        {
+            _parts.push(part);
+            _kinds.push(kind);
+            return this;
+        }
+
+        // Does a step of a part; whether there is more of it.
+        private function advancePart(part:Function, kind:int):Boolean
+        {
+            switch (kind)
+            {
+                case ONCE:
+                    part();
+                    return false;
+                case AGAIN:
+                    return part();
+                default:
+                    _made = _made == null ? part() : (_made.step() ? _made : null);
+                    return _made != null;
+            }
         }
     }
 }

@@ -7,7 +7,7 @@ package starlogo.models
     import support.Surfaces;
 
     /**
-     * Models that nobody here made, those of Debian's package assimp-testmodels, against what assimp and trimesh read
+     * Models from elsewhere, those of Debian's package assimp-testmodels, against what assimp and trimesh read
      * from them (test/oracle/model_files.py).
      */
     public class ModelFilesTest

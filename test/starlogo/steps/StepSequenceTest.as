@@ -61,6 +61,22 @@ package starlogo.steps
         }
 
         [Test]
+        public function rowsOfThingsAreDoneInSlices():void
+        {
+            var work:StepSequence = new StepSequence().slices(5, 2, noteSlice).call(note("a"));
+            assertEquals("0-2|2-4|4-5|a.", trail(work));
+        }
+
+        [Test]
+        public function whatIsDoneMayBeAskedAgainAndAddedTo():void
+        {
+            var work:StepSequence = new StepSequence().call(note("a"));
+            assertEquals("a.", trail(work));
+            assertEquals(".", trail(work));
+            assertEquals("b.", trail(work.call(note("b"))));
+        }
+
+        [Test]
         public function anErrorComesOut():void
         {
             var work:StepSequence = new StepSequence().call(note("a")).call(function():void
@@ -84,6 +100,11 @@ package starlogo.steps
         {
             _log.push(--_left);
             return _left > 0;
+        }
+
+        private function noteSlice(first:int, end:int):void
+        {
+            _log.push(first + "-" + end);
         }
 
         private function makeTwo():Steps

@@ -68,13 +68,14 @@ package starlogo.geometry.hull
         private function clearEdges():void
         {
             var edgeEnds:Vector.<int> = new Vector.<int>(_points.length / 3);
-            for (var i:int = 0; i < edgeEnds.length; i++)
+            var i:int;
+            for (i = 0; i < edgeEnds.length; i++)
             {
                 edgeEnds[i] = -1;
             }
-            for each (var face:HullFace in faces)
+            for (i = 0; i < faces.length; i++)
             {
-                edgeEnds[face.a] = edgeEnds[face.b] = edgeEnds[face.c] = 0;
+                edgeEnds[faces[i].a] = edgeEnds[faces[i].b] = edgeEnds[faces[i].c] = 0;
             }
             _edgeEnds = edgeEnds;
         }

@@ -29,6 +29,7 @@ package starlogo.geometry.hull
         private static const LOOKS_PER_FACE:int = 12;
 
         private var _points:Vector.<Number>;
+        private var _simplex:Vector.<int>;
 
         // the points to build the hull of: those listed, or all where that is null
         private var _among:Vector.<int>;
@@ -47,10 +48,8 @@ package starlogo.geometry.hull
         public function QuickHull(points:Vector.<Number>, simplex:Vector.<int>)
         {
             _points = points;
-            call(function():void
-                {
-                    build(simplex[0], simplex[1], simplex[2], simplex[3], null);
-                });
+            _simplex = simplex;
+            call(start);
         }
 
         /**
@@ -59,12 +58,21 @@ package starlogo.geometry.hull
          */
         public function get triangles():Vector.<int>
         {
-            var corners:Vector.<int> = new Vector.<int>();
-            for each (var face:HullFace in _walk.faces)
+            var faces:Vector.<HullFace> = _walk.faces;
+            var count:int = faces.length;
+            var corners:Vector.<int> = new Vector.<int>(3 * count);
+            for (var i:int = 0; i < count; i++)
             {
-                corners.push(face.a, face.b, face.c);
+                corners[3 * i] = faces[i].a;
+                corners[3 * i + 1] = faces[i].b;
+                corners[3 * i + 2] = faces[i].c;
             }
             return corners;
+        }
+
+        private function start():void
+        {
+            build(_simplex[0], _simplex[1], _simplex[2], _simplex[3], null);
         }
 
         // Adds the steps of building the hull of all points, or of those listed, from a tetrahedron of four.
@@ -81,9 +89,15 @@ package starlogo.geometry.hull
 
         private function assign(first:int, end:int):void
         {
+            var among:Vector.<int> = _among;
             for (var i:int = first; i < end; i++)
             {
-                _outside.assign(_among == null ? i : _among[i], _created);
+                var point:int = i;
+                if (among != null)
+                {
+                    point = among[i];
+                }
+                _outside.assign(point, _created);
             }
         }
 

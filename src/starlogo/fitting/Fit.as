@@ -1,7 +1,6 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -10,7 +9,9 @@ package starlogo.fitting
      */
     public final class Fit implements Steps
     {
-        private var _work:StepSequence = new StepSequence();
+        private var _session:FitSession;
+        private var _find:Function;
+        private var _before:Steps;
         private var _structure:BoundingStructure = null;
 
         /**
@@ -23,14 +24,9 @@ package starlogo.fitting
          */
         public function Fit(session:FitSession, find:Function, before:Steps = null)
         {
-            if (before != null)
-            {
-                _work.add(before);
-            }
-            _work.call(function():void
-                {
-                    _structure = find(session);
-                });
+            _session = session;
+            _find = find;
+            _before = before;
         }
 
         /** What was found; null until no step is left. */
@@ -42,7 +38,16 @@ package starlogo.fitting
         /** Does the next step; nothing when none is left: what needs a fit that something else has begun goes on with it. */
         public function step():Boolean
         {
-            return _work.step();
+            if (_before == null)
+            {
+                _structure ||= _find(_session);
+                return false;
+            }
+            if (!_before.step())
+            {
+                _before = null;
+            }
+            return true;
         }
     }
 }

@@ -85,7 +85,8 @@ package starlogo.libraries
             unchecked = null;
         }
 
-        private static function areEnclosing(structures:Vector.<BoundingStructure>, vertices:Vector.<Number>):Boolean
+        /** Whether all of some structures contain all vertices, x, y, z each; null among them is left out. */
+        public static function areEnclosing(structures:Vector.<BoundingStructure>, vertices:Vector.<Number>):Boolean
         {
             for each (var structure:BoundingStructure in structures)
             {

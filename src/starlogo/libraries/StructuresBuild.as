@@ -4,7 +4,6 @@ package starlogo.libraries
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -24,6 +23,7 @@ package starlogo.libraries
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _work:StepSequence = new StepSequence();
         private var _structures:ShapeStructures = null;
+        private var _read:Vector.<BoundingStructure> = null;
         private var _isRead:Boolean = false;
 
         /**
@@ -68,27 +68,7 @@ package starlogo.libraries
          */
         public function useRead(read:Vector.<BoundingStructure>):void
         {
-            var fitting:Steps = _work;
-            var chosen:ShapeStructures = new ShapeStructures(read, _cheaperTestsFactor, _keepsAll);
-            _isRead = true;
-            var check:Function = function(kind:int, end:int):void
-            {
-                var structure:BoundingStructure = read[kind];
-                _isRead &&= structure == null || !_keepsAll && structure != chosen.tightest || encloses(structure, _vertices);
-            };
-            _work = new StepSequence().add(new Slices(read.length, 1, check)).begin(function():Steps
-                {
-                    if (!_isRead)
-                    {
-                        return fitting;
-                    }
-                    if (!_keepsAll)
-                    {
-                        chosen.trustTightestOnly();
-                    }
-                    _structures = chosen;
-                    return null;
-                });
+            _read = read;
         }
 
         /** Whether what was found is what was read, when no step is left. */
@@ -111,6 +91,11 @@ package starlogo.libraries
          */
         public function step():Boolean
         {
+            if (_read != null)
+            {
+                checkRead();
+                return !_isRead;
+            }
             try
             {
                 return _work.step();
@@ -120,6 +105,21 @@ package starlogo.libraries
                 throw named(error.message);
             }
             return false;
+        }
+
+        private function checkRead():void
+        {
+            var chosen:ShapeStructures = new ShapeStructures(_read, _cheaperTestsFactor, _keepsAll);
+            _isRead = ShapeStructures.areEnclosing(_keepsAll ? _read : new <BoundingStructure>[chosen.tightest], _vertices);
+            _read = null;
+            if (_isRead)
+            {
+                _structures = chosen;
+                if (!_keepsAll)
+                {
+                    chosen.trustTightestOnly();
+                }
+            }
         }
 
         private function choose():void

@@ -24,6 +24,11 @@ package starlogo.fitting.minimal
         /** The points, x, y, z each. */
         public var points:Vector.<Number>;
 
+        /** Made by through(). */
+        public function CircumscribedBall()
+        {
+        }
+
         /**
          * The ball of some points.
          *

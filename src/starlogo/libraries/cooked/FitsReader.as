@@ -55,7 +55,10 @@ package starlogo.libraries.cooked
             _geometry = geometry;
             _settings = settings;
             _fits = fits;
-            _work.begin(readHead);
+            if (hasHead())
+            {
+                _work.add(new Slices(bytes.length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, addWords)).call(readSections);
+            }
         }
 
         /** Whether the bytes were fits of this model, when no step is left. */
@@ -70,23 +73,23 @@ package starlogo.libraries.cooked
             return _work.step();
         }
 
-        private function readHead():Steps
+        private function hasHead():Boolean
         {
             var bytes:ByteArray = _bytes;
             var length:int = bytes.length;
             if (length < FitsWriter.HEAD_LENGTH + Fingerprint.LENGTH || length > LARGEST_LENGTH || length % Fingerprint.LENGTH != 0)
             {
-                return null;
+                return false;
             }
             bytes.endian = FitsWriter.ENDIAN;
             bytes.position = 0;
             if (bytes.readInt() != FitsWriter.MAGIC || bytes.readInt() != FitsWriter.VERSION || bytes.readInt() != length
                     || bytes.readInt() != 0 || !_geometry.isNextOf(bytes))
             {
-                return null;
+                return false;
             }
             bytes.position = 0;
-            return new StepSequence().add(new Slices(length / Fingerprint.LENGTH - 1, WORDS_PER_STEP, addWords)).call(readSections);
+            return true;
         }
 
         private function addWords(first:int, end:int):void

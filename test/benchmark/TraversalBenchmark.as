@@ -8,6 +8,10 @@ package benchmark
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.NodePairTraversal;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureTraversal;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.libraries.HierarchiesLibrary;
@@ -37,6 +41,7 @@ package benchmark
 
         private var _standing:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal = new SweptHierarchyTraversal(_standing);
+        private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _hierarchies:Array = [];
         private var _ball:SolidHierarchy;
@@ -61,6 +66,8 @@ package benchmark
             add("boxes, upright, near", boxes, boxes, 1.3, 1, true, false);
             add("boxes, leaning, far into each other", boxes, boxes, 0.4, 1, false, false);
             add("boxes, leaning, near", boxes, boxes, 1.3, 1, false, false);
+            addByStructures("boxes, leaning, near, by StructureTraversal", boxes, new StructureTraversal(_pose, false));
+            addByStructures("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal(_pose));
             add("spheres, near", balls, balls, 1.3, 1, true, false);
             add("capsules, near", capsules, capsules, 1.3, 1, true, false);
             add("boxes and capsules, near", boxes, capsules, 1.3, 1, false, false);
@@ -90,6 +97,22 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     var answer:Boolean = _standing.hierarchiesOverlap(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    if (answers != null)
+                    {
+                        answers.writeDouble(answer ? 1 : 0);
+                    }
+                });
+        }
+
+        // Without what comes before and after the traversal.
+        private function addByStructures(name:String, a:SolidHierarchy, traversal:NodePairTraversal):void
+        {
+            var first:Vector.<Placement> = places(1.3, 1, false);
+            var second:Vector.<Placement> = places(1.3, 1, false);
+            measure(name, function(i:int, answers:ByteArray):void
+                {
+                    _pose.relate(first[i], second[i]);
+                    var answer:Boolean = traversal.find(a.root, DEPTH, a.root, DEPTH, null);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);

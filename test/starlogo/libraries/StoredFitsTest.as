@@ -11,19 +11,17 @@ package starlogo.libraries
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
-    import starlogo.fitting.Fit;
-    import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
     import starlogo.fitting.MinimalBoxFitter;
     import starlogo.fitting.MinimalSphereFitter;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.solid.SolidContents;
     import starlogo.libraries.cooked.FitsWriter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.solid.SolidContents;
     import starlogo.solid.SolidHierarchy;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -603,6 +601,13 @@ package starlogo.libraries
         }
     }
 }
+
+import flash.geom.Vector3D;
+import starlogo.bounding.BoundingStructure;
+import starlogo.bounding.Sphere;
+import starlogo.fitting.Fit;
+import starlogo.fitting.FitSession;
+import starlogo.fitting.Fitter;
 
 /** Finds a sphere that is large enough for every model. */
 class UnsignedFitter extends Fitter

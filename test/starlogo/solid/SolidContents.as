@@ -2,6 +2,7 @@ package starlogo.solid
 {
     import starlogo.GreatLand;
     import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
 
     use namespace engine;
 

@@ -66,8 +66,6 @@ package benchmark
             add("boxes, upright, near", boxes, boxes, 1.3, 1, true, false);
             add("boxes, leaning, far into each other", boxes, boxes, 0.4, 1, false, false);
             add("boxes, leaning, near", boxes, boxes, 1.3, 1, false, false);
-            addByStructures("boxes, leaning, near, by StructureTraversal", boxes, new StructureTraversal(_pose, false));
-            addByStructures("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal(_pose));
             add("spheres, near", balls, balls, 1.3, 1, true, false);
             add("capsules, near", capsules, capsules, 1.3, 1, true, false);
             add("boxes and capsules, near", boxes, capsules, 1.3, 1, false, false);
@@ -81,6 +79,8 @@ package benchmark
             addSwept("swept exact", boxes, boxes, true);
             addSweptStructures("swept boxes and structures", boxes);
             addSweptStructures("swept capsules and structures", capsules);
+            addBy("boxes, leaning, near, by StructureTraversal", boxes, new StructureTraversal(_pose, false));
+            addBy("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal(_pose));
             Measurement.runAll(_all, ROUNDS);
             var table:Table = new Table("a pair", "ns", "hits %", "visits", "hash");
             for (var i:int = 0; i < _all.length; i++)
@@ -105,7 +105,7 @@ package benchmark
         }
 
         // Without what comes before and after the traversal.
-        private function addByStructures(name:String, a:SolidHierarchy, traversal:NodePairTraversal):void
+        private function addBy(name:String, a:SolidHierarchy, traversal:NodePairTraversal):void
         {
             var first:Vector.<Placement> = places(1.3, 1, false);
             var second:Vector.<Placement> = places(1.3, 1, false);

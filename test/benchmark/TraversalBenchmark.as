@@ -8,6 +8,10 @@ package benchmark
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.NodePairTraversal;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureTraversal;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.libraries.HierarchiesLibrary;
@@ -37,6 +41,7 @@ package benchmark
 
         private var _standing:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal = new SweptHierarchyTraversal(_standing);
+        private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _hierarchies:Array = [];
         private var _ball:SolidHierarchy;
@@ -74,6 +79,8 @@ package benchmark
             addSwept("swept exact", boxes, boxes, true);
             addSweptStructures("swept boxes and structures", boxes);
             addSweptStructures("swept capsules and structures", capsules);
+            addBy("boxes, leaning, near, by StructureTraversal", boxes, new StructureTraversal(_pose, false));
+            addBy("boxes, leaning, near, by BoxTraversal", boxes, new BoxTraversal(_pose));
             Measurement.runAll(_all, ROUNDS);
             var table:Table = new Table("a pair", "ns", "hits %", "visits", "hash");
             for (var i:int = 0; i < _all.length; i++)
@@ -90,6 +97,22 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     var answer:Boolean = _standing.hierarchiesOverlap(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    if (answers != null)
+                    {
+                        answers.writeDouble(answer ? 1 : 0);
+                    }
+                });
+        }
+
+        // Without what comes before and after the traversal.
+        private function addBy(name:String, a:SolidHierarchy, traversal:NodePairTraversal):void
+        {
+            var first:Vector.<Placement> = places(1.3, 1, false);
+            var second:Vector.<Placement> = places(1.3, 1, false);
+            measure(name, function(i:int, answers:ByteArray):void
+                {
+                    _pose.relate(first[i], second[i]);
+                    var answer:Boolean = traversal.find(a.root, DEPTH, a.root, DEPTH, null);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);

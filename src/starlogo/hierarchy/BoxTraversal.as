@@ -25,7 +25,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         public function BoxTraversal(pose:RelativePose)
         {
-            super(pose);
+            super(pose, false);
         }
 
         /**
@@ -100,36 +100,43 @@ package starlogo.hierarchy
                 {
                     gapSquared += gap * gap;
                 }
-                var reach:Number = scale * b.innerRadius;
-                var isDeep:Boolean = gapSquared <= reach * reach;
-                var overlap:Boolean = isDeep;
-                reach = scale * b.radius;
-                if (!isDeep && gapSquared <= reach * reach)
+                var overlap:Boolean = false;
+                var isDeep:Boolean = false;
+                var reach:Number = scale * b.radius;
+                if (gapSquared <= reach * reach)
                 {
-                    // the faces of a, then those of b
-                    bX = b.halfX;
-                    bY = b.halfY;
-                    bZ = b.halfZ;
-                    reach = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
-                    if (x <= reach && x >= -reach)
+                    reach = scale * b.innerRadius;
+                    if (gapSquared <= reach * reach)
                     {
-                        reach = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
-                        if (y <= reach && y >= -reach)
+                        overlap = isDeep = true;
+                    }
+                    else
+                    {
+                        // the faces of a, then those of b
+                        bX = b.halfX;
+                        bY = b.halfY;
+                        bZ = b.halfZ;
+                        reach = halfX + abs00 * bX + abs01 * bY + abs02 * bZ;
+                        if (x <= reach && x >= -reach)
                         {
-                            reach = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
-                            if (z <= reach && z >= -reach)
+                            reach = halfY + abs10 * bX + abs11 * bY + abs12 * bZ;
+                            if (y <= reach && y >= -reach)
                             {
-                                var along:Number = m00 * x + m10 * y + m20 * z;
-                                reach = scaleSquared * bX + abs00 * halfX + abs10 * halfY + abs20 * halfZ;
-                                if (along <= reach && along >= -reach)
+                                reach = halfZ + abs20 * bX + abs21 * bY + abs22 * bZ;
+                                if (z <= reach && z >= -reach)
                                 {
-                                    along = m01 * x + m11 * y + m21 * z;
-                                    reach = scaleSquared * bY + abs01 * halfX + abs11 * halfY + abs21 * halfZ;
+                                    var along:Number = m00 * x + m10 * y + m20 * z;
+                                    reach = scaleSquared * bX + abs00 * halfX + abs10 * halfY + abs20 * halfZ;
                                     if (along <= reach && along >= -reach)
                                     {
-                                        along = m02 * x + m12 * y + m22 * z;
-                                        reach = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
-                                        overlap = along <= reach && along >= -reach;
+                                        along = m01 * x + m11 * y + m21 * z;
+                                        reach = scaleSquared * bY + abs01 * halfX + abs11 * halfY + abs21 * halfZ;
+                                        if (along <= reach && along >= -reach)
+                                        {
+                                            along = m02 * x + m12 * y + m22 * z;
+                                            reach = scaleSquared * bZ + abs02 * halfX + abs12 * halfY + abs22 * halfZ;
+                                            overlap = along <= reach && along >= -reach;
+                                        }
                                     }
                                 }
                             }

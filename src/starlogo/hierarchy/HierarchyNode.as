@@ -125,7 +125,7 @@ package starlogo.hierarchy
         engine var splitAxis:int = 0;
 
         /**
-         * The sphere or capsule; null where the box is the node's structure, until somebody asks for it.
+         * The sphere or capsule; null where the box is the node's structure, until it is asked for.
          *
          * @private
          */
@@ -213,7 +213,8 @@ package starlogo.hierarchy
             this.halfY = halfY;
             this.halfZ = halfZ;
             radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
-            innerRadius = Math.min(Math.min(halfX, halfY), halfZ);
+            innerRadius = halfX < halfY ? halfX : halfY;
+            innerRadius = halfZ < innerRadius ? halfZ : innerRadius;
         }
 
         /** The axis along which the box is longest: 0, 1 or 2. */

@@ -3,6 +3,8 @@ package starlogo.hierarchy
     /**
      * What a hierarchy is made of, triangles or vertices: their extents, and the order in which those of a node are side by
      * side. Divides the items of a node in two.
+     *
+     * @private
      */
     public final class Items
     {
@@ -36,7 +38,6 @@ package starlogo.hierarchy
         private var _last:int;
         private var _axis:int;
         private var _split:Number;
-        private var _isBegun:Boolean;
 
         /**
          * @param vertices x, y, z each
@@ -135,11 +136,13 @@ package starlogo.hierarchy
             _last = end - 1;
             _axis = axis;
             _split = split;
-            _isBegun = false;
+            write(leftExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+            write(rightExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
         }
 
         /**
-         * Goes on with the division.
+         * Goes on with the division. For each item, in this order: its extents, the side of the splitting point that its centre is on, its
+         * place, and the extents of those on that side, which are in locals meanwhile.
          *
          * @param most how many items to look at
          * @return whether there are more
@@ -155,37 +158,19 @@ package starlogo.hierarchy
             var i:int = middle;
             var last:int = _last;
             var left:int = last - i + 1 - most;
-            if (left < 0)
-            {
-                left = 0;
-            }
-            var leftMinX:Number = Infinity;
-            var leftMinY:Number = Infinity;
-            var leftMinZ:Number = Infinity;
-            var leftMaxX:Number = -Infinity;
-            var leftMaxY:Number = -Infinity;
-            var leftMaxZ:Number = -Infinity;
-            var rightMinX:Number = Infinity;
-            var rightMinY:Number = Infinity;
-            var rightMinZ:Number = Infinity;
-            var rightMaxX:Number = -Infinity;
-            var rightMaxY:Number = -Infinity;
-            var rightMaxZ:Number = -Infinity;
-            if (_isBegun)
-            {
-                leftMinX = leftExtents[0];
-                leftMinY = leftExtents[1];
-                leftMinZ = leftExtents[2];
-                leftMaxX = leftExtents[3];
-                leftMaxY = leftExtents[4];
-                leftMaxZ = leftExtents[5];
-                rightMinX = rightExtents[0];
-                rightMinY = rightExtents[1];
-                rightMinZ = rightExtents[2];
-                rightMaxX = rightExtents[3];
-                rightMaxY = rightExtents[4];
-                rightMaxZ = rightExtents[5];
-            }
+            left = left < 0 ? 0 : left;
+            var leftMinX:Number = leftExtents[0];
+            var leftMinY:Number = leftExtents[1];
+            var leftMinZ:Number = leftExtents[2];
+            var leftMaxX:Number = leftExtents[3];
+            var leftMaxY:Number = leftExtents[4];
+            var leftMaxZ:Number = leftExtents[5];
+            var rightMinX:Number = rightExtents[0];
+            var rightMinY:Number = rightExtents[1];
+            var rightMinZ:Number = rightExtents[2];
+            var rightMaxX:Number = rightExtents[3];
+            var rightMaxY:Number = rightExtents[4];
+            var rightMaxZ:Number = rightExtents[5];
             while (last - i >= left)
             {
                 var item:int = items[i];
@@ -201,67 +186,30 @@ package starlogo.hierarchy
                 if (sum < split)
                 {
                     i++;
-                    if (minX < leftMinX)
-                    {
-                        leftMinX = minX;
-                    }
-                    if (maxX > leftMaxX)
-                    {
-                        leftMaxX = maxX;
-                    }
-                    if (minY < leftMinY)
-                    {
-                        leftMinY = minY;
-                    }
-                    if (maxY > leftMaxY)
-                    {
-                        leftMaxY = maxY;
-                    }
-                    if (minZ < leftMinZ)
-                    {
-                        leftMinZ = minZ;
-                    }
-                    if (maxZ > leftMaxZ)
-                    {
-                        leftMaxZ = maxZ;
-                    }
+                    leftMinX = minX < leftMinX ? minX : leftMinX;
+                    leftMaxX = maxX > leftMaxX ? maxX : leftMaxX;
+                    leftMinY = minY < leftMinY ? minY : leftMinY;
+                    leftMaxY = maxY > leftMaxY ? maxY : leftMaxY;
+                    leftMinZ = minZ < leftMinZ ? minZ : leftMinZ;
+                    leftMaxZ = maxZ > leftMaxZ ? maxZ : leftMaxZ;
                 }
                 else
                 {
                     items[i] = items[last];
                     items[last] = item;
                     last--;
-                    if (minX < rightMinX)
-                    {
-                        rightMinX = minX;
-                    }
-                    if (maxX > rightMaxX)
-                    {
-                        rightMaxX = maxX;
-                    }
-                    if (minY < rightMinY)
-                    {
-                        rightMinY = minY;
-                    }
-                    if (maxY > rightMaxY)
-                    {
-                        rightMaxY = maxY;
-                    }
-                    if (minZ < rightMinZ)
-                    {
-                        rightMinZ = minZ;
-                    }
-                    if (maxZ > rightMaxZ)
-                    {
-                        rightMaxZ = maxZ;
-                    }
+                    rightMinX = minX < rightMinX ? minX : rightMinX;
+                    rightMaxX = maxX > rightMaxX ? maxX : rightMaxX;
+                    rightMinY = minY < rightMinY ? minY : rightMinY;
+                    rightMaxY = maxY > rightMaxY ? maxY : rightMaxY;
+                    rightMinZ = minZ < rightMinZ ? minZ : rightMinZ;
+                    rightMaxZ = maxZ > rightMaxZ ? maxZ : rightMaxZ;
                 }
             }
             write(leftExtents, leftMinX, leftMinY, leftMinZ, leftMaxX, leftMaxY, leftMaxZ);
             write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             middle = i;
             _last = last;
-            _isBegun = true;
             return left > 0;
         }
 
@@ -301,15 +249,9 @@ package starlogo.hierarchy
                 for (var i:int = from + axis; i < to; i += _stride)
                 {
                     var coordinate:Number = _extents[i];
-                    if (coordinate < least)
-                    {
-                        least = coordinate;
-                    }
+                    least = coordinate < least ? coordinate : least;
                     coordinate = _extents[int(i + _high)];
-                    if (coordinate > largest)
-                    {
-                        largest = coordinate;
-                    }
+                    largest = coordinate > largest ? coordinate : largest;
                 }
                 extents[axis] = least;
                 extents[axis + 3] = largest;

@@ -15,7 +15,7 @@ package starlogo.hierarchy
      * any further, in §4.8 the smallest number that is split. They differ for a node of just as many; here it is a leaf, as in
      * §4.4, which describes the algorithm, while §4.8 lists its parameters.</p>
      */
-    public final class NodeDivider
+    internal final class NodeDivider
     {
         private var _hierarchy:Hierarchy;
         private var _items:Items;

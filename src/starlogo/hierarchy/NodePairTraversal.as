@@ -19,16 +19,34 @@ package starlogo.hierarchy
      */
     public class NodePairTraversal
     {
+        /** What comes next of a pair: nothing, because its nodes do not touch. */
+        protected static const APART:int = -1;
+
+        /** Its nodes touch and are not divided any further. */
+        protected static const TOUCHING:int = 0;
+
+        /** The pair with this child of one of the nodes, and the one with the other child later. */
+        protected static const LEFT_OF_A:int = 1;
+
+        /** @copy #LEFT_OF_A */
+        protected static const RIGHT_OF_A:int = 2;
+
+        /** @copy #LEFT_OF_A */
+        protected static const LEFT_OF_B:int = 3;
+
+        /** @copy #LEFT_OF_A */
+        protected static const RIGHT_OF_B:int = 4;
+
         /** Pairs of nodes that were visited; set to 0 from outside. */
         public var nodeVisits:int = 0;
 
-        /** Whether the roots overlapped that were asked about last. */
+        /** Whether the roots overlapped of two trees that do not. */
         public var rootsOverlapped:Boolean;
 
         /** When the trees touched that were asked about last, from 0 to 1; or RelativeMotion.NEVER. */
         public var time:Number;
 
-        /** The nodes that did, if any. */
+        /** The nodes that did, of models that move; of trees that did not, any. */
         public var firstA:HierarchyNode = null;
 
         /** @copy #firstA */
@@ -37,23 +55,33 @@ package starlogo.hierarchy
         /** Where the second model is in the space of the first. */
         protected var pose:RelativePose;
 
+        /** Whether it moves from there. */
+        protected var isSwept:Boolean;
+
         /** When the nodes of the pair under way may touch for the first time. */
         protected var from:Number;
 
         /** When they may for the last time. */
         protected var to:Number;
 
+        /** When the pair may with the child of a divided node that is visited later. */
+        protected var otherFrom:Number = 0;
+
+        /** Whether a LeafTest decides about nodes that touch and are not divided. */
+        protected var isByLeaves:Boolean;
+
         // The pairs that are left, and their intervals.
         private var _nodes:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
         private var _times:Vector.<Number> = new Vector.<Number>();
-        private var _top:int;
 
         /**
          * @param pose where the second model is in the space of the first at time 0, whenever two are asked about
+         * @param isSwept whether the second moves from there
          */
-        public function NodePairTraversal(pose:RelativePose)
+        public function NodePairTraversal(pose:RelativePose, isSwept:Boolean)
         {
             this.pose = pose;
+            this.isSwept = isSwept;
         }
 
         /**
@@ -67,83 +95,105 @@ package starlogo.hierarchy
          */
         public function find(a:HierarchyNode, depthA:int, b:HierarchyNode, depthB:int, leaves:LeafTest):Boolean
         {
+            var nodes:Vector.<HierarchyNode> = _nodes;
+            var times:Vector.<Number> = _times;
+            var top:int = 0;
+            var isDivided:Boolean = false;
+            isByLeaves = leaves != null;
             time = RelativeMotion.NEVER;
-            firstA = firstB = null;
-            rootsOverlapped = false;
             from = 0;
             to = 1;
-            _top = 0;
             begin(a, b);
-            while (_top > 0)
+            while (true)
             {
-                _top -= 2;
-                from = _times[_top];
-                if (from >= time)
+                if (from < time)
                 {
-                    continue;
-                }
-                to = _times[int(_top + 1)];
-                a = _nodes[_top];
-                b = _nodes[int(_top + 1)];
-                if (!touch(a, b) || from >= time)
-                {
-                    continue;
-                }
-                rootsOverlapped = true;
-                var aEnds:Boolean = a.cutoffLevel >= depthA;
-                var bEnds:Boolean = b.cutoffLevel >= depthB;
-                if (!aEnds || !bEnds)
-                {
-                    divide(a, aEnds, b, bEnds);
-                }
-                else if (leaves == null ? decide(a, b) : decideBy(leaves, a, b))
-                {
-                    time = from;
-                    firstA = a;
-                    firstB = b;
-                    if (time == 0)
+                    var next:int = visit(a, a.cutoffLevel >= depthA, b, b.cutoffLevel >= depthB);
+                    if (next > TOUCHING)
                     {
-                        return true;
+                        isDivided = true;
+                        var otherA:HierarchyNode = a;
+                        var otherB:HierarchyNode = b;
+                        if (next == LEFT_OF_A)
+                        {
+                            a = otherA.left;
+                            otherA = otherA.right;
+                        }
+                        else if (next == RIGHT_OF_A)
+                        {
+                            a = otherA.right;
+                            otherA = otherA.left;
+                        }
+                        else if (next == LEFT_OF_B)
+                        {
+                            b = otherB.left;
+                            otherB = otherB.right;
+                        }
+                        else
+                        {
+                            b = otherB.right;
+                            otherB = otherB.left;
+                        }
+                        if (otherFrom <= 1)
+                        {
+                            nodes[top] = otherA;
+                            nodes[int(top + 1)] = otherB;
+                            if (isSwept)
+                            {
+                                times[top] = otherFrom;
+                                times[int(top + 1)] = to;
+                            }
+                            top += 2;
+                        }
+                        continue;
+                    }
+                    if (next == TOUCHING && (leaves == null || decide(leaves, a, b)))
+                    {
+                        time = from;
+                        if (isSwept)
+                        {
+                            firstA = a;
+                            firstB = b;
+                        }
+                        if (time == 0)
+                        {
+                            return true;
+                        }
                     }
                 }
+                if (top == 0)
+                {
+                    rootsOverlapped = isDivided;
+                    return time <= 1;
+                }
+                top -= 2;
+                a = nodes[top];
+                b = nodes[int(top + 1)];
+                if (isSwept)
+                {
+                    from = times[top];
+                    to = times[int(top + 1)];
+                }
             }
-            return time <= 1;
+            return false;
         }
 
-        /** Begins with two roots. */
+        /** Prepares for two roots, and finds out when they may touch. */
         protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
-            push(a, b);
         }
 
-        /** Whether two nodes touch between <code>from</code> and <code>to</code>: then <code>from</code> becomes the time when they do. */
-        protected function touch(a:HierarchyNode, b:HierarchyNode):Boolean
+        /**
+         * Visits two nodes, of which some are not divided any further: finds out whether they touch between <code>from</code> and
+         * <code>to</code>, before <code>time</code>, and what comes next. Sets <code>from</code> to when that may touch, and for a pair that
+         * is divided <code>otherFrom</code> and <code>to</code> likewise.
+         */
+        protected function visit(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):int
         {
-            return true;
+            return APART;
         }
 
-        /** Whether two nodes that touch do so in truth, as leaves: likewise, before <code>time</code>. */
-        protected function decide(a:HierarchyNode, b:HierarchyNode):Boolean
-        {
-            return true;
-        }
-
-        /** Pushes what two nodes that touch are divided into, what is to be visited first last; not both end. */
-        protected function divide(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):void
-        {
-        }
-
-        /** Pushes a pair of nodes that may touch between <code>from</code> and <code>to</code>. */
-        protected final function push(a:HierarchyNode, b:HierarchyNode):void
-        {
-            _nodes[_top] = a;
-            _nodes[int(_top + 1)] = b;
-            _times[_top] = from;
-            _times[int(_top + 1)] = to;
-            _top += 2;
-        }
-
-        private function decideBy(leaves:LeafTest, a:HierarchyNode, b:HierarchyNode):Boolean
+        private function decide(leaves:LeafTest, a:HierarchyNode, b:HierarchyNode):Boolean
         {
             leaves.time = time < 1 ? time : 1;
             if (!leaves.touch(a, b) || !(leaves.time < time))

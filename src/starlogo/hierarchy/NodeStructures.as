@@ -12,7 +12,7 @@ package starlogo.hierarchy
      * Puts spheres or capsules around the nodes of a hierarchy, in place of their boxes (thesis §7.7), and covers around each
      * with all its descendants.
      */
-    public final class NodeStructures
+    internal final class NodeStructures
     {
         private var _kind:int;
         private var _items:Items;
@@ -76,10 +76,10 @@ package starlogo.hierarchy
         private static function distance(point:Vector3D, start:Vector3D, end:Vector3D):Number
         {
             var along:Vector3D = end.subtract(start);
-            var way:Vector3D = point.subtract(start);
-            var t:Number = along.lengthSquared > 0 ? way.dotProduct(along) / along.lengthSquared : 0;
+            var offset:Vector3D = point.subtract(start);
+            var t:Number = along.lengthSquared > 0 ? offset.dotProduct(along) / along.lengthSquared : 0;
             along.scaleBy(Math.max(0, Math.min(1, t)));
-            return way.subtract(along).length;
+            return offset.subtract(along).length;
         }
 
         private function sphereAround(node:HierarchyNode, points:Vector.<Number>):Sphere

@@ -9,6 +9,8 @@ package starlogo.hierarchy
     /**
      * Where one agent's model is in the space of another's: what all the nodes of their hierarchies share, so that only the
      * agents are related, once for each pair.
+     *
+     * @private
      */
     public final class RelativePose
     {
@@ -92,13 +94,13 @@ package starlogo.hierarchy
          * Finds how the second model moves in the first model's space.
          *
          * @param a where the first is in the world
-         * @param way of the first, relative to the second, in the world
+         * @param worldMotion of the first, relative to the second, in the world
          */
-        public function relateMotion(a:Placement, way:RelativeMotion):void
+        public function relateMotion(a:Placement, worldMotion:RelativeMotion):void
         {
-            var x:Number = -way.x / a.size;
-            var y:Number = -way.y / a.size;
-            var z:Number = -way.z / a.size;
+            var x:Number = -worldMotion.x / a.size;
+            var y:Number = -worldMotion.y / a.size;
+            var z:Number = -worldMotion.z / a.size;
             motion.x = a.r00 * x + a.r10 * y + a.r20 * z;
             motion.y = a.r01 * x + a.r11 * y + a.r21 * z;
             motion.z = a.r02 * x + a.r12 * y + a.r22 * z;

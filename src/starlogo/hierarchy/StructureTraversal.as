@@ -7,122 +7,144 @@ package starlogo.hierarchy
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.intersection.intersects;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
 
     use namespace engine;
 
     /**
      * Decides whether trees of spheres or capsules overlap, trees of different structures, or a tree and a node that stands for a single
-     * structure: by the pair tests of their kinds.
+     * structure, or when they do: by the pair tests of their kinds.
      *
      * <p>A child's sphere may reach out of its parent's, so that what meets the child need not meet the parent. Still a greater
      * depth never finds more: whatever the depths, nodes are reached in one order, a level of the first tree and then one of the
      * second (thesis §4.6), only by way of ancestors that overlap. Below the last level of one tree, the cover of its node
-     * there stands for all its descendants.</p>
+     * there stands for all its descendants. Of models that move, a pair is looked at for as long only as those before it touch.</p>
      *
      * @private
      */
-    public class StructureTraversal extends NodePairTraversal
+    public final class StructureTraversal extends NodePairTraversal
     {
-        /** The structure of the first model's node that was looked at last. */
-        protected var structureA:BoundingStructure;
+        private var _part:RelativeMotion = new RelativeMotion();
 
-        /** That of the second model's, in the space of the first. */
-        protected var movedB:BoundingStructure;
-
-        // What movedB was made of; and by kind, what it is made in.
+        // The structure of the second model that was visited last, and by kind the same in the space of the first.
         private var _structureB:BoundingStructure;
+        private var _isPlaced:Boolean;
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0), newBox()];
         private var _box:Box = newBox();
 
         /** @inheritDoc */
-        public function StructureTraversal(pose:RelativePose)
+        public function StructureTraversal(pose:RelativePose, isSwept:Boolean)
         {
-            super(pose);
+            super(pose, isSwept);
         }
 
         /** @inheritDoc */
         override protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
-            _structureB = null;
-            push(a, b);
+            _isPlaced = false;
         }
 
         /** @inheritDoc */
-        override protected function touch(a:HierarchyNode, b:HierarchyNode):Boolean
-        {
-            placeStructures(a, b);
-            return intersects(structureA, movedB);
-        }
-
-        /** @inheritDoc */
-        override protected function divide(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):void
-        {
-            if (!bEnds && (aEnds || a.level > b.level))
-            {
-                push(a, b.right);
-                push(a, b.left);
-            }
-            else if (isRightFirst(a))
-            {
-                push(a.left, b);
-                push(a.right, b);
-            }
-            else
-            {
-                push(a.right, b);
-                push(a.left, b);
-            }
-        }
-
-        /** Whether the right child of the first model's node is visited first: where the second's structure is on its side of the middle. */
-        protected function isRightFirst(a:HierarchyNode):Boolean
-        {
-            var at:Vector3D;
-            var end:Vector3D;
-            if (movedB.kind == BoundingStructure.SPHERE)
-            {
-                at = end = Sphere(movedB).center;
-            }
-            else if (movedB.kind == BoundingStructure.CAPSULE)
-            {
-                at = Capsule(movedB).start;
-                end = Capsule(movedB).end;
-            }
-            else
-            {
-                at = end = Box(movedB).center;
-            }
-            if (a.splitAxis == 0)
-            {
-                return at.x + end.x - 2 * a.x > 0;
-            }
-            if (a.splitAxis == 1)
-            {
-                return at.y + end.y - 2 * a.y > 0;
-            }
-            return at.z + end.z - 2 * a.z > 0;
-        }
-
-        /** Visits two nodes: finds their structures. */
-        protected final function placeStructures(a:HierarchyNode, b:HierarchyNode):void
+        override protected function visit(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):int
         {
             nodeVisits++;
+            var structureA:BoundingStructure = a.structure;
             if (b.level > a.level && a.cover != null)
             {
                 structureA = a.cover;
             }
-            else
+            else if (structureA == null)
             {
-                structureA = a.structure == null ? boxOf(a) : a.structure;
+                structureA = boxOf(a);
             }
-            var structureB:BoundingStructure = a.level > b.level + 1 && b.cover != null ? b.cover : b.bounds;
+            var structureB:BoundingStructure = b.structure;
+            if (a.level > b.level + 1 && b.cover != null)
+            {
+                structureB = b.cover;
+            }
+            else if (structureB == null)
+            {
+                structureB = b.bounds;
+            }
             if (structureB !== _structureB)
             {
                 _structureB = structureB;
-                movedB = structureB.place(pose.placement, _moved[structureB.kind]);
-                movedB.widen(pose.gap);
+                _isPlaced = false;
             }
+            var moved:BoundingStructure = _moved[structureB.kind];
+            if (!_isPlaced)
+            {
+                _isPlaced = true;
+                structureB.place(pose.placement, moved);
+                moved.widen(pose.gap);
+            }
+            if (isSwept ? !isInTime(structureA, moved) : !intersects(structureA, moved))
+            {
+                return APART;
+            }
+            if (aEnds && bEnds)
+            {
+                return TOUCHING;
+            }
+            // a tree's boxes hold those of their children: a single structure that leaves one may still meet another
+            if (isSwept && (b.level > 0 || structureA.kind != BoundingStructure.BOX))
+            {
+                findEnd(structureA, moved);
+            }
+            if (!bEnds && (aEnds || a.level > b.level))
+            {
+                return LEFT_OF_B;
+            }
+            return !isSwept && isRightNearer(a, moved) ? RIGHT_OF_A : LEFT_OF_A;
+        }
+
+        // Whether structures touch in the interval of their pair, before time; sets when it begins to what they do first.
+        private function isInTime(a:BoundingStructure, b:BoundingStructure):Boolean
+        {
+            _part.takePart(pose.motion, from, to);
+            var share:Number = timeOfImpact(b, a, _part);
+            from += (to - from) * share;
+            otherFrom = from;
+            return share <= 1 && from < time;
+        }
+
+        // Sets when the interval ends to the last time that they touch, which is the first one on the way back.
+        private function findEnd(a:BoundingStructure, b:BoundingStructure):void
+        {
+            _part.takePart(pose.motion, to, from);
+            var share:Number = timeOfImpact(b, a, _part);
+            to = share <= 1 ? to - (to - from) * share : from;
+        }
+
+        // Whether a structure is on the right child's side of the middle of a node.
+        private static function isRightNearer(node:HierarchyNode, structure:BoundingStructure):Boolean
+        {
+            var at:Vector3D;
+            var end:Vector3D;
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                at = end = Sphere(structure).center;
+            }
+            else if (structure.kind == BoundingStructure.CAPSULE)
+            {
+                at = Capsule(structure).start;
+                end = Capsule(structure).end;
+            }
+            else
+            {
+                at = end = Box(structure).center;
+            }
+            if (node.splitAxis == 0)
+            {
+                return at.x + end.x - 2 * node.x > 0;
+            }
+            if (node.splitAxis == 1)
+            {
+                return at.y + end.y - 2 * node.y > 0;
+            }
+            return at.z + end.z - 2 * node.z > 0;
         }
 
         private function boxOf(node:HierarchyNode):BoundingStructure

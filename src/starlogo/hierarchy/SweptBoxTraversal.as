@@ -9,8 +9,8 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides when two trees of boxes touch that pass each other. Parents touch no later than their children: a pair is tested when it is
-     * pushed, and of two the one that touches first is visited first. The axes of edges are tried only where the boxes decide.
+     * Decides when two trees of boxes touch that pass each other. Parents touch no later than their children: the children of a
+     * pair are tested when it is divided, and the one that touches first is visited first. The axes of edges are tried only where the boxes decide.
      *
      * @private
      */
@@ -22,7 +22,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         public function SweptBoxTraversal(pose:RelativePose)
         {
-            super(pose);
+            super(pose, true);
         }
 
         /** @inheritDoc */
@@ -37,54 +37,33 @@ package starlogo.hierarchy
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             nodeVisits++;
             sweep(a, b, false);
-            if (from <= 1)
-            {
-                push(a, b);
-            }
         }
 
         /** @inheritDoc */
-        override protected function decide(a:HierarchyNode, b:HierarchyNode):Boolean
+        override protected function visit(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):int
         {
-            sweep(a, b, true);
-            return from < time;
-        }
-
-        /** @inheritDoc */
-        override protected function divide(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):void
-        {
-            if (bEnds || (!aEnds && a.radius >= pose.placement.size * b.radius))
+            if (aEnds && bEnds)
             {
-                pushBoth(a.left, b, a.right, b);
+                if (isByLeaves)
+                {
+                    return TOUCHING;
+                }
+                sweep(a, b, true);
+                return from < time ? TOUCHING : APART;
             }
-            else
-            {
-                pushBoth(a, b.left, a, b.right);
-            }
-        }
-
-        private function pushBoth(a:HierarchyNode, b:HierarchyNode, otherA:HierarchyNode, otherB:HierarchyNode):void
-        {
             nodeVisits += 2;
-            sweep(a, b, false);
-            var first:Number = from;
-            sweep(otherA, otherB, false);
-            var isLater:Boolean = first < from;
-            if (isLater && from <= 1)
+            var dividesA:Boolean = bEnds || (!aEnds && a.radius >= pose.placement.size * b.radius);
+            sweep(dividesA ? a.left : a, dividesA ? b : b.left, false);
+            var left:Number = from;
+            sweep(dividesA ? a.right : a, dividesA ? b : b.right, false);
+            if (left < from)
             {
-                push(otherA, otherB);
+                otherFrom = from;
+                from = left;
+                return dividesA ? LEFT_OF_A : LEFT_OF_B;
             }
-            var second:Number = from;
-            from = first;
-            if (first <= 1)
-            {
-                push(a, b);
-            }
-            from = second;
-            if (!isLater && second <= 1)
-            {
-                push(otherA, otherB);
-            }
+            otherFrom = left;
+            return dividesA ? RIGHT_OF_A : RIGHT_OF_B;
         }
 
         // Sets the time from which on no face separates two boxes, or no edges either, if that is before time; else RelativeMotion.NEVER.

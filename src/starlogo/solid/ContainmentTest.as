@@ -23,7 +23,6 @@ package starlogo.solid
     {
         private var _pose:RelativePose;
         private var _middle:Vector3D = new Vector3D();
-        private var _inverse:Placement = new Placement();
 
         /**
          * @param pose where the second model is in the space of the first, whenever two are asked about
@@ -44,10 +43,9 @@ package starlogo.solid
             var solidB:Solid = b.solid;
             var rootA:HierarchyNode = a.root;
             var rootB:HierarchyNode = b.root;
-            var placement:Placement = _pose.placement;
-            var size:Number = placement.size;
-            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && hasPartInside(rootA, solidA, solidB, placement))
-                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && hasPartInside(rootB, solidB, solidA, inverse()));
+            var size:Number = _pose.placement.size;
+            return (solidA.isClosed && solidB.leastPartExtent * size <= 2 * rootA.radius && hasPartInside(rootA, solidA, solidB, false))
+                || (solidB.isClosed && solidA.leastPartExtent <= 2 * rootB.radius * size && hasPartInside(rootB, solidB, solidA, true));
         }
 
         /**
@@ -101,44 +99,33 @@ package starlogo.solid
                 && Math.abs(z - root.z) <= root.halfZ - radius && outer.solid.isInside(x, y, z);
         }
 
-        // Where the first model is in the space of the second.
-        private function inverse():Placement
+        // Whether a part of one model is inside of the other: of the second in the first, or of the first in the second. The numbers take a point
+        // of the inner model into the space of the outer one, relative to the middle of its root's box.
+        private function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, isOfFirst:Boolean):Boolean
         {
             var relative:Placement = _pose.placement;
-            var inverse:Placement = _inverse;
-            var scale:Number = 1 / relative.size;
-            inverse.size = scale;
-            inverse.r00 = relative.r00;
-            inverse.r01 = relative.r10;
-            inverse.r02 = relative.r20;
-            inverse.r10 = relative.r01;
-            inverse.r11 = relative.r11;
-            inverse.r12 = relative.r21;
-            inverse.r20 = relative.r02;
-            inverse.r21 = relative.r12;
-            inverse.r22 = relative.r22;
-            inverse.x = -(relative.r00 * scale) * relative.x - relative.r10 * scale * relative.y - relative.r20 * scale * relative.z;
-            inverse.y = -(relative.r01 * scale) * relative.x - relative.r11 * scale * relative.y - relative.r21 * scale * relative.z;
-            inverse.z = -(relative.r02 * scale) * relative.x - relative.r12 * scale * relative.y - relative.r22 * scale * relative.z;
-            return inverse;
-        }
-
-        // Whether a part of the inner model, which is placed in the space of the outer one, is inside of that.
-        private static function hasPartInside(root:HierarchyNode, outer:Solid, inner:Solid, placement:Placement):Boolean
-        {
-            var scale:Number = placement.size;
-            var m00:Number = placement.r00 * scale;
-            var m01:Number = placement.r01 * scale;
-            var m02:Number = placement.r02 * scale;
-            var m10:Number = placement.r10 * scale;
-            var m11:Number = placement.r11 * scale;
-            var m12:Number = placement.r12 * scale;
-            var m20:Number = placement.r20 * scale;
-            var m21:Number = placement.r21 * scale;
-            var m22:Number = placement.r22 * scale;
-            var moveX:Number = placement.x - root.x;
-            var moveY:Number = placement.y - root.y;
-            var moveZ:Number = placement.z - root.z;
+            var scale:Number = isOfFirst ? 1 / relative.size : relative.size;
+            var m00:Number = relative.r00 * scale;
+            var m11:Number = relative.r11 * scale;
+            var m22:Number = relative.r22 * scale;
+            var m01:Number = isOfFirst ? relative.r10 * scale : relative.r01 * scale;
+            var m02:Number = isOfFirst ? relative.r20 * scale : relative.r02 * scale;
+            var m10:Number = isOfFirst ? relative.r01 * scale : relative.r10 * scale;
+            var m12:Number = isOfFirst ? relative.r21 * scale : relative.r12 * scale;
+            var m20:Number = isOfFirst ? relative.r02 * scale : relative.r20 * scale;
+            var m21:Number = isOfFirst ? relative.r12 * scale : relative.r21 * scale;
+            var moveX:Number = relative.x;
+            var moveY:Number = relative.y;
+            var moveZ:Number = relative.z;
+            if (isOfFirst)
+            {
+                moveX = -m00 * relative.x - m01 * relative.y - m02 * relative.z;
+                moveY = -m10 * relative.x - m11 * relative.y - m12 * relative.z;
+                moveZ = -m20 * relative.x - m21 * relative.y - m22 * relative.z;
+            }
+            moveX -= root.x;
+            moveY -= root.y;
+            moveZ -= root.z;
             var points:Vector.<Number> = inner.partPoints;
             var length:int = points.length;
             var stride:int = 3 * Solid.POINTS_PER_PART;

@@ -3,10 +3,8 @@ package starlogo.solid
     /**
      * Things, by number, that are joined to sets: union-find with path halving (Tarjan and van Leeuwen, "Worst-case analysis of set union
      * algorithms", Journal of the ACM 31(2), 1984).
-     *
-     * @private
      */
-    public final class DisjointSets
+    internal final class DisjointSets
     {
         private var _parents:Vector.<int>;
 
@@ -31,7 +29,7 @@ package starlogo.solid
             var parent:int = parents[thing];
             while (parent != thing)
             {
-                // shortens the way for the next one
+                // shortens the path for the next call
                 var above:int = parents[parent];
                 parents[thing] = above;
                 thing = above;

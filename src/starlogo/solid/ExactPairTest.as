@@ -14,11 +14,13 @@ package starlogo.solid
      */
     internal final class ExactPairTest extends TrianglePairTest
     {
-        // A box in the space of the one model or the other: minX, minY, minZ, maxX, maxY, maxZ.
-        private var _box:Vector.<Number> = new Vector.<Number>(6, true);
-
-        // The rotation from the second model's space to the first's, row by row.
-        private var _rotation:Vector.<Number> = new Vector.<Number>(9, true);
+        // A box in the space of the one model or the other.
+        private var _minX:Number;
+        private var _minY:Number;
+        private var _minZ:Number;
+        private var _maxX:Number;
+        private var _maxY:Number;
+        private var _maxZ:Number;
 
         // The triangles of the first leaf, and of the second, that reach into the box.
         private var _nearA:Vector.<int> = new Vector.<int>();
@@ -32,23 +34,6 @@ package starlogo.solid
         public function ExactPairTest(pose:RelativePose)
         {
             super(pose);
-        }
-
-        /** @inheritDoc */
-        override public function prepare(a:SolidHierarchy, b:SolidHierarchy):Boolean
-        {
-            var relative:Placement = pose.placement;
-            var rotation:Vector.<Number> = _rotation;
-            rotation[0] = relative.r00;
-            rotation[1] = relative.r01;
-            rotation[2] = relative.r02;
-            rotation[3] = relative.r10;
-            rotation[4] = relative.r11;
-            rotation[5] = relative.r12;
-            rotation[6] = relative.r20;
-            rotation[7] = relative.r21;
-            rotation[8] = relative.r22;
-            return super.prepare(a, b);
         }
 
         /** @inheritDoc */
@@ -84,44 +69,48 @@ package starlogo.solid
             var halfX:Number = scale * b.halfX;
             var halfY:Number = scale * b.halfY;
             var halfZ:Number = scale * b.halfZ;
-            var rotation:Vector.<Number> = _rotation;
-            var box:Vector.<Number> = _box;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var row:int = 3 * axis;
-                var p:Number = rotation[row];
-                var q:Number = rotation[int(row + 1)];
-                var r:Number = rotation[int(row + 2)];
-                var middle:Number = p * x + q * y + r * z;
-                p = p < 0 ? -p : p;
-                q = q < 0 ? -q : q;
-                r = r < 0 ? -r : r;
-                var reach:Number = p * halfX + q * halfY + r * halfZ + touching;
-                var middleA:Number = a.z;
-                var halfA:Number = a.halfZ;
-                if (axis == 0)
-                {
-                    middle += relative.x;
-                    middleA = a.x;
-                    halfA = a.halfX;
-                }
-                else if (axis == 1)
-                {
-                    middle += relative.y;
-                    middleA = a.y;
-                    halfA = a.halfY;
-                }
-                else
-                {
-                    middle += relative.z;
-                }
-                var low:Number = middle - reach;
-                var lowA:Number = middleA - halfA;
-                box[axis] = low > lowA ? low : lowA;
-                var high:Number = middle + reach;
-                var highA:Number = middleA + halfA;
-                box[int(axis + 3)] = high < highA ? high : highA;
-            }
+            var p:Number = relative.r00;
+            var q:Number = relative.r01;
+            var r:Number = relative.r02;
+            var middle:Number = p * x + q * y + r * z + relative.x;
+            p = p < 0 ? -p : p;
+            q = q < 0 ? -q : q;
+            r = r < 0 ? -r : r;
+            var reach:Number = p * halfX + q * halfY + r * halfZ + touching;
+            var low:Number = middle - reach;
+            var high:Number = middle + reach;
+            var lowA:Number = a.x - a.halfX;
+            var highA:Number = a.x + a.halfX;
+            _minX = low > lowA ? low : lowA;
+            _maxX = high < highA ? high : highA;
+            p = relative.r10;
+            q = relative.r11;
+            r = relative.r12;
+            middle = p * x + q * y + r * z + relative.y;
+            p = p < 0 ? -p : p;
+            q = q < 0 ? -q : q;
+            r = r < 0 ? -r : r;
+            reach = p * halfX + q * halfY + r * halfZ + touching;
+            low = middle - reach;
+            high = middle + reach;
+            lowA = a.y - a.halfY;
+            highA = a.y + a.halfY;
+            _minY = low > lowA ? low : lowA;
+            _maxY = high < highA ? high : highA;
+            p = relative.r20;
+            q = relative.r21;
+            r = relative.r22;
+            middle = p * x + q * y + r * z + relative.z;
+            p = p < 0 ? -p : p;
+            q = q < 0 ? -q : q;
+            r = r < 0 ? -r : r;
+            reach = p * halfX + q * halfY + r * halfZ + touching;
+            low = middle - reach;
+            high = middle + reach;
+            lowA = a.z - a.halfZ;
+            highA = a.z + a.halfZ;
+            _minZ = low > lowA ? low : lowA;
+            _maxZ = high < highA ? high : highA;
         }
 
         // The box around the same in the space of the second.
@@ -129,39 +118,53 @@ package starlogo.solid
         {
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
-            var rotation:Vector.<Number> = _rotation;
-            var box:Vector.<Number> = _box;
-            var x:Number = (box[0] + box[3]) / 2 - relative.x;
-            var y:Number = (box[1] + box[4]) / 2 - relative.y;
-            var z:Number = (box[2] + box[5]) / 2 - relative.z;
-            var halfX:Number = (box[3] - box[0]) / 2 + touching;
-            var halfY:Number = (box[4] - box[1]) / 2 + touching;
-            var halfZ:Number = (box[5] - box[2]) / 2 + touching;
-            for (var axis:int = 0; axis < 3; axis++)
-            {
-                var p:Number = rotation[axis];
-                var q:Number = rotation[int(axis + 3)];
-                var r:Number = rotation[int(axis + 6)];
-                var middle:Number = (p * x + q * y + r * z) / scale;
-                p = p < 0 ? -p : p;
-                q = q < 0 ? -q : q;
-                r = r < 0 ? -r : r;
-                var reach:Number = (p * halfX + q * halfY + r * halfZ) / scale;
-                box[axis] = middle - reach;
-                box[int(axis + 3)] = middle + reach;
-            }
+            var halfX:Number = (_maxX - _minX) / 2 + touching;
+            var halfY:Number = (_maxY - _minY) / 2 + touching;
+            var halfZ:Number = (_maxZ - _minZ) / 2 + touching;
+            var x:Number = (_minX + _maxX) / 2 - relative.x;
+            var y:Number = (_minY + _maxY) / 2 - relative.y;
+            var z:Number = (_minZ + _maxZ) / 2 - relative.z;
+            var p:Number = relative.r00;
+            var q:Number = relative.r10;
+            var r:Number = relative.r20;
+            var middle:Number = (p * x + q * y + r * z) / scale;
+            p = p < 0 ? -p : p;
+            q = q < 0 ? -q : q;
+            r = r < 0 ? -r : r;
+            var reach:Number = (p * halfX + q * halfY + r * halfZ) / scale;
+            _minX = middle - reach;
+            _maxX = middle + reach;
+            p = relative.r01;
+            q = relative.r11;
+            r = relative.r21;
+            middle = (p * x + q * y + r * z) / scale;
+            p = p < 0 ? -p : p;
+            q = q < 0 ? -q : q;
+            r = r < 0 ? -r : r;
+            reach = (p * halfX + q * halfY + r * halfZ) / scale;
+            _minY = middle - reach;
+            _maxY = middle + reach;
+            p = relative.r02;
+            q = relative.r12;
+            r = relative.r22;
+            middle = (p * x + q * y + r * z) / scale;
+            p = p < 0 ? -p : p;
+            q = q < 0 ? -q : q;
+            r = r < 0 ? -r : r;
+            reach = (p * halfX + q * halfY + r * halfZ) / scale;
+            _minZ = middle - reach;
+            _maxZ = middle + reach;
         }
 
         // Lists the triangles of a leaf that reach into the box; returns how many.
         private function collect(extents:Vector.<Number>, first:int, end:int, out:Vector.<int>):int
         {
-            var box:Vector.<Number> = _box;
-            var lowX:Number = box[0];
-            var lowY:Number = box[1];
-            var lowZ:Number = box[2];
-            var highX:Number = box[3];
-            var highY:Number = box[4];
-            var highZ:Number = box[5];
+            var lowX:Number = _minX;
+            var highX:Number = _maxX;
+            var lowY:Number = _minY;
+            var highY:Number = _maxY;
+            var lowZ:Number = _minZ;
+            var highZ:Number = _maxZ;
             var count:int = 0;
             for (var i:int = first; i < end; i++)
             {

@@ -51,7 +51,7 @@ package starlogo.solid
         public function HierarchyTraversal()
         {
             _boxes = new BoxTraversal(_pose);
-            _structures = new StructureTraversal(_pose);
+            _structures = new StructureTraversal(_pose, false);
             _exact = new ExactPairTest(_pose);
             _containment = new ContainmentTest(_pose);
             _leaf.x = _leaf.y = _leaf.z = 0;
@@ -130,7 +130,10 @@ package starlogo.solid
             _pose.relate(placementA, placementB);
             if (structure.kind != BoundingStructure.BOX || a.boundsKind != BoundingStructure.BOX)
             {
-                _leaf.structure = structure;
+                if (_leaf.structure !== structure)
+                {
+                    _leaf.structure = structure;
+                }
                 return _structures.find(a.root, depth, _leaf, 1, null)
                     || (_structures.rootsOverlapped && _containment.isStructureInside(a, structure));
             }

@@ -10,7 +10,7 @@ package starlogo.solid
      * A model's triangles where boxes do not suffice: their corners, and what is inside of the surface that they make. Made by
      * a SolidBuilder. The triangles are in the order of the hierarchy.
      */
-    public final class Solid
+    internal final class Solid
     {
         /** How many points of each part there are in partPoints. */
         public static const POINTS_PER_PART:int = 6;

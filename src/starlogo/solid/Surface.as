@@ -1,13 +1,9 @@
 package starlogo.solid
 {
-    import starlogo.steps.finish;
-
     /**
      * What a model's triangles are as a whole: whether they close, and how many pieces they come in. See SurfaceBuilder.
-     *
-     * @private
      */
-    public final class Surface
+    internal final class Surface
     {
         /**
          * Whether the surface separates an inside from the outside: along every edge as many triangles run in one
@@ -38,19 +34,6 @@ package starlogo.solid
         /** Made by a SurfaceBuilder. */
         public function Surface()
         {
-        }
-
-        /**
-         * Looks at a surface, at once.
-         *
-         * @param vertices x, y, z each
-         * @param triangles three vertex indices each
-         */
-        public static function of(vertices:Vector.<Number>, triangles:Vector.<uint>):Surface
-        {
-            var builder:SurfaceBuilder = new SurfaceBuilder(vertices, triangles);
-            finish(builder);
-            return builder.surface;
         }
     }
 }

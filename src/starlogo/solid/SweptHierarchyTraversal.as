@@ -11,8 +11,8 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.NodePairTraversal;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureTraversal;
     import starlogo.hierarchy.SweptBoxTraversal;
-    import starlogo.hierarchy.SweptStructureTraversal;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -21,7 +21,7 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Decides when two hierarchies collide for the first time that pass each other, or one and a structure: the first moment of the way at
+     * Decides when two hierarchies collide for the first time that pass each other, or one and a structure: the first moment of the motion at
      * which a HierarchyTraversal would say that they do.
      *
      * <p>To come to be inside of a closed surface without having been there at the beginning, a part of a model has to cross it,
@@ -37,7 +37,7 @@ package starlogo.solid
         private var _standing:HierarchyTraversal;
         private var _pose:RelativePose = new RelativePose();
         private var _boxes:SweptBoxTraversal;
-        private var _structures:SweptStructureTraversal;
+        private var _structures:StructureTraversal;
         private var _exact:SweptPairTest;
 
         // Where the first model is at time 0.
@@ -66,7 +66,7 @@ package starlogo.solid
         {
             _standing = standing;
             _boxes = new SweptBoxTraversal(_pose);
-            _structures = new SweptStructureTraversal(_pose);
+            _structures = new StructureTraversal(_pose, true);
             _exact = new SweptPairTest(_pose);
         }
 
@@ -99,18 +99,18 @@ package starlogo.solid
          * @param placementB where the second model stands
          * @param depthB how many levels of that are visited
          * @param exact whether, for two hierarchies of triangles, depths do not count and triangles decide
-         * @param way of the first model, relative to the second
+         * @param motion of the first model, relative to the second
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function hierarchiesTouch(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement,
-                depthB:int, exact:Boolean, way:RelativeMotion):Number
+                depthB:int, exact:Boolean, motion:RelativeMotion):Number
         {
             if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
             {
-                _turned.turn(way);
+                _turned.turn(motion);
                 return hierarchiesTouch(b, placementB, depthB, a, placementA, depthA, exact, _turned);
             }
-            relate(placementA, placementB, way);
+            relate(placementA, placementB, motion);
             if (_standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact))
             {
                 return 0;
@@ -119,7 +119,7 @@ package starlogo.solid
             {
                 return _traversal.time;
             }
-            moveToEnd(way);
+            moveToEnd(motion);
             return _standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact) ? 1 : RelativeMotion.NEVER;
         }
 
@@ -131,17 +131,17 @@ package starlogo.solid
          * @param depth how many levels of it are visited
          * @param structure stands for another model, in that one's space
          * @param placementB where the other model stands
-         * @param way of the first model, relative to the second
+         * @param motion of the first model, relative to the second
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function structureTouches(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, way:RelativeMotion):Number
+                placementB:Placement, motion:RelativeMotion):Number
         {
             if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
             {
-                return pointTouches(a.root, placementA, structure, placementB, way);
+                return pointTouches(a.root, placementA, structure, placementB, motion);
             }
-            relate(placementA, placementB, way);
+            relate(placementA, placementB, motion);
             if (_standing.structureOverlaps(a, _start, depth, structure, placementB))
             {
                 return 0;
@@ -150,7 +150,7 @@ package starlogo.solid
             {
                 return _structures.time;
             }
-            moveToEnd(way);
+            moveToEnd(motion);
             return _standing.structureOverlaps(a, _start, depth, structure, placementB) ? 1 : RelativeMotion.NEVER;
         }
 
@@ -163,16 +163,16 @@ package starlogo.solid
          * @param out takes it, in the world
          */
         public function findContact(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
-                exact:Boolean, way:RelativeMotion, time:Number, out:ContactPoint):void
+                exact:Boolean, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
             {
-                _turned.turn(way);
+                _turned.turn(motion);
                 findContact(b, placementB, depthB, a, placementA, depthA, exact, _turned, time, out);
-                out.turn(way.startX + time * way.x, way.startY + time * way.y, way.startZ + time * way.z);
+                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
                 return;
             }
-            relate(placementA, placementB, way);
+            relate(placementA, placementB, motion);
             if (!findTrees(a, depthA, b, depthB, exact) || _traversal.time > time + Tolerances.SAME_TIME)
             {
                 findContactOf(a.root.bounds, b.root.bounds, time, out);
@@ -185,7 +185,7 @@ package starlogo.solid
             {
                 findContactOf(_traversal.firstA.bounds, _traversal.firstB.bounds, time, out);
             }
-            moveToWorld(placementA, way, time, out);
+            moveToWorld(placementA, motion, time, out);
         }
 
         /**
@@ -197,13 +197,13 @@ package starlogo.solid
          * @param out takes it, in the world
          */
         public function findStructureContact(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, way:RelativeMotion, time:Number, out:ContactPoint):void
+                placementB:Placement, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            relate(placementA, placementB, way);
+            relate(placementA, placementB, motion);
             var isFound:Boolean = findStructure(a.root, depth, structure) && _structures.time <= time + Tolerances.SAME_TIME;
             var node:HierarchyNode = isFound ? _structures.firstA : a.root;
             findContactOf(node.bounds, structure, time, out);
-            moveToWorld(placementA, way, time, out);
+            moveToWorld(placementA, motion, time, out);
         }
 
         private function findTrees(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, exact:Boolean):Boolean
@@ -240,15 +240,15 @@ package starlogo.solid
             out.z += time * motion.z;
         }
 
-        private static function moveToWorld(a:Placement, way:RelativeMotion, time:Number, out:ContactPoint):void
+        private static function moveToWorld(a:Placement, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             var size:Number = a.size;
             var x:Number = out.x * size;
             var y:Number = out.y * size;
             var z:Number = out.z * size;
-            out.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + way.startX + time * way.x;
-            out.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + way.startY + time * way.y;
-            out.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + way.startZ + time * way.z;
+            out.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + motion.startX + time * motion.x;
+            out.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + motion.startY + time * motion.y;
+            out.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + motion.startZ + time * motion.z;
             x = out.normalX;
             y = out.normalY;
             z = out.normalZ;
@@ -259,29 +259,29 @@ package starlogo.solid
         }
 
         // At time 0.
-        private function relate(a:Placement, b:Placement, way:RelativeMotion):void
+        private function relate(a:Placement, b:Placement, motion:RelativeMotion):void
         {
             var start:Placement = _start;
             start.copyFrom(a);
-            start.x += way.startX;
-            start.y += way.startY;
-            start.z += way.startZ;
+            start.x += motion.startX;
+            start.y += motion.startY;
+            start.z += motion.startZ;
             _pose.relate(start, b);
-            _pose.relateMotion(a, way);
+            _pose.relateMotion(a, motion);
         }
 
-        private function moveToEnd(way:RelativeMotion):void
+        private function moveToEnd(motion:RelativeMotion):void
         {
-            _start.x += way.x;
-            _start.y += way.y;
-            _start.z += way.z;
+            _start.x += motion.x;
+            _start.y += motion.y;
+            _start.z += motion.z;
         }
 
         // The first model is so small that it is a point of the second's space.
         private function pointTouches(root:HierarchyNode, placementA:Placement, structure:BoundingStructure, placementB:Placement,
-                way:RelativeMotion):Number
+                motion:RelativeMotion):Number
         {
-            _turned.turn(way);
+            _turned.turn(motion);
             relate(placementB, placementA, _turned);
             var relative:Placement = _pose.placement;
             _point.center.setTo(relative.x, relative.y, relative.z);

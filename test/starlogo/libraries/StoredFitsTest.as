@@ -18,11 +18,11 @@ package starlogo.libraries
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.solid.SolidContents;
     import starlogo.libraries.cooked.FitsWriter;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import starlogo.solid.SolidContents;
     import starlogo.solid.SolidHierarchy;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;

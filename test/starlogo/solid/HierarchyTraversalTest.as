@@ -11,10 +11,15 @@ package starlogo.solid
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.Hierarchy;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureTraversal;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
+    import support.Effort;
     import support.Fixtures;
 
     use namespace engine;
@@ -98,6 +103,40 @@ package starlogo.solid
                 }
             }
             return changes;
+        }
+
+        /** Trees of boxes have a traversal written out for them: it finds what the one for all structures does. */
+        [Test]
+        public function boxesFindWhatStructuresDo():void
+        {
+            var random:SeededRandom = new SeededRandom(2117);
+            var pose:RelativePose = new RelativePose();
+            var boxes:BoxTraversal = new BoxTraversal(pose);
+            var structures:StructureTraversal = new StructureTraversal(pose, false);
+            var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])), BoundingStructure.BOX);
+            var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
+            var count:int = Effort.choose(1000, 30000);
+            var hits:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var a:Hierarchy = random.pick([bear, ball]);
+                var b:Hierarchy = random.pick([bear, ball]);
+                pose.relate(randomPlacement(random), randomPlacement(random));
+                var depthA:int = random.integer(1, 8);
+                var depthB:int = random.integer(1, 8);
+                var answer:Boolean = structures.find(a.root, depthA, b.root, depthB, null);
+                assertEquals("pair " + i, answer, boxes.find(a.root, depthA, b.root, depthB, null));
+                hits += answer ? 1 : 0;
+            }
+            assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
+        }
+
+        private static function randomPlacement(random:SeededRandom):Placement
+        {
+            var placement:Placement = placed(random.logBetween(0.5, 2), random.between(-0.8, 0.8), random.between(-0.8, 0.8), random.between(-0.8, 0.8));
+            var isUpright:Boolean = random.chance(0.4);
+            placement.setRotation(random.between(0, 360), isUpright ? 0 : random.between(0, 360), isUpright ? 0 : random.between(0, 360));
+            return placement;
         }
 
         [Test]

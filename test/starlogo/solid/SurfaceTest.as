@@ -7,6 +7,7 @@ package starlogo.solid
     import org.flexunit.asserts.assertTrue;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.steps.finish;
     import support.SolidModels;
 
     public class SurfaceTest
@@ -16,7 +17,7 @@ package starlogo.solid
         {
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
             {
-                var surface:Surface = Surface.of(model.vertices, model.triangles);
+                var surface:Surface = surfaceOf(model.vertices, model.triangles);
                 assertTrue(model.name, surface.isClosed);
                 assertTrue(model.name, surface.isOriented);
                 assertEquals("pieces", 1, surface.pieceCount);
@@ -27,7 +28,7 @@ package starlogo.solid
         public function aMissingTriangleOpensIt():void
         {
             var cube:Model = BuiltInModel.cube();
-            var surface:Surface = Surface.of(cube.vertices, cube.triangles.slice(3));
+            var surface:Surface = surfaceOf(cube.vertices, cube.triangles.slice(3));
             assertFalse(surface.isClosed);
             assertEquals("pieces", 1, surface.pieceCount);
         }
@@ -40,7 +41,7 @@ package starlogo.solid
             var first:uint = triangles[0];
             triangles[0] = triangles[1];
             triangles[1] = first;
-            var surface:Surface = Surface.of(cube.vertices, triangles);
+            var surface:Surface = surfaceOf(cube.vertices, triangles);
             assertTrue(surface.isClosed);
             assertTrue("turned back", surface.isOriented && surface.isTurned[0]);
         }
@@ -52,7 +53,7 @@ package starlogo.solid
             var triangles:Vector.<uint> = cube.triangles.slice();
             triangles.fixed = false;
             triangles.push(3, 3, 5, 7, 7, 7);
-            assertTrue(Surface.of(cube.vertices, triangles).isClosed);
+            assertTrue(surfaceOf(cube.vertices, triangles).isClosed);
         }
 
         [Test]
@@ -69,7 +70,7 @@ package starlogo.solid
                     triangles.push(4 * piece + corner);
                 }
             }
-            var surface:Surface = Surface.of(vertices, triangles);
+            var surface:Surface = surfaceOf(vertices, triangles);
             assertTrue(surface.isClosed);
             assertEquals(3, surface.pieceCount);
         }
@@ -77,10 +78,10 @@ package starlogo.solid
         [Test]
         public function aSingleTriangleIsOpen():void
         {
-            assertFalse(Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
+            assertFalse(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]).isClosed);
             // there and back: closed around nothing
-            assertTrue(Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
-            assertFalse(Surface.of(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
+            assertTrue(surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2, 0, 2, 1]).isClosed);
+            assertFalse(surfaceOf(new <Number>[0, 0, 0], new <uint>[0, 0, 0]).isClosed);
         }
 
         [Test]
@@ -103,7 +104,7 @@ package starlogo.solid
                         }
                         triangles.push(i);
                     }
-                    var surface:Surface = Surface.of(vertices, triangles);
+                    var surface:Surface = surfaceOf(vertices, triangles);
                     assertTrue(model.name + ", " + rounding, surface.isClosed && surface.isOriented);
                     assertEquals(1, surface.pieceCount);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
@@ -127,11 +128,11 @@ package starlogo.solid
             {
                 triangles.push(24 + cube.triangles[i]);
             }
-            assertEquals(2, Surface.of(vertices, triangles).pieceCount);
-            assertTrue(Surface.of(vertices, triangles).isClosed);
-            assertEquals(0, Surface.of(vertices, triangles).widestSeam);
+            assertEquals(2, surfaceOf(vertices, triangles).pieceCount);
+            assertTrue(surfaceOf(vertices, triangles).isClosed);
+            assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
-            assertFalse(Surface.of(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
         }
 
         [Test]
@@ -149,7 +150,7 @@ package starlogo.solid
                     triangles.push(first, first + 1, first + 2, first, first + 2, first + 3);
                 }
             }
-            var surface:Surface = Surface.of(vertices, triangles);
+            var surface:Surface = surfaceOf(vertices, triangles);
             assertEquals(1, surface.pieceCount);
             assertFalse(surface.isClosed);
             // all in one place
@@ -157,7 +158,7 @@ package starlogo.solid
             {
                 vertices[i] = 1;
             }
-            assertEquals(1, Surface.of(vertices, triangles).pieceCount);
+            assertEquals(1, surfaceOf(vertices, triangles).pieceCount);
         }
 
         [Test]
@@ -170,18 +171,18 @@ package starlogo.solid
             {
                 swap(triangles, i);
             }
-            var surface:Surface = Surface.of(model.vertices, triangles);
+            var surface:Surface = surfaceOf(model.vertices, triangles);
             assertTrue(surface.isClosed && surface.isOriented);
             for (i = 0; i < triangles.length; i += 3)
             {
                 assertEquals("triangle " + i / 3, i % 15 == 0, surface.isTurned[i / 3]);
             }
-            assertNull(Surface.of(model.vertices, model.triangles).isTurned);
+            assertNull(surfaceOf(model.vertices, model.triangles).isTurned);
             // a hollow one stays hollow
             model = SolidModels.hollow();
             triangles = model.triangles.slice();
             swap(triangles, triangles.length - 3);
-            surface = Surface.of(model.vertices, triangles);
+            surface = surfaceOf(model.vertices, triangles);
             assertTrue(surface.isOriented && surface.isTurned.indexOf(true) == triangles.length / 3 - 1);
             assertEquals("no other", -1, surface.isTurned.indexOf(true, triangles.length / 3));
         }
@@ -195,7 +196,7 @@ package starlogo.solid
             {
                 swap(triangles, i);
             }
-            var surface:Surface = Surface.of(cube.vertices, triangles);
+            var surface:Surface = surfaceOf(cube.vertices, triangles);
             for (i = 0; i < triangles.length; i += 3)
             {
                 assertEquals(i % 6 == 0, surface.isTurned[i / 3]);
@@ -207,7 +208,7 @@ package starlogo.solid
         {
             // the projective plane: six vertices, each pair of them an edge of two triangles
             var triangles:Vector.<uint> = new <uint>[0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1, 1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3];
-            var surface:Surface = Surface.of(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
+            var surface:Surface = surfaceOf(new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 1, 0, 1], triangles);
             assertTrue(surface.isClosed);
             assertFalse(surface.isOriented);
             assertNull(surface.isTurned);
@@ -229,13 +230,13 @@ package starlogo.solid
                     swap(triangles, i);
                 }
             }
-            var surface:Surface = Surface.of(vertices, triangles);
+            var surface:Surface = surfaceOf(vertices, triangles);
             assertTrue(surface.isClosed && surface.isOriented);
             assertEquals(1, surface.pieceCount);
             assertEquals(isTurned.join(), surface.isTurned.join());
-            assertFalse(Surface.of(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
+            assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
             // a wall from one vertex to the next: three triangles at its edges
-            surface = Surface.of(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
+            surface = surfaceOf(vertices, triangles.concat(new <uint>[0, 1, 60 * 45, 1, 0, 60 * 45]));
             assertTrue(surface.isClosed);
         }
 
@@ -262,6 +263,13 @@ package starlogo.solid
             var corner:uint = triangles[at];
             triangles[at] = triangles[at + 1];
             triangles[at + 1] = corner;
+        }
+
+        private static function surfaceOf(vertices:Vector.<Number>, triangles:Vector.<uint>):Surface
+        {
+            var builder:SurfaceBuilder = new SurfaceBuilder(vertices, triangles);
+            finish(builder);
+            return builder.surface;
         }
     }
 }

@@ -32,13 +32,22 @@ package starlogo.broadphase
         // A point at the origin asks for no width at all.
         private static const MIN_WIDTH:Number = 1e-300;
 
-        // By place: the number of the member, which is its index in the list of rows that was searched; its row; the middle of its extents,
-        // and the radius of its circle.
+        /** By place: the number of the member, which is its index in the list of rows that was searched. */
         public var memberAt:Vector.<int> = new Vector.<int>();
+
+        /** By place: the member's row. */
         public var rowAt:Vector.<int> = new Vector.<int>();
+
+        /** By place: the middle of its extents. */
         public var x:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
+
+        /** By place: the radius of its circle. */
         public var radius:Vector.<Number> = new Vector.<Number>();
 
         /** By how much pairs that are handed over may miss each other, at the time of the call: more than rounding comes to. */

@@ -8,14 +8,22 @@ package starlogo.broadphase
      */
     public final class Extents
     {
-        // the middle
+        /** The middle. */
         public var x:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
         public var y:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        // half the lengths
+        /** Half the length along x. */
         public var halfX:Vector.<Number> = new Vector.<Number>();
+
+        /** Half the length along y. */
         public var halfY:Vector.<Number> = new Vector.<Number>();
+
+        /** Half the length along z. */
         public var halfZ:Vector.<Number> = new Vector.<Number>();
 
         /** The radius of a circle on the ground, about the middle, around what has the extents. */

@@ -321,26 +321,34 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
+                if (agent == null)
+                {
+                    refuseList("agents[" + i + "] is null");
+                }
                 var row:int = i < known ? rows[i] : -1;
-                if (agent != null && (row < 0 || agents[row] !== agent))
+                if (row < 0 || agents[row] !== agent)
                 {
                     row = rowOf(agent);
-                }
-                if (agent == null || row >= 0 && _lists[row] == listNumber)
-                {
-                    freeRows(true);
-                    listNumber++;
-                    throw new ArgumentError(agent == null ? "agents[" + i + "] is null"
-                            : agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
                 if (row < 0)
                 {
                     row = addRow(agent);
                 }
+                else if (_lists[row] == listNumber)
+                {
+                    refuseList(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
+                }
                 _lists[row] = listNumber;
                 rows[i] = row;
             }
             count = list.length;
+        }
+
+        private function refuseList(message:String):void
+        {
+            freeRows(true);
+            listNumber++;
+            throw new ArgumentError(message);
         }
 
         private function addRow(agent:Agent):int
@@ -385,7 +393,8 @@ package starlogo.search
         {
             for (var row:int = 0; row < _rowCount; row++)
             {
-                if (agents[row] != null && (isRefused ? shapes[row] == null : _lists[row] != listNumber))
+                var isToGo:Boolean = isRefused ? shapes[row] == null : _lists[row] != listNumber;
+                if (isToGo && agents[row] != null)
                 {
                     _rowsById.remove(agents[row].number);
                     agents[row] = null;

@@ -7,16 +7,34 @@ package starlogo.search
      */
     public final class SearchCounts
     {
-        // what these count stands in CollisionStatistics
+        /** Agents in the list. */
         public var agents:int;
+
+        /** Agents that take part in no pair that counts. */
         public var agentsSkipped:int;
+
+        /** Agents whose models are loading. */
         public var agentsLoading:int;
+
+        /** Entries of agents in bins. */
         public var binEntries:int;
+
+        /** Pairs whose circles on the ground overlap. */
         public var candidatePairs:int;
+
+        /** Pairs that were tested along their motions. */
         public var sweptPairs:int;
+
+        /** Pairs of which one was tested by its hierarchy at least. */
         public var hierarchyTests:int;
+
+        /** Pairs of nodes that were visited. */
         public var nodeVisits:int;
+
+        /** Pairs of triangles that were tested. */
         public var triangleTests:int;
+
+        /** Pairs that were found. */
         public var collisions:int;
 
         /** Tests of two structures: at four times the kind of the one plus that of the other. */

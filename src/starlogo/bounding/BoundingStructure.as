@@ -136,12 +136,7 @@ package starlogo.bounding
             return out;
         }
 
-        /**
-         * What <code>place</code> does for a subclass.
-         *
-         * @param placement where the model stands
-         * @param out a structure of the same kind
-         */
+        /** What <code>place</code> does for a subclass; out is of the same kind. */
         protected function placeInto(placement:Placement, out:BoundingStructure):void
         {
             throw missing("place");
@@ -276,12 +271,7 @@ package starlogo.bounding
                 && isNear(yx * zx + yy * zy + yz * zz, 0);
         }
 
-        /**
-         * Rotates a vector in place.
-         *
-         * @param vector changed
-         * @param m as readRotation gives it
-         */
+        /** Rotates a vector in place, by a matrix as readRotation gives it. */
         protected static function turn(vector:Vector3D, m:Vector.<Number>):void
         {
             var x:Number = vector.x;

@@ -1,0 +1,110 @@
+package starlogo.intersection
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.timeOfImpact;
+
+    /** The tests of structures that stand still, which are written out for speed, answer as the kernels of the same pairs do. */
+    public class KernelsAgreeTest
+    {
+        private static const PAIRS:int = 1500;
+
+        private var _finder:ContactFinder = new ContactFinder();
+        private var _contact:ContactPoint = new ContactPoint();
+
+        [Test]
+        public function sphereSphere():void
+        {
+            check(BoundingStructure.SPHERE, BoundingStructure.SPHERE);
+        }
+
+        [Test]
+        public function sphereCapsule():void
+        {
+            check(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
+        }
+
+        [Test]
+        public function sphereBox():void
+        {
+            check(BoundingStructure.SPHERE, BoundingStructure.BOX);
+        }
+
+        [Test]
+        public function capsuleCapsule():void
+        {
+            check(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
+        }
+
+        [Test]
+        public function capsuleBox():void
+        {
+            check(BoundingStructure.CAPSULE, BoundingStructure.BOX);
+        }
+
+        [Test]
+        public function boxBox():void
+        {
+            check(BoundingStructure.BOX, BoundingStructure.BOX);
+        }
+
+        private function check(kindA:int, kindB:int):void
+        {
+            var random:SeededRandom = new SeededRandom(500 + 10 * kindA + kindB);
+            var structures:RandomStructures = new RandomStructures(random);
+            var hits:int = 0;
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                var size:Number = random.logBetween(1e-4, 1e4);
+                var a:BoundingStructure = structures.ofKind(kindA, size, 0.9 * size);
+                var b:BoundingStructure = structures.ofKind(kindB, size, 0.9 * size);
+                hits += compare(a, b, "pair " + i) ? 1 : 0;
+                if (kindA != BoundingStructure.BOX && kindB != kindA)
+                {
+                    compareNearTouching(a, b, "pair " + i);
+                }
+            }
+            assertTrue("hits: " + hits, hits > 0.25 * PAIRS && hits < 0.85 * PAIRS);
+        }
+
+        // With the first as wide as it just touches, and a few bits more and less.
+        private function compareNearTouching(a:BoundingStructure, b:BoundingStructure, what:String):void
+        {
+            _finder.find(a, b, 0, 0, 0, _contact);
+            var radius:Number = a is Sphere ? Sphere(a).radius : Capsule(a).radius;
+            var touching:Number = radius - _contact.depth;
+            if (_contact.depth == 0 || !(touching > 0))
+            {
+                return;
+            }
+            for (var bits:int = -8; bits <= 8; bits++)
+            {
+                radius = touching * (1 + bits * 1e-14);
+                if (a is Sphere)
+                {
+                    Sphere(a).radius = radius;
+                }
+                else
+                {
+                    Capsule(a).radius = radius;
+                }
+                compare(a, b, what + ", " + bits);
+            }
+        }
+
+        private static function compare(a:BoundingStructure, b:BoundingStructure, what:String):Boolean
+        {
+            var isHit:Boolean = intersects(a, b);
+            assertEquals(what, timeOfImpact(a, b, RelativeMotion.NONE) == 0, isHit);
+            return isHit;
+        }
+    }
+}

@@ -85,7 +85,7 @@ package starlogo.libraries
         /** Whether there is a hierarchy for a shape. */
         public function has(name:String):Boolean
         {
-            return shapes.of(name).hasHierarchy;
+            return name != null && shapes.of(name).hasHierarchy;
         }
 
         /**

@@ -4,7 +4,11 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test. */
+    /**
+     * What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test.
+     *
+     * @private
+     */
     public class PairKernel
     {
         /** It has no state. */

@@ -46,7 +46,7 @@ package starlogo.intersection
 
         private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
         {
-            return new ArgumentError("there is neither a test nor a contact for " + a + " and " + b);
+            return new ArgumentError("there is no test of motion and no contact for " + a + " and " + b);
         }
     }
 }

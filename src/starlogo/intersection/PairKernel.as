@@ -4,7 +4,11 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
-    /** What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test. */
+    /**
+     * What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test.
+     *
+     * @private
+     */
     public class PairKernel
     {
         /** It has no state. */
@@ -42,7 +46,7 @@ package starlogo.intersection
 
         private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
         {
-            return new ArgumentError("there is neither a test nor a contact for " + a + " and " + b);
+            return new ArgumentError("there is no test of motion and no contact for " + a + " and " + b);
         }
     }
 }

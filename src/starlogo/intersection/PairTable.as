@@ -1,6 +1,10 @@
 package starlogo.intersection
 {
-    /** The table of pairs: which kernel belongs to two kinds. */
+    /**
+     * The table of pairs: which kernel belongs to two kinds.
+     *
+     * @private
+     */
     public final class PairTable
     {
         // Of cylinders.

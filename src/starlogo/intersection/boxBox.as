@@ -11,7 +11,11 @@ package starlogo.intersection
      * <p>Before that, what the smallest sphere around b and the largest inside of it say about box a settles most pairs.
      * Where an edge of one box is parallel to one of the other, the six face axes are enough; where it is nearly so, the
      * edge axes are computed in a way that lets no rounding error separate boxes that meet. Touching counts, to within
-     * Tolerances.TOUCHING. Allocates nothing.</p>
+     * Tolerances.TOUCHING. Allocates nothing. Written out: through the kernel, BoxPair, it takes 3.3 times as long
+     * in Adobe's VM, 2.8 in Ruffle, 5.6 in Node; KernelsAgreeTest has both agree.</p>
+     *
+     * <p>In order: the middles, in a's axes; the spheres around b and inside of it; the faces of a, then of b; the edges, a's axisX with
+     * each of b's first.</p>
      *
      * @param a in the space of b; half-extents may be 0
      * @param b in the space of a; the answer is the same, to the last bit, for (b, a)

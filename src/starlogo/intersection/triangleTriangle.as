@@ -16,6 +16,9 @@ package starlogo.intersection
      * bounded by geometry, not by the tolerance: of triangles of size 1, those that are farther apart than 1e-7 are
      * told apart. Symmetric up to rounding; allocates nothing.</p>
      *
+     * <p>In order: the corners, from a's first; b on one side of a's plane; a on one side of b's; the pieces of the line in both; the edges
+     * that face each other; all axes.</p>
+     *
      * @param a has nine numbers of a triangle: x, y, z of each corner
      * @param atA where in a they begin
      * @param b has nine numbers of the other, in the same space

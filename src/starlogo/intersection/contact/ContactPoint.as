@@ -36,7 +36,7 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Makes it the touch of the same structures in the other order, where not the second is displaced, but the first by as much the
+         * Makes it the contact of the same structures in the other order, where not the second is displaced, but the first by as much the
          * other way.
          *
          * @param x how far that is

@@ -87,23 +87,23 @@ package starlogo.intersection.contact
             var heights:Number = along(_points, x, y, z) + along(other._points, x, y, z);
             if (_end == 3)
             {
-                takeMiddle(_points, 3);
+                setMiddle(_points, 3);
             }
             else if (other._end == 3)
             {
-                takeMiddle(other._points, 3);
+                setMiddle(other._points, 3);
             }
             else if (other._end > 6)
             {
-                takeMiddleWithin(this, other, x, y, z);
+                setMiddleWithin(this, other, x, y, z);
             }
             else if (_end > 6)
             {
-                takeMiddleWithin(other, this, x, y, z);
+                setMiddleWithin(other, this, x, y, z);
             }
             else
             {
-                takeCrossing(_points, other._points);
+                setCrossing(_points, other._points);
             }
             var height:Number = heights / 2 - (x * this.x + y * this.y + z * this.z);
             this.x += height * x;
@@ -116,7 +116,7 @@ package starlogo.intersection.contact
             return points[0] * x + points[1] * y + points[2] * z;
         }
 
-        private function takeMiddle(points:Vector.<Number>, end:int):void
+        private function setMiddle(points:Vector.<Number>, end:int):void
         {
             x = y = z = 0;
             for (var at:int = 0; at < end; at += 3)
@@ -132,13 +132,13 @@ package starlogo.intersection.contact
 
         // Of a segment or polygon that is cut off at the edges of another polygon (Sutherland and Hodgman, "Reentrant polygon
         // clipping", 1974).
-        private function takeMiddleWithin(inner:Polygon, outer:Polygon, x:Number, y:Number, z:Number):void
+        private function setMiddleWithin(inner:Polygon, outer:Polygon, x:Number, y:Number, z:Number):void
         {
             var points:Vector.<Number> = inner._points;
             var kept:Vector.<Number> = inner._clipped;
             var end:int = inner._end;
             var edges:Vector.<Number> = outer._points;
-            outer.takeMiddle(edges, outer._end);
+            outer.setMiddle(edges, outer._end);
             var slack:Number = Tolerances.DIRECTION * (Math.abs(edges[0] - outer.x) + Math.abs(edges[1] - outer.y)
                     + Math.abs(edges[2] - outer.z) + Math.abs(edges[3] - outer.x) + Math.abs(edges[4] - outer.y)
                     + Math.abs(edges[5] - outer.z));
@@ -172,10 +172,10 @@ package starlogo.intersection.contact
             if (end == 0)
             {
                 // they do not touch
-                takeMiddle(edges, outer._end);
+                setMiddle(edges, outer._end);
                 return;
             }
-            takeMiddle(points, end);
+            setMiddle(points, end);
         }
 
         // Keeps what lies beyond a plane; returns the end of it.
@@ -212,7 +212,7 @@ package starlogo.intersection.contact
         }
 
         // Where two segments cross; the middle of what they have in common where they are parallel.
-        private function takeCrossing(a:Vector.<Number>, b:Vector.<Number>):void
+        private function setCrossing(a:Vector.<Number>, b:Vector.<Number>):void
         {
             var ux:Number = a[3] - a[0];
             var uy:Number = a[4] - a[1];

@@ -27,13 +27,13 @@ package starlogo.intersection.sweep
         private var _zy:Number;
         private var _zz:Number;
 
-        // b's way from a, in a's axes and in b's.
-        private var _wayX:Number;
-        private var _wayY:Number;
-        private var _wayZ:Number;
-        private var _wayAlongX:Number;
-        private var _wayAlongY:Number;
-        private var _wayAlongZ:Number;
+        // b's motion from a's, in a's axes and in b's.
+        private var _motionX:Number;
+        private var _motionY:Number;
+        private var _motionZ:Number;
+        private var _motionAlongX:Number;
+        private var _motionAlongY:Number;
+        private var _motionAlongZ:Number;
 
         private var _times:TouchingTimes = new TouchingTimes();
 
@@ -56,15 +56,15 @@ package starlogo.intersection.sweep
             _zz = zz;
         }
 
-        /** Takes b's way from a between times 0 and 1, in a's axes. */
+        /** Sets b's motion from a's between times 0 and 1, in a's axes. */
         public function move(x:Number, y:Number, z:Number):void
         {
-            _wayX = x;
-            _wayY = y;
-            _wayZ = z;
-            _wayAlongX = _xx * x + _yx * y + _zx * z;
-            _wayAlongY = _xy * x + _yy * y + _zy * z;
-            _wayAlongZ = _xz * x + _yz * y + _zz * z;
+            _motionX = x;
+            _motionY = y;
+            _motionZ = z;
+            _motionAlongX = _xx * x + _yx * y + _zx * z;
+            _motionAlongY = _xy * x + _yy * y + _zy * z;
+            _motionAlongZ = _xz * x + _yz * y + _zz * z;
         }
 
         /**
@@ -91,35 +91,35 @@ package starlogo.intersection.sweep
             var xx:Number = _xx < 0 ? -_xx : _xx;
             var xy:Number = _xy < 0 ? -_xy : _xy;
             var xz:Number = _xz < 0 ? -_xz : _xz;
-            if (times.areSeparated(x, _wayX, aX + bX * xx + bY * xy + bZ * xz, gap))
+            if (times.areSeparated(x, _motionX, aX + bX * xx + bY * xy + bZ * xz, gap))
             {
                 return RelativeMotion.NEVER;
             }
             var yx:Number = _yx < 0 ? -_yx : _yx;
             var yy:Number = _yy < 0 ? -_yy : _yy;
             var yz:Number = _yz < 0 ? -_yz : _yz;
-            if (times.areSeparated(y, _wayY, aY + bX * yx + bY * yy + bZ * yz, gap))
+            if (times.areSeparated(y, _motionY, aY + bX * yx + bY * yy + bZ * yz, gap))
             {
                 return RelativeMotion.NEVER;
             }
             var zx:Number = _zx < 0 ? -_zx : _zx;
             var zy:Number = _zy < 0 ? -_zy : _zy;
             var zz:Number = _zz < 0 ? -_zz : _zz;
-            if (times.areSeparated(z, _wayZ, aZ + bX * zx + bY * zy + bZ * zz, gap))
+            if (times.areSeparated(z, _motionZ, aZ + bX * zx + bY * zy + bZ * zz, gap))
             {
                 return RelativeMotion.NEVER;
             }
-            if (times.areSeparated(x * _xx + y * _yx + z * _zx, _wayAlongX,
+            if (times.areSeparated(x * _xx + y * _yx + z * _zx, _motionAlongX,
                         bX + aX * xx + aY * yx + aZ * zx, gap))
             {
                 return RelativeMotion.NEVER;
             }
-            if (times.areSeparated(x * _xy + y * _yy + z * _zy, _wayAlongY,
+            if (times.areSeparated(x * _xy + y * _yy + z * _zy, _motionAlongY,
                         bY + aX * xy + aY * yy + aZ * zy, gap))
             {
                 return RelativeMotion.NEVER;
             }
-            if (times.areSeparated(x * _xz + y * _yz + z * _zz, _wayAlongZ,
+            if (times.areSeparated(x * _xz + y * _yz + z * _zz, _motionAlongZ,
                         bZ + aX * xz + aY * yz + aZ * zz, gap))
             {
                 return RelativeMotion.NEVER;
@@ -158,7 +158,7 @@ package starlogo.intersection.sweep
             var r:Number = rZ * pY - rY * pZ;
             r = r < 0 ? -r : r;
             if (sizeY + sizeZ > SHORTEST
-                    && times.areSeparated(z * pY - y * pZ, _wayZ * pY - _wayY * pZ,
+                    && times.areSeparated(z * pY - y * pZ, _motionZ * pY - _motionY * pZ,
                         aY * sizeZ + aZ * sizeY + q + r, gap * (sizeY + sizeZ)))
             {
                 return true;
@@ -168,7 +168,7 @@ package starlogo.intersection.sweep
             r = rX * pZ - rZ * pX;
             r = r < 0 ? -r : r;
             if (sizeX + sizeZ > SHORTEST
-                    && times.areSeparated(x * pZ - z * pX, _wayX * pZ - _wayZ * pX,
+                    && times.areSeparated(x * pZ - z * pX, _motionX * pZ - _motionZ * pX,
                         aZ * sizeX + aX * sizeZ + q + r, gap * (sizeX + sizeZ)))
             {
                 return true;
@@ -178,7 +178,7 @@ package starlogo.intersection.sweep
             r = rY * pX - rX * pY;
             r = r < 0 ? -r : r;
             return sizeX + sizeY > SHORTEST
-                && times.areSeparated(y * pX - x * pY, _wayY * pX - _wayX * pY,
+                && times.areSeparated(y * pX - x * pY, _motionY * pX - _motionX * pY,
                     aX * sizeY + aY * sizeX + q + r, gap * (sizeX + sizeY));
         }
 

@@ -4,7 +4,7 @@ package starlogo.intersection.sweep
 
     /**
      * How one structure moves while another stands still: along a straight line, from time 0 to time 1, neither turning nor growing.
-     * Where both move, it is the one's way less the other's. Plain fields, because the tests read them.
+     * Where both move, it is the one's motion less the other's. Plain fields, because the tests read them.
      *
      * @private
      */
@@ -36,12 +36,12 @@ package starlogo.intersection.sweep
         /** @copy #x */
         public var z:Number = 0;
 
-        /** A way that leads nowhere. */
+        /** No motion. */
         public function RelativeMotion()
         {
         }
 
-        /** Makes it the way that has brought the structure to where it stands: that is its end. */
+        /** Makes it the motion that has brought the structure to where it stands: that is its end. */
         public function endAfter(x:Number, y:Number, z:Number):void
         {
             this.x = x;
@@ -52,7 +52,7 @@ package starlogo.intersection.sweep
             startZ = -z;
         }
 
-        /** Makes it a part of another way, from one time of that to another; back, if the second is earlier. */
+        /** Makes it a part of another motion, from one time of that to another; back, if the second is earlier. */
         public function takePart(of:RelativeMotion, from:Number, to:Number):void
         {
             startX = of.startX + from * of.x;
@@ -63,25 +63,25 @@ package starlogo.intersection.sweep
             z = (to - from) * of.z;
         }
 
-        /** Makes it the way of the other structure, while this one stands still. */
-        public function turn(way:RelativeMotion):void
+        /** Makes it the motion of the other structure, while this one stands still. */
+        public function turn(motion:RelativeMotion):void
         {
-            x = -way.x;
-            y = -way.y;
-            z = -way.z;
-            startX = -way.startX;
-            startY = -way.startY;
-            startZ = -way.startZ;
+            x = -motion.x;
+            y = -motion.y;
+            z = -motion.z;
+            startX = -motion.startX;
+            startY = -motion.startY;
+            startZ = -motion.startZ;
         }
 
-        /** The way of the other structure, while this one stands still; the next call overwrites it. */
-        public static function turned(way:RelativeMotion):RelativeMotion
+        /** The motion of the other structure, while this one stands still; the next call overwrites it. */
+        public static function turned(motion:RelativeMotion):RelativeMotion
         {
-            TURNED.turn(way);
+            TURNED.turn(motion);
             return TURNED;
         }
 
-        /** How far apart structures may be on this way, beyond what standing ones may, and still touch: what its own rounding makes of it. */
+        /** How far apart structures may be on this motion, beyond what standing ones may, and still touch: what its own rounding makes of it. */
         public function rounding():Number
         {
             return Tolerances.ROUNDING * (Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));

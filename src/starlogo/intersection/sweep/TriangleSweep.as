@@ -36,21 +36,21 @@ package starlogo.intersection.sweep
          * @param atA where in a they begin
          * @param b has nine numbers of the other, where it is at time 0, in the same space
          * @param atB where in b they begin
-         * @param wayX the way of b between times 0 and 1
-         * @param wayY likewise
-         * @param wayZ likewise
+         * @param motionX how b moves between times 0 and 1
+         * @param motionY likewise
+         * @param motionZ likewise
          * @param gap what still counts as touching, a distance
          * @param latest the latest time that is of interest
          * @return from 0 to the latest time, or RelativeMotion.NEVER
          */
-        public function touch(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, wayX:Number, wayY:Number, wayZ:Number,
+        public function touch(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, motionX:Number, motionY:Number, motionZ:Number,
                 gap:Number, latest:Number):Number
         {
             comparesSegments = true;
             _times.begin(latest);
-            _motion.x = wayX;
-            _motion.y = wayY;
-            _motion.z = wayZ;
+            _motion.x = motionX;
+            _motion.y = motionY;
+            _motion.z = motionZ;
             relate(a, atA, b, atB, gap);
             return areSeparated() ? RelativeMotion.NEVER : _times.first;
         }
@@ -62,12 +62,12 @@ package starlogo.intersection.sweep
          * @param atA as in touch
          * @param b as in touch
          * @param atB as in touch
-         * @param wayX how far b is displaced
-         * @param wayY likewise
-         * @param wayZ likewise
+         * @param motionX how far b is displaced
+         * @param motionY likewise
+         * @param motionZ likewise
          * @param out takes it, the normal pointing from b to a
          */
-        public function findContact(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, wayX:Number, wayY:Number, wayZ:Number,
+        public function findContact(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, motionX:Number, motionY:Number, motionZ:Number,
                 out:ContactPoint):void
         {
             comparesSegments = false;
@@ -75,15 +75,15 @@ package starlogo.intersection.sweep
             _x = _y = 0;
             _z = 1;
             relate(a, atA, b, atB, 0);
-            px += wayX;
-            py += wayY;
-            pz += wayZ;
-            qx += wayX;
-            qy += wayY;
-            qz += wayZ;
-            rx += wayX;
-            ry += wayY;
-            rz += wayZ;
+            px += motionX;
+            py += motionY;
+            pz += motionZ;
+            qx += motionX;
+            qy += motionY;
+            qz += motionZ;
+            rx += motionX;
+            ry += motionY;
+            rz += motionZ;
             areSeparated();
             out.normalX = _x;
             out.normalY = _y;

@@ -4,17 +4,17 @@ package starlogo.intersection.sweep
     import starlogo.bounding.Box;
 
     /**
-     * When a box touches another on its way: separating axes over time, see BoxSweep.
+     * When a box touches another that it moves past: separating axes over time, see BoxSweep.
      *
      * @param a moves; half-extents may be 0
      * @param b in the space of a; likewise
-     * @param way of a
+     * @param motion of a
      * @param faceAxesOnly leaves out the axes of the edges, as boxBox does
      * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function boxBoxImpact(a:Box, b:Box, way:RelativeMotion, faceAxesOnly:Boolean = false):Number
+    public function boxBoxImpact(a:Box, b:Box, motion:RelativeMotion, faceAxesOnly:Boolean = false):Number
     {
         var axisX:Vector3D = a.axisX;
         var aXx:Number = axisX.x;
@@ -35,20 +35,20 @@ package starlogo.intersection.sweep
         sweep.turn(aXx * x.x + aXy * x.y + aXz * x.z, aXx * y.x + aXy * y.y + aXz * y.z, aXx * z.x + aXy * z.y + aXz * z.z,
                 aYx * x.x + aYy * x.y + aYz * x.z, aYx * y.x + aYy * y.y + aYz * y.z, aYx * z.x + aYy * z.y + aYz * z.z,
                 aZx * x.x + aZy * x.y + aZz * x.z, aZx * y.x + aZy * y.y + aZz * y.z, aZx * z.x + aZy * z.y + aZz * z.z);
-        var wayX:Number = way.x;
-        var wayY:Number = way.y;
-        var wayZ:Number = way.z;
-        sweep.move(-(aXx * wayX + aXy * wayY + aXz * wayZ), -(aYx * wayX + aYy * wayY + aYz * wayZ),
-                -(aZx * wayX + aZy * wayY + aZz * wayZ));
+        var motionX:Number = motion.x;
+        var motionY:Number = motion.y;
+        var motionZ:Number = motion.z;
+        sweep.move(-(aXx * motionX + aXy * motionY + aXz * motionZ), -(aYx * motionX + aYy * motionY + aYz * motionZ),
+                -(aZx * motionX + aZy * motionY + aZz * motionZ));
         var centerA:Vector3D = a.center;
         var centerB:Vector3D = b.center;
-        var fromX:Number = centerB.x - centerA.x - way.startX;
-        var fromY:Number = centerB.y - centerA.y - way.startY;
-        var fromZ:Number = centerB.z - centerA.z - way.startZ;
+        var fromX:Number = centerB.x - centerA.x - motion.startX;
+        var fromY:Number = centerB.y - centerA.y - motion.startY;
+        var fromZ:Number = centerB.z - centerA.z - motion.startZ;
         var tX:Number = aXx * fromX + aXy * fromY + aXz * fromZ;
         var tY:Number = aYx * fromX + aYy * fromY + aYz * fromZ;
         var tZ:Number = aZx * fromX + aZy * fromY + aZz * fromZ;
-        var gap:Number = way.rounding();
+        var gap:Number = motion.rounding();
         var time:Number = sweep.facesMeet(tX, tY, tZ, a.halfX, a.halfY, a.halfZ, b.halfX, b.halfY, b.halfZ, gap, 1);
         if (time == RelativeMotion.NEVER || faceAxesOnly)
         {

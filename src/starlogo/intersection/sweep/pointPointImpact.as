@@ -6,38 +6,38 @@ package starlogo.intersection.sweep
      * @param x from the other to where the point is at time 0
      * @param y likewise
      * @param z likewise
-     * @param wayX from there to where it is at time 1
-     * @param wayY likewise
-     * @param wayZ likewise
+     * @param motionX from there to where it is at time 1
+     * @param motionY likewise
+     * @param motionZ likewise
      * @param reach the distance
      * @return from 0 to 1, or RelativeMotion.NEVER
      *
      * @private
      */
-    public function pointPointImpact(x:Number, y:Number, z:Number, wayX:Number, wayY:Number, wayZ:Number, reach:Number):Number
+    public function pointPointImpact(x:Number, y:Number, z:Number, motionX:Number, motionY:Number, motionZ:Number, reach:Number):Number
     {
         reach *= reach;
         if (x * x + y * y + z * z <= reach)
         {
             return 0;
         }
-        var closing:Number = -(x * wayX + y * wayY + z * wayZ);
+        var closing:Number = -(x * motionX + y * motionY + z * motionZ);
         if (!(closing > 0))
         {
             return RelativeMotion.NEVER;
         }
         // from the point of the line that is nearest, as far back as half the chord
-        var waySquared:Number = wayX * wayX + wayY * wayY + wayZ * wayZ;
-        var nearest:Number = closing / waySquared;
-        x += nearest * wayX;
-        y += nearest * wayY;
-        z += nearest * wayZ;
+        var motionSquared:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
+        var nearest:Number = closing / motionSquared;
+        x += nearest * motionX;
+        y += nearest * motionY;
+        z += nearest * motionZ;
         var half:Number = reach - (x * x + y * y + z * z);
         if (half < 0)
         {
             return RelativeMotion.NEVER;
         }
-        var time:Number = nearest - Math.sqrt(half / waySquared);
+        var time:Number = nearest - Math.sqrt(half / motionSquared);
         if (time > 1)
         {
             return RelativeMotion.NEVER;

@@ -4,11 +4,11 @@ package starlogo.intersection.sweep
     import starlogo.intersection.PairTable;
 
     /**
-     * When a structure that moves touches one that stands still for the first time: the first moment of the way, both its ends
-     * included, at which <code>intersects()</code> would say that they meet, but for rounding. The test of a pair is the function of
-     * that name in this package. Allocates nothing.
+     * When a structure that moves touches one that stands still for the first time: the first moment of the motion, both its ends
+     * included, at which <code>intersects()</code> would say that they meet, but for rounding. PairTable has the kernel
+     * of each pair. Allocates nothing.
      *
-     * <p>Between convex structures the distance along a straight way is a convex function of time. Boxes meet while no axis
+     * <p>Between convex structures the distance along a straight line is a convex function of time. Boxes meet while no axis
      * separates them; spheres and capsules meet when the distance of their cores has come down to the sum of the radii, which is found
      * by Newton's method: from the left it never steps over the first zero of a convex function (van den Bergen, "Ray casting against
      * general convex objects with application to continuous collision detection", 2004).</p>

@@ -16,6 +16,10 @@ package starlogo.hierarchy
      * is mostly separated by the next boxes (van den Bergen, "Efficient collision detection of complex deformable models
      * using AABB trees", 1997).</p>
      *
+     * <p>Worth it: a StructureTraversal of the same trees takes more than twice as long in V8, 2.9 times in Ruffle, and several times in
+     * Adobe's VM (TraversalBenchmark). A further copy, for models that are turned about z alone, spared a sixth of a pair in Adobe's VM,
+     * of some pairs in V8, and nothing in Ruffle: not worth it.</p>
+     *
      * @private
      */
     public final class BoxTraversal extends NodePairTraversal

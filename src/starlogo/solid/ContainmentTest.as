@@ -23,6 +23,7 @@ package starlogo.solid
     {
         private var _pose:RelativePose;
         private var _middle:Vector3D = new Vector3D();
+        private var _point:Vector3D = new Vector3D();
 
         /**
          * @param pose where the second model is in the space of the first, whenever two are asked about
@@ -91,12 +92,13 @@ package starlogo.solid
             var px:Number = middle.x * relative.size;
             var py:Number = middle.y * relative.size;
             var pz:Number = middle.z * relative.size;
-            var x:Number = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
-            var y:Number = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
-            var z:Number = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
+            var point:Vector3D = _point;
+            point.x = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
+            point.y = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
+            point.z = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
             radius *= relative.size;
-            return Math.abs(x - root.x) <= root.halfX - radius && Math.abs(y - root.y) <= root.halfY - radius
-                && Math.abs(z - root.z) <= root.halfZ - radius && outer.solid.isInside(x, y, z);
+            return Math.abs(point.x - root.x) <= root.halfX - radius && Math.abs(point.y - root.y) <= root.halfY - radius
+                && Math.abs(point.z - root.z) <= root.halfZ - radius && outer.solid.isInside(point);
         }
 
         // Whether a part of one model is inside of the other: of the second in the first, or of the first in the second. The numbers take a point
@@ -158,9 +160,15 @@ package starlogo.solid
                     }
                     at += 3;
                 }
-                if (at == end && outer.isInside(x + root.x, y + root.y, z + root.z))
+                if (at == end)
                 {
-                    return true;
+                    _point.x = x + root.x;
+                    _point.y = y + root.y;
+                    _point.z = z + root.z;
+                    if (outer.isInside(_point))
+                    {
+                        return true;
+                    }
                 }
             }
             return false;

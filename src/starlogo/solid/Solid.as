@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
@@ -82,8 +83,11 @@ package starlogo.solid
          * distance; should every ray that is tried come close to one, the solid angles of all triangles added up. False
          * where the surface is not closed.
          */
-        public function isInside(x:Number, y:Number, z:Number):Boolean
+        public function isInside(point:Vector3D):Boolean
         {
+            var x:Number = point.x;
+            var y:Number = point.y;
+            var z:Number = point.z;
             var isOutOfReach:Boolean = Math.abs(x - _root.x) > _root.halfX || Math.abs(y - _root.y) > _root.halfY
                 || Math.abs(z - _root.z) > _root.halfZ;
             if (isOutOfReach || !isClosed)

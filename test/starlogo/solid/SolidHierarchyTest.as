@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.engine;
@@ -70,9 +71,9 @@ package starlogo.solid
                 triangles[i + 1] = first;
             }
             var hierarchy:SolidHierarchy = hierarchyOf(cube.vertices, triangles);
-            assertTrue(hierarchy.solid.isInside(0.1, 0.2, 0.3));
-            assertTrue(hierarchy.solid.isInside(0, 0, 0.5));
-            assertTrue(!hierarchy.solid.isInside(0.51, 0, 0.5));
+            assertTrue(hierarchy.solid.isInside(new Vector3D(0.1, 0.2, 0.3)));
+            assertTrue(hierarchy.solid.isInside(new Vector3D(0, 0, 0.5)));
+            assertTrue(!hierarchy.solid.isInside(new Vector3D(0.51, 0, 0.5)));
         }
 
         [Test]
@@ -80,8 +81,8 @@ package starlogo.solid
         {
             var model:Model = SolidModels.hollow();
             var hierarchy:SolidHierarchy = hierarchyOf(model.vertices, model.triangles);
-            assertTrue("in the wall", hierarchy.solid.isInside(0.4, 0, 0.5));
-            assertTrue("in the hollow", !hierarchy.solid.isInside(0, 0, 0.5));
+            assertTrue("in the wall", hierarchy.solid.isInside(new Vector3D(0.4, 0, 0.5)));
+            assertTrue("in the hollow", !hierarchy.solid.isInside(new Vector3D(0, 0, 0.5)));
         }
 
         [Test]
@@ -102,7 +103,7 @@ package starlogo.solid
                 var z:Number = random.between(-0.2, 1.2);
                 var expected:Boolean = SolidAngles.windingAround(model, x, y, z) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(expected, hierarchy.solid.isInside(x, y, z));
+                assertEquals(expected, hierarchy.solid.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 50 && inside < 250);
         }
@@ -177,7 +178,7 @@ package starlogo.solid
                 var z:Number = model.vertices[a + 2] + t * (model.vertices[b + 2] - model.vertices[a + 2]) - back * Solid.RAYS[2];
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals(model.name + ", point " + i, expected, hierarchy.solid.isInside(x, y, z));
+                assertEquals(model.name + ", point " + i, expected, hierarchy.solid.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 10 && inside < 190);
         }
@@ -210,7 +211,7 @@ package starlogo.solid
                 var z:Number = model.vertices[near + 2] + spread * random.normal();
                 var expected:Boolean = Math.abs(SolidAngles.windingAround(model, x, y, z)) > 0.5;
                 inside += expected ? 1 : 0;
-                assertEquals("point " + i, expected, hierarchy.solid.isInside(x, y, z));
+                assertEquals("point " + i, expected, hierarchy.solid.isInside(new Vector3D(x, y, z)));
             }
             assertTrue("inside: " + inside, inside > 20 && inside < 130);
         }

@@ -24,7 +24,7 @@ package benchmark
 
         private static const COUNTS:Array = [1, 10, 100];
         private static const SYSTEMS:Array = [BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider];
-        private static const ROUNDS:int = 25;
+        private static const ROUNDS:int = 9;
         private static const FRAMES:int = 20;
 
         private var _greatLand:GreatLand = new GreatLand();

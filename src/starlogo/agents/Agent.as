@@ -66,7 +66,7 @@ package starlogo.agents
         engine var placement:Placement = new Placement();
 
         /** @private What <code>id</code> says, without a call. */
-        engine var serial:int;
+        engine var number:int;
 
         /** @private Counts the changes of where and how the agent is in the world. */
         engine var revision:int = 0;
@@ -108,7 +108,7 @@ package starlogo.agents
         {
             requireName("shape", shape);
             requireName("breed", breed);
-            serial = ++sCreated;
+            number = ++sCreated;
             _shape = shape;
             _breed = breed;
         }
@@ -116,7 +116,7 @@ package starlogo.agents
         /** A number that no other agent of this run has; the first is 1. */
         public function get id():int
         {
-            return serial;
+            return number;
         }
 
         /** The name of the agent's model. */
@@ -410,7 +410,7 @@ package starlogo.agents
             {
                 return "a new agent";
             }
-            return "agent " + serial + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
+            return "agent " + number + " (breed \"" + _breed + "\", shape \"" + _shape + "\")";
         }
 
         /** @private The agent's place in the world with its rotation up to date. */

@@ -8,38 +8,32 @@ package starlogo.broadphase
 
         private static const SLACK:Number = 1 / (1 << 18);
 
-        /** Extents that fit the level have this number. */
-        public var number:int;
+        // Extents that fit the level have this number.
+        internal var number:int;
 
-        /** A power of two, in patches: as wide as the level's widest members, and less than twice as wide as any. */
-        public var width:Number;
+        // A power of two, in patches: as wide as the widest members, and less than twice as wide as any. Cells are a little wider, so that two
+        // members that touch are in cells side by side, or in one.
+        internal var width:Number;
+        internal var cellsPerPatch:Number;
 
-        /** Cells in a patch. They are a little wider than the members, so that two that touch are in cells side by side, or in one. */
-        public var perCell:Number;
+        // Half the larger side of a member's ground rectangle is at most this large, and larger than this, unless it is too far out for a finer
+        // level.
+        internal var largestHalf:Number;
+        internal var tooSmallHalf:Number;
 
-        /** Its members are at most this large: half the larger side of their ground rectangles. */
-        public var largestHalf:Number;
+        // How far out the level reaches: the square of the distance from the world's origin.
+        internal var reachSquared:Number;
 
-        /** Its members are larger than this, unless they are too far out for a finer level. */
-        public var tooSmallHalf:Number;
+        // How far apart two extents may be, in patches, and still be a pair: more than rounding comes to anywhere in reach.
+        internal var slack:Number;
 
-        /** How far out the level reaches: the square of the distance from the world's origin. */
-        public var reachSquared:Number;
+        // How many members there are in this search, and the number of the first cell's counter.
+        internal var count:int;
+        internal var base:int;
 
-        /** How far apart two extents may be, in patches, and still be a pair: more than rounding comes to anywhere in reach. */
-        public var slack:Number;
-
-        /** How many members it has in this search. */
-        public var count:int;
-
-        /** The number of its first cell's counter. */
-        public var base:int;
-
-        /** The cell at a column and row has the number row times stride plus column, of which these bits count. */
-        public var mask:int;
-
-        /** @copy #mask */
-        public var stride:int;
+        // The cell at a column and row has the number row times stride plus column, of which the bits of the mask count.
+        internal var mask:int;
+        internal var stride:int;
 
         /**
          * @param number another one than any other level's
@@ -49,7 +43,7 @@ package starlogo.broadphase
         {
             this.number = number;
             this.width = width;
-            perCell = 1 / (width + 4 * width * SLACK);
+            cellsPerPatch = 1 / (width + 4 * width * SLACK);
             largestHalf = width / 2;
             tooSmallHalf = width / 4;
             reachSquared = width * width * REACH * REACH;

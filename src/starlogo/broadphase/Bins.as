@@ -4,7 +4,7 @@ package starlogo.broadphase
      * The bins of the ground plane: finds the pairs of rows of a table whose circles on the ground overlap (thesis §3.7).
      *
      * <p>A member is in one cell, that of its middle, and cells are as wide as their members: so two that overlap are in one cell or
-     * in two side by side. The members are put into the order of their cells by counting, with copies of what the search reads: who
+     * in two side by side. The members are put into the order of their cells by counting, with copies of what the search reads: what
      * is near on the ground is near in memory. Of each cell, the members meet those after them in it and in its right neighbour,
      * which are one run, and those in the three cells of the next row, which are another: each pair comes from one cell.</p>
      *
@@ -98,21 +98,18 @@ package starlogo.broadphase
             if (level == null || half > level.largestHalf || half <= level.tooSmallHalf)
             {
                 level = levelFor(Math.max(2 * half, MIN_WIDTH));
-                extents.level[row] = level.number;
             }
             var middleX:Number = extents.x[row];
             var middleY:Number = extents.y[row];
             var middleZ:Number = extents.z[row];
             var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            var isFar:Boolean = distanceSquared >= level.reachSquared;
-            if (isFar)
+            var isFar:Boolean = false;
+            while (distanceSquared >= level.reachSquared)
             {
-                while (distanceSquared >= level.reachSquared)
-                {
-                    level = levelFor(2 * level.width);
-                }
-                extents.level[row] = level.number;
+                level = levelFor(2 * level.width);
+                isFar = true;
             }
+            extents.level[row] = level.number;
             return isFar;
         }
 
@@ -139,7 +136,11 @@ package starlogo.broadphase
             var counters:int = layOut(extents, rows, count);
             countCells(extents, rows, count);
             var places:int = sumUp(counters);
-            makePlaces(places);
+            if (places > rowAt.length)
+            {
+                memberAt.length = rowAt.length = places;
+                x.length = y.length = z.length = radius.length = places;
+            }
             sortByCells(count);
             gather(extents, rows, places);
             for (var i:int = 0; i < _byWidth.length; i++)
@@ -230,7 +231,7 @@ package starlogo.broadphase
             var cells:Vector.<int> = _cells;
             var counts:Vector.<int> = _counts;
             var number:int = 0;
-            var perCell:Number = 0;
+            var cellsPerPatch:Number = 0;
             var mask:int = 0;
             var stride:int = 0;
             var base:int = 0;
@@ -242,22 +243,22 @@ package starlogo.broadphase
                 {
                     number = numbers[row];
                     var level:BinLevel = _levels[number];
-                    perCell = level.perCell;
+                    cellsPerPatch = level.cellsPerPatch;
                     mask = level.mask;
                     stride = level.stride;
                     base = level.base;
                 }
-                var position:Number = xs[row] * perCell + BIAS;
+                var position:Number = xs[row] * cellsPerPatch + BIAS;
                 var column:int = position;
                 // odd columns end a bin: how far in from the border of one the middle is, and whether the rectangle reaches as far
                 var odd:int = column & 1;
                 position -= column;
-                var crossed:int = halfXs[row] * perCell - position + odd * (2 * position - 1) + 1;
-                position = ys[row] * perCell + BIAS;
+                var crossed:int = halfXs[row] * cellsPerPatch - position + odd * (2 * position - 1) + 1;
+                position = ys[row] * cellsPerPatch + BIAS;
                 var line:int = position;
                 odd = line & 1;
                 position -= line;
-                var crossedLines:int = halfYs[row] * perCell - position + odd * (2 * position - 1) + 1;
+                var crossedLines:int = halfYs[row] * cellsPerPatch - position + odd * (2 * position - 1) + 1;
                 entries += (1 + crossed) * (1 + crossedLines);
                 var cell:int = ((line & mask) * stride + column) & mask;
                 if (cell < COPIED)
@@ -286,15 +287,6 @@ package starlogo.broadphase
                 sum += members;
             }
             return sum;
-        }
-
-        private function makePlaces(count:int):void
-        {
-            if (count > rowAt.length)
-            {
-                memberAt.length = rowAt.length = count;
-                x.length = y.length = z.length = radius.length = count;
-            }
         }
 
         private function sortByCells(count:int):void
@@ -333,7 +325,7 @@ package starlogo.broadphase
             }
         }
 
-        // Reads what is far apart in memory and writes it side by side: the other way round takes longer.
+        // Reads what is far apart in memory and writes it side by side: the reverse takes longer.
         private function gather(extents:Extents, rows:Vector.<int>, places:int):void
         {
             var fromX:Vector.<Number> = extents.x;
@@ -371,10 +363,11 @@ package starlogo.broadphase
             var base:int = level.base;
             var mask:int = level.mask;
             var toNextLine:int = level.stride - 1 - base;
+            var last:int = ends[base + mask + 1];
             var pairs:int = 0;
             slack = margin;
             var end:int = ends[base];
-            for (var cell:int = base; cell <= base + mask; cell++)
+            for (var cell:int = base; end < last; cell++)
             {
                 var place:int = end;
                 end = ends[cell + 1];
@@ -437,7 +430,7 @@ package starlogo.broadphase
             var ends:Vector.<int> = _ends;
             var candidates:Vector.<int> = _candidates;
             var margin:Number = coarser.slack;
-            var perCell:Number = coarser.perCell;
+            var cellsPerPatch:Number = coarser.cellsPerPatch;
             var mask:int = coarser.mask;
             var stride:int = coarser.stride;
             var base:int = coarser.base;
@@ -450,10 +443,10 @@ package starlogo.broadphase
                 var middleY:Number = ys[place];
                 var ownReach:Number = radii[place] + margin;
                 var wide:Number = level.largestHalf + coarser.largestHalf + margin;
-                var column:int = (middleX - wide) * perCell + BIAS;
-                var columns:int = int((middleX + wide) * perCell + BIAS) - column + 1;
-                var line:int = (middleY - wide) * perCell + BIAS;
-                var lastLine:int = (middleY + wide) * perCell + BIAS;
+                var column:int = (middleX - wide) * cellsPerPatch + BIAS;
+                var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
+                var line:int = (middleY - wide) * cellsPerPatch + BIAS;
+                var lastLine:int = (middleY + wide) * cellsPerPatch + BIAS;
                 var found:int = 0;
                 for (; line <= lastLine; line++)
                 {

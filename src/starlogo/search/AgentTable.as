@@ -24,76 +24,50 @@ package starlogo.search
      */
     public final class AgentTable
     {
-        /** In place of a breed's number, of a row that is new. */
-        public static const UNKNOWN_BREED:int = -2;
+        // In place of a breed's number, of a row that is new.
+        internal static const UNKNOWN_BREED:int = -2;
 
         // In place of a revision: of an agent that has no motion, less than any jump's; and of what is to be found anew.
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
 
-        /** The rows of the agents, in the order of the list; so many at the beginning as <code>count</code> says. */
-        public var rows:Vector.<int> = new Vector.<int>();
+        // The rows of the agents, in the order of the list; how many they are, none after a list that was refused, and how many of them have
+        // a model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
+        internal var rows:Vector.<int> = new Vector.<int>();
+        internal var count:int = 0;
+        internal var loadingCount:int = 0;
+        internal var listNumber:int = 0;
 
-        /** How many agents are listed; none after a list that was refused. */
-        public var count:int = 0;
+        // By row: the agent, or null; what stands for its model, null while that is loading; the number of its breed, see BreedNumbers; its own
+        // limit to the levels that are visited of its hierarchy, or 0; its extents in the world.
+        internal var agents:Vector.<Agent> = new Vector.<Agent>();
+        internal var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        internal var breeds:Vector.<int> = new Vector.<int>();
+        internal var depths:Vector.<int> = new Vector.<int>();
+        internal var extents:Extents = new Extents();
 
-        /** How many of them have a model that is loading. */
-        public var loadingCount:int = 0;
+        // By row: where the agent is, and of which of its revisions that is; the same of the search before: what a search that fails has read.
+        internal var x:Vector.<Number> = new Vector.<Number>();
+        internal var y:Vector.<Number> = new Vector.<Number>();
+        internal var z:Vector.<Number> = new Vector.<Number>();
+        internal var revisions:Vector.<int> = new Vector.<int>();
+        internal var lastX:Vector.<Number> = new Vector.<Number>();
+        internal var lastY:Vector.<Number> = new Vector.<Number>();
+        internal var lastZ:Vector.<Number> = new Vector.<Number>();
+        private var _lastRevisions:Vector.<int> = new Vector.<int>();
 
-        /** Counts the changes of the list: while it stays, the rows are of the same agents. */
-        public var listNumber:int = 0;
-
-        /** By row: the agent, or null. */
-        public var agents:Vector.<Agent> = new Vector.<Agent>();
-
-        /** By row: what stands for its model; null while that is loading. */
-        public var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
-
-        /** By row: the extents in the world. */
-        public var extents:Extents = new Extents();
-
-        /** By row: where the agent is. */
-        public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
-        public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
-        public var z:Vector.<Number> = new Vector.<Number>();
-
-        /** By row: where the agent was in the search before; what a search that fails has read already. */
-        public var lastX:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #lastX */
-        public var lastY:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #lastX */
-        public var lastZ:Vector.<Number> = new Vector.<Number>();
-
-        /** By row: the agent's revision that the place is of. */
-        public var revisions:Vector.<int> = new Vector.<int>();
-
-        /** By row: the revision that its structure was placed for; see place. */
-        public var placedRevisions:Vector.<int> = new Vector.<int>();
-
-        /** By row: its structure in the world if that is a box which decides alone, else null: spares the costliest frequent test its casts. */
-        public var boxes:Vector.<Box> = new Vector.<Box>();
-
-        /** By row: what is tried before the structure, in the world, or null; up to date when structureOf was asked. */
-        public var outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
-
-        /** By row: the number of its breed, see BreedNumbers. */
-        public var breeds:Vector.<int> = new Vector.<int>();
-
-        /** By row: the agent's own limit to the levels that are visited of its hierarchy, or 0. */
-        public var depths:Vector.<int> = new Vector.<int>();
+        // By row: its structure in the world, for which revision it was placed, and what is tried before it, or null. Of these the boxes that
+        // decide alone once more, else null: spares the costliest frequent test its casts.
+        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+        internal var placedRevisions:Vector.<int> = new Vector.<int>();
+        internal var outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
+        internal var boxes:Vector.<Box> = new Vector.<Box>();
 
         private var _strategy:ShapeStrategy;
         private var _shapes:ModelShapes;
         private var _bins:Bins;
 
-        // By row: the agent's revision in the search before; those that its extents and its shape are of.
-        private var _lastRevisions:Vector.<int> = new Vector.<int>();
+        // By row: the agent's revisions that its extents and its shape are of.
         private var _extentsRevisions:Vector.<int> = new Vector.<int>();
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
@@ -105,9 +79,6 @@ package starlogo.search
         private var _pitches:Vector.<Number> = new Vector.<Number>();
         private var _rolls:Vector.<Number> = new Vector.<Number>();
         private var _sizes:Vector.<Number> = new Vector.<Number>();
-
-        // By row: the structure in the world.
-        private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
 
         // By row: the number of the last list that had the agent.
         private var _lists:Vector.<int> = new Vector.<int>();
@@ -171,7 +142,7 @@ package starlogo.search
         /** The row of an agent that is listed, or -1. */
         public function rowOf(agent:Agent):int
         {
-            return _rowsById.valueOf(agent.serial);
+            return _rowsById.valueOf(agent.number);
         }
 
         /** Has two rows, 0 and 1: of the two agents of a question, where they are now. */
@@ -350,26 +321,34 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
+                if (agent == null)
+                {
+                    refuseList("agents[" + i + "] is null");
+                }
                 var row:int = i < known ? rows[i] : -1;
-                if (agent != null && (row < 0 || agents[row] !== agent))
+                if (row < 0 || agents[row] !== agent)
                 {
                     row = rowOf(agent);
-                }
-                if (agent == null || row >= 0 && _lists[row] == listNumber)
-                {
-                    freeRows(true);
-                    listNumber++;
-                    throw new ArgumentError(agent == null ? "agents[" + i + "] is null"
-                            : agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
                 }
                 if (row < 0)
                 {
                     row = addRow(agent);
                 }
+                else if (_lists[row] == listNumber)
+                {
+                    refuseList(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
+                }
                 _lists[row] = listNumber;
                 rows[i] = row;
             }
             count = list.length;
+        }
+
+        private function refuseList(message:String):void
+        {
+            freeRows(true);
+            listNumber++;
+            throw new ArgumentError(message);
         }
 
         private function addRow(agent:Agent):int
@@ -388,7 +367,7 @@ package starlogo.search
             agents[row] = agent;
             breeds[row] = UNKNOWN_BREED;
             _extentsRevisions[row] = STALE;
-            _rowsById.set (agent.serial, row);
+            _rowsById.set (agent.number, row);
             return row;
         }
 
@@ -414,9 +393,10 @@ package starlogo.search
         {
             for (var row:int = 0; row < _rowCount; row++)
             {
-                if (agents[row] != null && (isRefused ? shapes[row] == null : _lists[row] != listNumber))
+                var isToGo:Boolean = isRefused ? shapes[row] == null : _lists[row] != listNumber;
+                if (isToGo && agents[row] != null)
                 {
-                    _rowsById.remove(agents[row].serial);
+                    _rowsById.remove(agents[row].number);
                     agents[row] = null;
                     shapes[row] = null;
                     _freeRows[_freeCount] = row;

@@ -38,14 +38,8 @@ package starlogo.search
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            if (shape.kind == ModelShape.HIERARCHY)
-            {
-                _hierarchy.bind(shape, agent);
-            }
-            else
-            {
-                _tightestFit.bind(shape, agent);
-            }
+            var strategy:ShapeStrategy = shape.kind == ModelShape.HIERARCHY ? _hierarchy : _tightestFit;
+            strategy.bind(shape, agent);
         }
 
         /** @inheritDoc */
@@ -72,16 +66,12 @@ package starlogo.search
                 }
             }
             var kept:int = _tightestFit.keepTouching(table, bins, place, others, plain);
-            if (plain < count)
+            var keptOfThem:int = _hierarchy.keepTouching(table, bins, place, _hierarchical, count - plain);
+            for (i = 0; i < keptOfThem; i++)
             {
-                var keptOfThem:int = _hierarchy.keepTouching(table, bins, place, _hierarchical, count - plain);
-                for (i = 0; i < keptOfThem; i++)
-                {
-                    others[kept] = _hierarchical[i];
-                    kept++;
-                }
+                others[kept + i] = _hierarchical[i];
             }
-            return kept;
+            return kept + keptOfThem;
         }
 
         /** @inheritDoc */

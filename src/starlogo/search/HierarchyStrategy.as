@@ -145,7 +145,7 @@ package starlogo.search
             {
                 return !isHierarchy;
             }
-            return table.agents[a].serial > table.agents[b].serial;
+            return table.agents[a].number > table.agents[b].number;
         }
 
         private function depthOf(table:AgentTable, row:int):int

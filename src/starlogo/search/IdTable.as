@@ -90,7 +90,7 @@ package starlogo.search
             _count = 0;
         }
 
-        // Where an id is, or the free place where it belongs. Ids that follow one another do not get into one another's way.
+        // Where an id is, or the free place where it belongs. Ids that follow one another have places of their own.
         private function placeOf(id:int):int
         {
             var ids:Vector.<int> = _ids;

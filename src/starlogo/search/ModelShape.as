@@ -10,35 +10,27 @@ package starlogo.search
      */
     public final class ModelShape
     {
-        /** In place of a kind of structure: the hierarchy. */
-        public static const HIERARCHY:int = 3;
+        // In place of a kind of structure: the hierarchy.
+        internal static const HIERARCHY:int = 3;
 
-        /** The model's name. */
-        public var model:String;
+        // What was asked for: of this model, a kind of BoundingStructure, Agent.ANY_KIND or HIERARCHY.
+        internal var model:String;
+        internal var kind:int;
 
-        /** What was asked for: a kind of BoundingStructure, Agent.ANY_KIND or HIERARCHY. */
-        public var kind:int;
+        // The revision of what the GreatLand knows of the model, and whether there is another since.
+        internal var revision:int;
+        internal var isVoid:Boolean = false;
 
-        /** The revision of what the GreatLand knows of the model. */
-        public var revision:int;
+        // What stands for the model, or the structure around its hierarchy; null for a unit sphere.
+        internal var structure:BoundingStructure = null;
+        internal var hierarchy:Hierarchy = null;
 
-        /** Whether the model was replaced or removed since. */
-        public var isVoid:Boolean = false;
+        // Whether it is a sphere and nothing else; whether it is the structure, which is to be had in the world.
+        internal var isSphere:Boolean = false;
+        internal var decides:Boolean = false;
 
-        /** Whether a sphere stands for the model, and nothing else. */
-        public var isSphere:Boolean = false;
-
-        /** Whether the structure stands for the model, and is to be had in the world. */
-        public var decides:Boolean = false;
-
-        /** What stands for the model, or the structure around its hierarchy; null for a unit sphere. */
-        public var structure:BoundingStructure = null;
-
-        /** The hierarchy, where one is used. */
-        public var hierarchy:Hierarchy = null;
-
-        /** What is tried before the structure, a little wider; or null. */
-        public var outer:OuterStructures = null;
+        // What is tried before the structure, a little wider; or null.
+        internal var outer:OuterStructures = null;
 
         /** What is asked for of a model; the strategy finds the rest. */
         public function ModelShape(model:String, kind:int, revision:int)

@@ -20,20 +20,12 @@ package starlogo.search
      */
     internal final class Motions
     {
-        /** By row: the motion, 0 where there is none. */
-        public var x:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
-        public var y:Vector.<Number> = new Vector.<Number>();
-
-        /** @copy #x */
-        public var z:Vector.<Number> = new Vector.<Number>();
-
-        /** By row: whether the agent sweeps, and has a motion. */
-        public var isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
-
-        /** By row: the extents of the motion, its ends included. */
-        public var extents:Extents = new Extents();
+        // By row: the motion, 0 where there is none; whether the agent sweeps, and has a motion; the extents of the motion, its ends included.
+        internal var x:Vector.<Number> = new Vector.<Number>();
+        internal var y:Vector.<Number> = new Vector.<Number>();
+        internal var z:Vector.<Number> = new Vector.<Number>();
+        internal var isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
+        internal var extents:Extents = new Extents();
 
         private var _strategy:ShapeStrategy;
 

@@ -15,11 +15,8 @@ package starlogo.search
      */
     public final class OuterStructures
     {
-        /** The sphere. */
-        public var sphere:Sphere = new Sphere(new Vector3D(), 0);
-
-        /** The capsule. */
-        public var capsule:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
+        internal var sphere:Sphere = new Sphere(new Vector3D(), 0);
+        internal var capsule:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
 
         /** Points at the origin. */
         public function OuterStructures()

@@ -1,7 +1,7 @@
 package starlogo.search
 {
     /**
-     * What a search did: see CollisionStatistics, which has the same numbers for clients.
+     * What a search did: see CollisionStatistics, which says the same to clients.
      *
      * @private
      */
@@ -45,11 +45,10 @@ package starlogo.search
         {
         }
 
-        /** Sets every number to 0. */
+        /** Sets the numbers to 0 that are counted up; the others are set at the end of a search. */
         public function reset():void
         {
-            agents = agentsSkipped = agentsLoading = binEntries = candidatePairs = sweptPairs = 0;
-            hierarchyTests = nodeVisits = triangleTests = collisions = 0;
+            sweptPairs = hierarchyTests = nodeVisits = triangleTests = 0;
             for (var i:int = 0; i < 16; i++)
             {
                 tests[i] = 0;

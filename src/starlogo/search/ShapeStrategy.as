@@ -47,9 +47,8 @@ package starlogo.search
         }
 
         /**
-         * Finds the extents of what stands for a model.
+         * Finds the extents of what stands for an agent that is turned and scaled, wherever it is.
          *
-         * @param agent has the model, and is turned and scaled; where it is does not count
          * @param out takes x, y, z of the middle, as seen from the agent's place, and half the lengths along x, y, z
          */
         public function findExtents(shape:ModelShape, agent:Agent, out:Vector.<Number>):void
@@ -58,13 +57,11 @@ package starlogo.search
         }
 
         /**
-         * Of those that a member of the bins may touch, moves the ones that it does touch to the beginning.
+         * Of those that a member of the bins may touch, moves the ones that it does touch to the beginning: the pairs whose extents overlap and
+         * that areTouching says so of.
          *
-         * @param table what stands for their rows
-         * @param bins where they are
          * @param place the member's
-         * @param others the places of those that it may touch: their circles on the ground overlap its own
-         * @param count how many they are
+         * @param others so many at the beginning are the places of those whose circles on the ground overlap its own
          * @return how many it touches
          */
         public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
@@ -95,9 +92,7 @@ package starlogo.search
          * When two rows, not both spheres, touch for the first time as one moves: the first moment at which <code>areTouching()</code> would
          * say so.
          *
-         * @param a a row, where it is now
-         * @param b another
-         * @param motion of the first, relative to the second
+         * @param motion of the first, which ends where it is now, relative to the second
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
@@ -108,8 +103,6 @@ package starlogo.search
         /**
          * How two rows touch.
          *
-         * @param a as in impactTime
-         * @param b as in impactTime
          * @param motion as in impactTime
          * @param time when they do first
          * @param out takes it, the normal pointing from b to a, with b where it is now

@@ -210,7 +210,7 @@ package starlogo.agents
         [Test]
         public function jumpingToWhereItIsCounts():void
         {
-            // no way leads there, so that a motion ends
+            // no motion leads there, so that the one before ends
             var agent:Agent = new Agent("bear");
             agent.moveTo(1, 2, 3);
             var revision:int = agent.revision;

@@ -41,7 +41,7 @@ package starlogo.broadphase
         }
 
         [Test]
-        public function cellsThatShareANumberMixNobodyUp():void
+        public function cellsThatShareANumberMixNothingUp():void
         {
             // wider than the numbers reach, so that cells far from each other have the same ones
             var random:SeededRandom = new SeededRandom(504);
@@ -80,7 +80,7 @@ package starlogo.broadphase
         }
 
         [Test]
-        public function whoIsFarOutGetsWiderCells():void
+        public function whatIsFarOutGetsWiderCells():void
         {
             add(0, 0, 0.5, 0.5);
             assertFalse(_bins.fit(_extents, 0));

@@ -8,7 +8,7 @@ package starlogo.search
     import starlogo.models.BuiltInModel;
     import support.assertThrows;
 
-    /** A table has those that are listed, and nobody else: neither whoever has left, nor whom a list has brought that was refused. */
+    /** A table has the agents that are listed, and no others: neither those that have left, nor those of a list that was refused. */
     public class AgentTableTest
     {
         private var _land:GreatLand;
@@ -44,7 +44,7 @@ package starlogo.search
         }
 
         [Test]
-        public function letsGoOfThoseThatLeave():void
+        public function freesTheRowsOfThoseThatLeave():void
         {
             var gone:Vector.<Agent> = _agents.splice(5, 10);
             _table.read(_agents);
@@ -70,7 +70,7 @@ package starlogo.search
         }
 
         [Test]
-        public function hasNobodyOfAListThatIsRefused():void
+        public function hasNoneOfAListThatIsRefused():void
         {
             for (var i:int = 0; i < 50; i++)
             {
@@ -99,7 +99,7 @@ package starlogo.search
             assertEquals("null,null,null,null", asked.agents[0] + "," + asked.agents[1] + "," + asked.shapes[0] + "," + asked.shapes[1]);
         }
 
-        // Whoever has a row is listed, and the other way round.
+        // An agent has a row if it is listed, and only then.
         private function assertHasOnly(listed:Vector.<Agent>):void
         {
             var count:int = 0;

@@ -5,6 +5,8 @@ package starlogo.intersection.contact
     /**
      * A corner, an edge or a face in a plane where something else touches it: one point, two, or a convex polygon. Of two that touch
      * it finds a point that both have.
+     *
+     * @private
      */
     public final class Polygon
     {

@@ -2,12 +2,14 @@
 import {
 	Agent,
 	ArgumentError,
+	AxialStructure,
 	AxisAlignedBoxFitter,
 	BinCollider,
 	BlockError,
 	BoundingStructure,
 	BoundingStructuresLibrary,
 	Box,
+	BoxAxisFitter,
 	boxBox,
 	BreedInterests,
 	BuiltInModel,
@@ -81,6 +83,7 @@ import {
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
+	TurnedBoxFitter,
 	Vector3D,
 	Wireframes,
 	ZAlignedBoxFitter,
@@ -171,11 +174,12 @@ function passThrough(greatLand: GreatLand): void {
 
 /** Fits every kind of structure. */
 export function fitAll(vertices: Float64Array): number[] {
-	const boxFitter = new OrientedBoxFitter(30);
+	const boxFitter: TurnedBoxFitter = new OrientedBoxFitter(30);
+	const alongIt: BoxAxisFitter = new CylinderFitter(boxFitter);
 	const fitters: Fitter[] = [
 		new NaiveSphereFitter(), new RitterSphereFitter(), new CentredRitterSphereFitter(), new MinimalSphereFitter(),
 		new AxisAlignedBoxFitter(), new ZAlignedBoxFitter(10), boxFitter, new MinimalBoxFitter(),
-		new CapsuleFitter(boxFitter), new MinimalCapsuleFitter(), new CylinderFitter(boxFitter),
+		new CapsuleFitter(boxFitter), new MinimalCapsuleFitter(), alongIt,
 	];
 	const library = new BoundingStructuresLibrary();
 	library.add("cloud", vertices);
@@ -200,9 +204,9 @@ export function testPairs(): boolean[] {
 	const matrix = new Matrix3D();
 	matrix.appendRotation(45, Vector3D.Z_AXIS);
 	moved.rotate(matrix);
-	const cylinder = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
+	const cylinder: AxialStructure = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
 	log.push(`${Wireframes.ofStructure(box).length / 6} lines`);
-	log.push(`${cylinder.volume}, ${Tolerances.TOUCHING}, ${new Placement().size}`);
+	log.push(`${cylinder.volume} about ${cylinder.radius}, ${Tolerances.TOUCHING}, ${new Placement().size}`);
 	return [
 		sphereSphere(sphere, sphere), sphereCapsule(sphere, capsule), sphereBox(sphere, box), capsuleCapsule(capsule, capsule),
 		capsuleBox(capsule, box), boxBox(box, box), intersects(sphere, moved),

@@ -50,13 +50,13 @@ package starlogo.agents
         /** @private Whether any agent has ever swept: while none has, colliders need not look for those that do. */
         engine static var haveSwept:Boolean = false;
 
-        /** @private Counts the changes of breeds, of all agents: while it stays, what was found for breeds is right. */
+        /** @private Counts the changes of the breeds of all agents: while it is the same, what was computed from breeds is up to date. */
         engine static var breedChanges:int = 0;
 
         /** @private The number of the last change of this agent's breed; 0 before the first. */
         engine var breedChange:int = 0;
 
-        /** @private In place of a kind of structure: the tightest. */
+        /** @private In place of a kind of structure: the tightest, of whatever kind. */
         engine static const ANY_KIND:int = -1;
 
         private static var sCreated:int = 0;
@@ -68,25 +68,25 @@ package starlogo.agents
          */
         engine var placement:Placement = new Placement();
 
-        /** @private What <code>id</code> says, without a call. */
+        /** @private The value of <code>id</code>, without a call. */
         engine var number:int;
 
         /** @private Counts the changes of where and how the agent is in the world. */
         engine var revision:int = 0;
 
-        /** @private Counts the changes of what stands for the agent: of its shape, and of how it collides. */
+        /** @private Counts the changes of the agent's shape and of how it collides. */
         engine var shapeRevision:int = 0;
 
-        /** @private What <code>traversalDepth</code> says, without a call. */
+        /** @private The value of <code>traversalDepth</code>, without a call. */
         engine var depthLimit:int = 0;
 
-        /** @private The revision of the last jump: no motion led there. */
+        /** @private The revision that the last jump made: there is no motion to it. */
         engine var jumpRevision:int = -1;
 
-        /** @private What <code>sweeps</code> says, without a call. */
+        /** @private The value of <code>sweeps</code>, without a call. */
         engine var isSweeping:Boolean = false;
 
-        /** @private The kind of structure that stands for the agent, ANY_KIND for the tightest. */
+        /** @private The kind of structure that represents the agent, ANY_KIND for the tightest. */
         engine var structureKind:int = ANY_KIND;
 
         /** The agent's colour, as the client counts colours. Collisions do not depend on it. */
@@ -288,10 +288,10 @@ package starlogo.agents
         }
 
         /**
-         * Which structure around its model stands for the agent where one does, in the TightestFitCollider and, while it is not
-         * hierarchical, in the CombinationCollider: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3). May change between
-         * frames. One that was not kept when the model was added (loadAllBoundingStructures) is found when a collider first needs
-         * it, which takes as long as adding the model does.
+         * Which structure around its model represents the agent in the TightestFitCollider and, while it is not hierarchical, in the
+         * CombinationCollider: TIGHTEST, or the smallest SPHERE, BOX or CAPSULE (thesis §7.3). May change between frames. One that was not kept
+         * when the model was added (loadAllBoundingStructures) is found when a collider first needs it, which takes as long as adding the model
+         * does.
          *
          * @throws ArgumentError if set to anything else
          */
@@ -326,9 +326,9 @@ package starlogo.agents
          * that it flies through nothing, however fast it is.
          *
          * <p>The motion is the straight line from where the collider saw the agent in its last frame to where it is, both ends included. The
-         * other agent's own motion counts, whether that sweeps or not: the two are looked at as they move. What turns or grows is looked at
-         * as it is now. An agent has no motion in the first frame that a collider sees it in, after a change of its shape, after
-         * <code>jumpTo()</code>, after a frame whose list did not have it, and while its model was loading: in that frame it is where it is.</p>
+         * other agent's own motion counts, whether that sweeps or not: the two are looked at as they move. Turns and size count as they are now. An
+         * agent has no motion in the first frame that a collider sees it in, after a change of its shape, after <code>jumpTo()</code>, after a
+         * frame whose list did not have it, and while its model was loading: in that frame it is tested only where it is.</p>
          */
         public function get sweeps():Boolean
         {
@@ -359,7 +359,7 @@ package starlogo.agents
         }
 
         /**
-         * Moves the agent: one call instead of three. To where it is already is no move.
+         * Moves the agent, in one call instead of three. Nothing changes if it is there already.
          *
          * @param x patches, at most LARGEST_COORDINATE either way
          * @param y patches, likewise
@@ -387,7 +387,7 @@ package starlogo.agents
         }
 
         /**
-         * What takes the agent's model to the world, computed when it has changed. It is the agent's own matrix, which
+         * The transform from the model's space to the world, computed when it has changed. It is the agent's own matrix, which
          * the next change overwrites: clone it to keep it.
          */
         public function get transform():Matrix3D

@@ -3,7 +3,8 @@ package starlogo.broadphase
     /** The cells of one width: squares of the ground, numbered by a hash of their column and row. */
     internal final class BinLevel
     {
-        // How far out a level reaches, in widths. There a position is rounded by 2^-29 of a width, and shapes touch across 2^-20 of one.
+        // How far from the origin a level reaches, in widths. There a position is rounded by 2^-29 of a width, and shapes touch across 2^-20 of
+        // one.
         private static const REACH:Number = 1 << 24;
 
         private static const SLACK:Number = 1 / (1 << 18);
@@ -36,7 +37,7 @@ package starlogo.broadphase
         internal var stride:int;
 
         /**
-         * @param number another one than any other level's
+         * @param number different from that of any other level
          * @param width a power of two
          */
         public function BinLevel(number:int, width:Number)

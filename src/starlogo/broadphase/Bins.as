@@ -13,7 +13,7 @@ package starlogo.broadphase
      * hash, whose size goes with the number of members and not with that of the world. Cells far from each other may share a
      * number, which only costs time; cells that one pair can reach never do.</p>
      *
-     * <p>Bins know nothing of what their user does with the pairs, and keep nothing from search to search but room. A search takes time
+     * <p>Bins do not depend on what becomes of the pairs, and keep nothing from search to search but allocated memory. A search takes time
      * in proportion to the members and the pairs that overlap, memory in proportion to the members, and allocates nothing once it has
      * run.</p>
      *
@@ -23,13 +23,13 @@ package starlogo.broadphase
      */
     public final class Bins
     {
-        /** The first cells of a level stand once more behind its last, so that neighbours are one run there too. */
+        /** The first cells of a level are repeated after its last, so that neighbours are one run there too. */
         internal static const COPIED:int = 2;
 
         // Makes the number of any cell positive, where cutting off the decimals is the floor: even, and beyond a level's reach.
         private static const BIAS:Number = 1 << 26;
 
-        // A point at the origin asks for no width at all.
+        // A point at the origin would ask for no width at all.
         private static const MIN_WIDTH:Number = 1e-300;
 
         /** By place: the number of the member, which is its index in the list of rows that was searched. */
@@ -62,7 +62,7 @@ package starlogo.broadphase
          */
         public var entryCount:int = 0;
 
-        // By number: extents remember their level's. And from the coarsest to the finest.
+        // The levels by their numbers, by which extents refer to them; and from the coarsest to the finest.
         private var _levels:Vector.<BinLevel> = new <BinLevel>[null];
         private var _byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
 
@@ -73,7 +73,7 @@ package starlogo.broadphase
         private var _counts:Vector.<int> = new Vector.<int>();
         private var _ends:Vector.<int> = new Vector.<int>();
 
-        // The places of those that the member at hand may meet.
+        // The places of the candidates of the member at hand.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
         /** No bins yet. */
@@ -82,9 +82,9 @@ package starlogo.broadphase
         }
 
         /**
-         * Finds the level that a row's extents and their distance from the world's origin ask for.
+         * Finds the level for a row's extents and their distance from the world's origin.
          *
-         * @return whether it is the distance that asks for it
+         * @return whether the level is coarser because of the distance
          */
         public function fit(extents:Extents, row:int):Boolean
         {
@@ -114,8 +114,8 @@ package starlogo.broadphase
         }
 
         /**
-         * The square of the distance up to which all levels reach: rows that are farther out are to be fitted anew. Those without members
-         * count: rows that take no part have levels too, and a search of motions has others.
+         * The square of the distance up to which all levels reach: rows that are farther out have to be fitted again. Levels without members count:
+         * rows that are not searched have levels too, and a search of motions uses others.
          */
         public function get reachSquared():Number
         {
@@ -126,7 +126,7 @@ package starlogo.broadphase
          * Finds the pairs whose circles on the ground overlap, or nearly so, and hands each to the sink once.
          *
          * @param extents fitted since they have changed
-         * @param rows of the members: those of the extents that take part
+         * @param rows the rows of the members
          * @param count how many of the rows, from the beginning
          * @param sink takes the pairs
          */
@@ -349,8 +349,8 @@ package starlogo.broadphase
             }
         }
 
-        // The pairs of members of one level. All is in locals, comparisons are one an if, and nothing is called but the sink: this and
-        // the next are the inner loops of every frame.
+        // The pairs of members of one level. All numbers are in locals, each if compares once, and nothing is called but the sink: this and the
+        // next function are the inner loops of every frame.
         private function collideLevel(level:BinLevel, sink:PairSink):void
         {
             var xs:Vector.<Number> = x;

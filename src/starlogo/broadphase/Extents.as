@@ -1,8 +1,8 @@
 package starlogo.broadphase
 {
     /**
-     * Columns of axis-aligned extents: where the middle of each row's is, and half its lengths, in patches; and the bins that they ask
-     * for, which Bins.fit finds.
+     * Columns of axis-aligned extents: where the middle of each row's is, and half its lengths, in patches; and the level of bins that fits them,
+     * which Bins.fit finds.
      *
      * @private
      */

@@ -3,7 +3,7 @@ package starlogo.broadphase
     import flash.errors.IllegalOperationError;
 
     /**
-     * What Bins hand the pairs to that they find. A class rather than an interface because calls through an interface cost
+     * Receives the pairs that Bins find. A class rather than an interface because calls through an interface cost
      * half as much again.
      *
      * @private
@@ -20,7 +20,7 @@ package starlogo.broadphase
          * would cost as much as its test.
          *
          * @param place the member's place in the bins, see Bins.memberAt
-         * @param others so many at the beginning are the places of those that it may meet; no pair comes twice, in either order
+         * @param others the first of them are the places of the candidates; no pair comes twice, in either order
          * @param count how many
          */
         public function onCandidates(place:int, others:Vector.<int>, count:int):void

@@ -9,7 +9,7 @@ package starlogo.collision
     /** The pairs of breeds whose collisions are of interest; the order within a pair does not matter. */
     public final class BreedInterests
     {
-        /** In place of a breed's name: any breed. An agent's breed that is called so is a breed like any other. */
+        /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = BreedPairs.ANY_BREED;
 
         /**
@@ -41,7 +41,7 @@ package starlogo.collision
             breedPairs.add(breed, otherBreed);
         }
 
-        /** A breed's number, from 0 on; -1 for one that takes part in no pair. */
+        /** A breed's number, from 0 on; -1 for a breed that is in no pair. */
         public function indexOf(breed:String):int
         {
             return breedPairs.numberOf(breed);

@@ -19,9 +19,9 @@ package starlogo.collision
      * proportion to the agents and to the pairs that overlap on the ground plane, and memory in proportion to the agents; after the first it
      * allocates nothing. An agent's shape is placed anew only when the agent has changed. Any number of colliders may share agents.</p>
      *
-     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of impact. The order
-     * depends only on the agents that take part, their order in the list, their positions and extents. Of a pair, the agent that is first in
-     * the list comes first.</p>
+     * <p>Pairs come cell by cell of the ground, the coarser cells first; where an agent sweeps, by the times of impact. The order depends only on
+     * the agents whose breeds count, their order in the list, their positions and extents. Of a pair, the agent that is first in the list comes
+     * first.</p>
      *
      * <p>An agent whose model a ModelLoader is still loading collides with nothing, and is counted in the statistics. Models
      * may be replaced and removed at any time.</p>
@@ -92,7 +92,7 @@ package starlogo.collision
             find(agents, breeds, null, out);
         }
 
-        // Puts the pairs into the one that is not null.
+        // Puts the pairs into that one of the two outputs that is not null.
         private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs):Vector.<Agent>
         {
             if (agents == null)

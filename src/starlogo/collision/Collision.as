@@ -15,9 +15,8 @@ package starlogo.collision
      * client's block "on collision with" does (thesis §3.7, §6.1).
      *
      * <p>A frame's pairs are all known before the first handler runs. A handler may do anything to the game. What it
-     * moves or adds counts from the next frame on; an agent that it takes out of the list takes part in no further call
-     * of this one. When a handler throws, the others are called all the same; update then throws the first error, and
-     * <code>handlerErrors</code> has them all.</p>
+     * moves or adds counts from the next frame on; for an agent that it takes out of the list no further handler of this frame is called. When a
+     * handler throws, the others are called all the same; update then throws the first error, and <code>handlerErrors</code> has them all.</p>
      *
      * <p>When an agent sweeps (<code>Agent.sweeps</code>), the pairs come in the order of the times at which their motions make them touch:
      * a handler that takes a paintball out of the list at its first touch stops it there.</p>
@@ -78,8 +77,8 @@ package starlogo.collision
         }
 
         /**
-         * What handlers have thrown in the last frame, in order; the next frame empties it. What is no Error is put into one, as its
-         * message.
+         * What handlers have thrown in the last frame, in order; the next frame empties it. A thrown value that is no Error becomes the message of
+         * one.
          */
         public function get handlerErrors():Vector.<Error>
         {
@@ -124,8 +123,8 @@ package starlogo.collision
          * has been taken out of the list, the collision system does not find it any more, or one has changed its breed: it is
          * called for the breeds that they had when it began.
          *
-         * <p>Ends come before all other calls of a frame, in the order in which the touches began. Each comes once for each
-         * direction whose start came; one of the two, or both, may be in no list any more.</p>
+         * <p>Ends come before all other calls of a frame, in the order in which the touches began. An end is called for each direction for which
+         * the start was; one of the two agents, or both, may have left the list.</p>
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision
@@ -138,8 +137,8 @@ package starlogo.collision
         }
 
         /**
-         * Takes away a handler of onCollision, onCollisionStart or onCollisionEnd; one that was added several times once. It is not called
-         * again, in this frame either if a handler takes it away.
+         * Takes away a handler of onCollision, onCollisionStart or onCollisionEnd. Of one that was added several times, one addition is undone. It
+         * is not called again, in this frame either if a handler takes it away.
          *
          * @param breed as in onCollision
          * @param otherBreed as in onCollision

@@ -28,7 +28,7 @@ package starlogo.collision
         /** Pairs of agents whose circles on the ground overlap. */
         public var candidatePairs:int;
 
-        /** Pairs of which one agent sweeps, and that came near each other: each was tested along its motion. */
+        /** Pairs in which an agent sweeps, and which came near each other: each was tested along its motion. */
         public var sweptPairs:int;
 
         /** Sphere-sphere tests. */

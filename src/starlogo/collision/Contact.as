@@ -10,22 +10,23 @@ package starlogo.collision
      * How two agents touch: when in their motions, where, and how deep. A handler that takes a third argument gets one; the next call
      * overwrites it, so keep the numbers, or clone the vectors.
      *
-     * <p>Of spheres, capsules and boxes it is exact. Of a hierarchy it is that of the first two nodes that touch, leaves or at the depth
-     * limit, or, where triangles decide, of the first two triangles; of a model that is inside of another without touching it, that of the
-     * structures around both. Where the collision system is no ContactSystem, it is half way between the agents, with a depth of 0.</p>
+     * <p>For spheres, capsules and boxes it is exact. For hierarchies it is the contact of the first two nodes that touch, which are leaves or at
+     * the depth limit, or, where triangles decide, of the first two triangles; for a model that is inside of another without touching it, the
+     * contact of the structures around both. Where the collision system is no ContactSystem, it is half way between the agents, with a depth of
+     * 0.</p>
      */
     public final class Contact
     {
         /**
-         * When they first touched in their motions since the last frame: from 0, at the beginning, to 1, at the end. 1 too where neither
-         * sweeps, or has moved.
+         * When they first touched in their motions since the last frame: from 0, at the beginning, to 1, at the end. Also 1 where neither sweeps,
+         * or neither has moved.
          */
         public var time:Number = 1;
 
         /** A point where they touch, in the world, in the middle of the overlap. */
         public var point:Vector3D = new Vector3D();
 
-        /** The direction in which the collider gets free: from the collidee to the collider, a unit vector. */
+        /** The direction in which the collider has to move to get free: from the collidee to the collider, a unit vector. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
         /**
@@ -40,8 +41,8 @@ package starlogo.collision
         }
 
         /**
-         * Becomes that of two agents in a collision system: a ContactSystem's own, of another half way between the agents, along the line
-         * from one to the other.
+         * Sets this to the contact of two agents: the collision system's own, or, if it is no ContactSystem, half way between the agents along the
+         * line from one to the other.
          *
          * @private
          */

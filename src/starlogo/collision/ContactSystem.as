@@ -6,13 +6,12 @@ package starlogo.collision
     public interface ContactSystem extends SelectiveCollisionSystem
     {
         /**
-         * How two agents touch: as they were in the last search, whatever has changed since. Two that were not both in it: as they are
-         * now.
+         * How two agents touch: as they were in the last search, whatever has changed since; or, if not both were in it, as they are now.
          *
          * @param collider the normal points to it
          * @param collidee another agent
          * @param out takes the contact; made if null
-         * @return out, or the new one. Of two that do not touch: where they are nearest, or overlap the least, with a depth of 0
+         * @return out, or the new one. For two that do not touch: where they are nearest, or overlap the least, with a depth of 0
          * @throws ArgumentError if one is null, both are one, or a model is unknown or still loading
          */
         function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact;

@@ -6,17 +6,17 @@ package starlogo.collision
 
     use namespace engine;
 
-    /** The contacts of a frame's pairs, of those whose handlers ask for them. */
+    /** The contacts of those pairs of a frame whose handlers take them. */
     internal final class FrameContacts implements ContactSource
     {
         /** The collision system that has found the pairs. */
         public var system:CollisionSystem = null;
 
-        // By the pairs' numbers. Longer than the frame's, perhaps.
+        // By the numbers of the pairs; there may be more entries than the frame has pairs.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
         private var _areKnown:Vector.<Boolean> = new Vector.<Boolean>();
 
-        // What handlers get.
+        // The contact that handlers get.
         private var _given:Contact = new Contact();
 
         /** No contacts yet. */
@@ -25,7 +25,7 @@ package starlogo.collision
         }
 
         /** @inheritDoc */
-        public function begin(pairCount:int):void
+        public function beginFrame(pairCount:int):void
         {
             if (_areKnown.length < pairCount)
             {

@@ -10,11 +10,11 @@ package starlogo.collision
         private var _hierarchy:HierarchyStrategy;
 
         /**
-         * For these two only.
+         * For HierarchicalCollider and CombinationCollider only.
          *
          * @param greatLand has the models of the agents
          * @param strategy says what shapes they have
-         * @param hierarchy what of it tests hierarchies
+         * @param hierarchy the part of the strategy that tests hierarchies
          * @throws ArgumentError if greatLand is null
          */
         public function PreciseCollider(greatLand:GreatLand, strategy:ShapeStrategy, hierarchy:HierarchyStrategy)

@@ -11,7 +11,7 @@ package starlogo.collision
         private var _strategy:TightestFitStrategy;
 
         /**
-         * For the engine's colliders only: exact tests, after those of spheres around structures.
+         * For the engine's colliders only. At first there are exact tests, after those of the spheres around the structures.
          *
          * @param strategy makes the tests
          */

@@ -4,15 +4,15 @@ package starlogo.handlers
     import starlogo.search.IdTable;
 
     /**
-     * Tells whether an agent still is in the list that handlers change. Of agents that are not in their places it finds those of a list that
-     * kept its order by bisection, others by a search of the whole list; when these searches have cost as much as a look at every agent, it
-     * looks where each of them is now.
+     * Tells whether an agent still is in the list that handlers change. An agent that is not in its place is looked for by bisection, which finds
+     * it if the list has kept its order, and else in the whole list; when these searches have cost as much as a look at every agent, the places of
+     * all are read again.
      *
      * @private
      */
     public final class AgentList
     {
-        // What a bisection and a search of the whole list count for, in agents looked at.
+        // The costs of a bisection and of a search of the whole list, as numbers of agents that are looked at.
         private static const BISECTION:int = 8;
         private static const SEARCH:int = 512;
 
@@ -20,7 +20,7 @@ package starlogo.handlers
         private var _isKnown:Boolean = false;
         private var _cost:int;
 
-        // By their ids, where the agents were at the last look; none of those that were seen to be gone.
+        // By the agents' ids: their places when these were last read; agents that have been found missing are taken out.
         private var _places:IdTable = new IdTable();
 
         /** No list yet. */
@@ -28,8 +28,8 @@ package starlogo.handlers
         {
         }
 
-        /** Begins a frame's questions about a list, which is looked at with the first. */
-        public function begin(agents:Vector.<Agent>):void
+        /** Sets the list of a frame; its places are read when the first question is asked. */
+        public function setAgents(agents:Vector.<Agent>):void
         {
             _agents = agents;
             _isKnown = false;
@@ -41,7 +41,7 @@ package starlogo.handlers
             _agents = null;
         }
 
-        /** Where an agent was at the last look; -1 if it is gone. */
+        /** The place of an agent when the places were last read; -1 if it has been found missing. */
         public function placeOf(agent:Agent):int
         {
             if (!_isKnown)
@@ -53,7 +53,7 @@ package starlogo.handlers
             return _places.valueOf(agent.id);
         }
 
-        /** Whether an agent is in the list, and was in it whenever it was asked for since the frame's first question. */
+        /** Whether an agent is in the list, and was at every question about it in this frame. */
         public function contains(agent:Agent):Boolean
         {
             var place:int = placeOf(agent);
@@ -82,7 +82,7 @@ package starlogo.handlers
             return true;
         }
 
-        // Notes where every agent is now, but for those that came after the first look.
+        // Reads the places of all agents, except those that were added after the first reading.
         private function look():void
         {
             _cost = 0;

@@ -33,7 +33,7 @@ package starlogo.handlers
         /** Whether it takes a contact. */
         public var takesContact:Boolean;
 
-        /** Whether it was taken away, perhaps by another handler: then it is not called any more. */
+        /** Whether it was removed, perhaps by another handler: then it is not called any more. */
         public var isRemoved:Boolean = false;
 
         /** A handler of a pair of breeds. */

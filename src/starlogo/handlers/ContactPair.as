@@ -24,7 +24,7 @@ package starlogo.handlers
         /** The tracker's frame in which the contact began. */
         public var beganIn:int;
 
-        /** The tracker's last frame with the contact. */
+        /** The last of the tracker's frames in which the two touched. */
         public var seenIn:int;
 
         /** Whether the calls have reached the handlers of the second agent too, not only those of the first. */

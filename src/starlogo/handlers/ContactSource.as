@@ -9,17 +9,17 @@ package starlogo.handlers
      */
     public interface ContactSource
     {
-        /** Begins a frame of so many pairs, numbered from 0, whose contacts are not known. */
-        function begin(pairCount:int):void;
+        /** Begins a frame: there are so many pairs, numbered from 0, and none of their contacts is known. */
+        function beginFrame(pairCount:int):void;
 
         /** Finds the contact of a pair, before the first handler runs: it may move the agents of other pairs. */
         function find(pair:int, first:Agent, second:Agent):void;
 
         /**
-         * The contact of a pair, in an object that the next call overwrites; found now, if it was not.
+         * The contact of a pair, in an object that the next call overwrites; computed now, if it has not been.
          *
          * @param pair its number
-         * @param first the collider, for which contacts are found
+         * @param first the agent of the pair that is first in the list
          * @param second the collidee
          * @param isBack whether it is to be that of the second as the collider
          */

@@ -13,19 +13,19 @@ package starlogo.handlers
     {
         private static const LEAST_LENGTH:int = 16;
 
-        /** The number of the frame; its caller counts on. */
+        /** The number of the frame, which the caller advances. */
         public var frame:int = 0;
 
         /** How many pairs touch. */
         public var count:int = 0;
 
-        /** The pairs that this frame did not see any more, in the order in which they began. */
+        /** The pairs that touched before this frame and do not any more, in the order in which their contacts began. */
         public var ended:Vector.<ContactPair> = new Vector.<ContactPair>();
 
-        /** How many of these there are, at its beginning. */
+        /** How many entries of <code>ended</code> count, from its beginning. */
         public var endedCount:int = 0;
 
-        // Those that touch, and behind them others to be used again.
+        // Those that touch, and after them others to be used again.
         private var _pairs:Vector.<ContactPair> = new Vector.<ContactPair>();
         private var _table:Vector.<ContactPair> = new Vector.<ContactPair>(LEAST_LENGTH);
 
@@ -35,9 +35,9 @@ package starlogo.handlers
         }
 
         /**
-         * Has the contact of two agents go on.
+         * Continues the contact of two agents.
          *
-         * @return null if there is none: one of other breeds, or that has not begun both ways, has ended
+         * @return null if there is none. A contact of other breeds, or one that has not begun in both directions, counts as ended
          */
         public function goOn(a:Agent, b:Agent):ContactPair
         {
@@ -78,7 +78,7 @@ package starlogo.handlers
             return pair;
         }
 
-        /** Moves the pairs that this frame has not seen into <code>ended</code>. */
+        /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
         public function separateEnded():void
         {
             var kept:int = 0;

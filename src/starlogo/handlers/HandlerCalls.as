@@ -10,13 +10,13 @@ package starlogo.handlers
     /**
      * Calls the handlers of a frame: those of contacts that have ended, then those of the pairs. When one throws, it goes on with the next.
      *
-     * <p>Which call is next is in fields, which are one ahead while a handler runs: after one that throws it is the next one's turn.</p>
+     * <p>The next call is in fields, which are one call ahead while a handler runs: after a handler that throws the next one is called.</p>
      *
      * @private
      */
     public final class HandlerCalls
     {
-        // In place of a breed's number: that of no pair.
+        // In place of a breed's number, when no pair is at hand.
         private static const NO_PAIRS:int = -2;
 
         /** The pairs of the frame, in the order of their calls. */
@@ -41,14 +41,14 @@ package starlogo.handlers
         private var _pair:int;
         private var _call:int;
 
-        // Of the pair whose turn it is: its handlers, by the breeds when its turn came, and its contact if that begins in this frame.
+        // Of the pair at hand: its handlers, by the breeds that it had when its turn came, and its contact if that begins in this frame.
         private var _handlers:PairHandlers;
         private var _starting:ContactPair;
 
         // The numbers of the pairs' breeds are those of this count of changes.
         private var _breedChanges:int;
 
-        // The list's length as long as every agent was in its place; then -1, and the list is asked.
+        // The list's length, as long as every agent was in its place; after that -1, and AgentList is asked.
         private var _length:int;
         private var _list:AgentList = new AgentList();
 
@@ -60,10 +60,10 @@ package starlogo.handlers
             _contacts = contacts;
         }
 
-        /** Sets the pairs to those that a client's system has found. There are no calls for an agent that is not in the list. */
+        /** Sets the pairs to those of a client's own collision system. There are no calls for an agent that is not in the list. */
         public function setPairs(found:Vector.<Agent>, agents:Vector.<Agent>, breedPairs:BreedPairs):void
         {
-            _list.begin(agents);
+            _list.setAgents(agents);
             for (var i:int = 0; i < found.length; i++)
             {
                 pairs.agents[i] = found[i];
@@ -86,7 +86,7 @@ package starlogo.handlers
             _agents = agents;
             _errors = errors;
             _length = agents.length;
-            _list.begin(agents);
+            _list.setAgents(agents);
             _breedChanges = Agent.breedChanges;
             _ended = _pair = _call = count = 0;
             _handlers = table.handlersOf(-1, -1);
@@ -105,7 +105,7 @@ package starlogo.handlers
         private function prepare():void
         {
             _tracker.frame++;
-            _contacts.begin(pairs.length >> 1);
+            _contacts.beginFrame(pairs.length >> 1);
             for (var i:int = 0; i < pairs.length; i += 2)
             {
                 var first:Agent = pairs.agents[i];
@@ -120,7 +120,7 @@ package starlogo.handlers
             _tracker.separateEnded();
         }
 
-        // From the next call on. Each time that it throws, a handler has thrown.
+        // Makes the calls from the next one on. If this throws, a handler has thrown.
         private function callThrough():void
         {
             while (true)
@@ -136,7 +136,7 @@ package starlogo.handlers
                 {
                     if (count == calls)
                     {
-                        // not a handler's: it would come again
+                        // not from a handler: it would be thrown again
                         throw error;
                     }
                     _errors.push(error is Error ? error : new Error(String(error)));
@@ -144,7 +144,7 @@ package starlogo.handlers
             }
         }
 
-        // For the breeds that the two had when the contact began.
+        // Calls the handlers of ended contacts, for the breeds that the two had when the contact began.
         private function callEnds():void
         {
             var breedPairs:BreedPairs = _table.breedPairs;
@@ -247,7 +247,7 @@ package starlogo.handlers
             _call = 0;
         }
 
-        // The breeds count that the two have now, for all of the pair's calls.
+        // For all of the pair's calls the breeds count that the two have now.
         private function updateBreeds():void
         {
             for (var i:int = _pair; i < _pair + 2; i++)
@@ -259,8 +259,8 @@ package starlogo.handlers
             }
         }
 
-        // The handlers of the pair's breeds. Its contact begins if they ask for it and none goes on: then they are those of a start, or
-        // none if an agent is gone.
+        // Finds the handlers of the pair's breeds. If they ask for contacts and none goes on, a contact begins: then the handlers are those of a
+        // start, or none if an agent has left the list.
         private function lookUpHandlers():void
         {
             var ofPair:PairHandlers = _table.handlersOf(pairs.breeds[_pair], pairs.breeds[_pair + 1]);
@@ -287,7 +287,7 @@ package starlogo.handlers
             }
         }
 
-        // Whether both agents of the pair are in the list. Once one was not in its place, the list is asked for the rest of the frame.
+        // Whether both agents of the pair are in the list. Once an agent was not in its place, AgentList is asked for the rest of the frame.
         private function areListed():Boolean
         {
             var first:Agent = pairs.agents[_pair];

@@ -3,7 +3,7 @@ package starlogo.handlers
     import starlogo.search.BreedPairs;
 
     /**
-     * The handlers of each pair of breeds, by the breeds' numbers. Does not change: new handlers make a new table.
+     * The handlers of each pair of breeds, by the breeds' numbers. It does not change: when handlers are added or removed, a new table is made.
      *
      * @private
      */
@@ -15,7 +15,7 @@ package starlogo.handlers
         /** Whether no handler asks for contacts, or when touches begin or end. */
         public var isPlain:Boolean = true;
 
-        // In the order of their kinds, those of one kind as they were added.
+        // In the order of their kinds; handlers of one kind in the order in which they were added.
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
 
         // By the numbers of breeds, from -1 on.

@@ -1,7 +1,7 @@
 package starlogo.handlers
 {
     /**
-     * The handlers of a pair of breeds, both ways, in the order of their calls: those for which the first agent is the collider, then
+     * The handlers of a pair of breeds, in both directions, in the order of their calls: those for which the first agent is the collider, then
      * those for which the second is.
      *
      * @private

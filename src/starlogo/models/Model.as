@@ -66,7 +66,7 @@ package starlogo.models
         {
             var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles);
             finish(shape);
-            take(shape);
+            setShape(shape);
         }
 
         /**
@@ -77,7 +77,7 @@ package starlogo.models
         internal static function of(shape:NormalisedShape):Model
         {
             var model:Model = new Model(shape.name, ORIGIN);
-            model.take(shape);
+            model.setShape(shape);
             return model;
         }
 
@@ -102,7 +102,7 @@ package starlogo.models
             return _triangles;
         }
 
-        private function take(shape:NormalisedShape):void
+        private function setShape(shape:NormalisedShape):void
         {
             _name = shape.name;
             _vertices = shape.vertices;

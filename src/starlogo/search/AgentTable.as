@@ -15,8 +15,8 @@ package starlogo.search
      * What a collider sees of its agents: a row for each agent listed, in columns of numbers, because with thousands of agents memory
      * is what takes time. An agent keeps its row while it is listed; the same list has the same rows.
      *
-     * <p>What a row says is of the last search, whatever has become of the agent since: where the agent was, how it was turned, and
-     * what stood for it. docs/state.md tells what voids it.</p>
+     * <p>A row is as of the last search, however the agent has changed since: where the agent was, how it was turned, and what its shape was.
+     * docs/state.md tells what voids it.</p>
      *
      * <p>This file is long because all that reads agents in every frame is in it, and its loops are written out.</p>
      *
@@ -24,21 +24,21 @@ package starlogo.search
      */
     public final class AgentTable
     {
-        // In place of a breed's number, of a row that is new.
+        // In place of a breed's number, for a row that is new.
         internal static const UNKNOWN_BREED:int = -2;
 
-        // In place of a revision: of an agent that has no motion, less than any jump's; and of what is to be found anew.
+        // In place of a revision: for an agent that has no motion, less than any jump's; and for what has to be computed again.
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
 
-        // The rows of the agents, in the order of the list; how many they are, none after a list that was refused, and how many of them have
-        // a model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
+        // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
+        // model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
         internal var rows:Vector.<int> = new Vector.<int>();
         internal var count:int = 0;
         internal var loadingCount:int = 0;
         internal var listNumber:int = 0;
 
-        // By row: the agent, or null; what stands for its model, null while that is loading; the number of its breed, see BreedNumbers; its own
+        // By row: the agent, or null; the shape of its model, null while that is loading; the number of its breed, see BreedNumbers; its own
         // limit to the levels that are visited of its hierarchy, or 0; its extents in the world.
         internal var agents:Vector.<Agent> = new Vector.<Agent>();
         internal var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
@@ -57,7 +57,7 @@ package starlogo.search
         private var _lastRevisions:Vector.<int> = new Vector.<int>();
 
         // By row: its structure in the world, for which revision it was placed, and what is tried before it, or null. Of these the boxes that
-        // decide alone once more, else null: spares the costliest frequent test its casts.
+        // decide alone are listed a second time, typed, else null: that spares the most frequent costly test its casts.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
         internal var placedRevisions:Vector.<int> = new Vector.<int>();
         internal var outer:Vector.<OuterStructures> = new Vector.<OuterStructures>();
@@ -92,7 +92,7 @@ package starlogo.search
         // The list after which the rows of all others were freed.
         private var _freedList:int = 0;
 
-        // Rows whose extents are to be found anew, and what is to stand for those of which that is not known.
+        // Rows whose extents have to be computed again, and the new shapes of those whose shape has changed.
         private var _changed:Vector.<int> = new Vector.<int>();
         private var _changedShapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         private var _changedCount:int = 0;
@@ -102,8 +102,8 @@ package starlogo.search
         private var _scratch:Placement = new Placement();
 
         /**
-         * @param strategy says what stands for an agent
-         * @param shapes has that of each model
+         * @param strategy finds the shapes of agents
+         * @param shapes has the shape of each model
          * @param bins find the level of extents; null where none are asked for
          */
         public function AgentTable(strategy:ShapeStrategy, shapes:ModelShapes, bins:Bins)
@@ -114,7 +114,7 @@ package starlogo.search
         }
 
         /**
-         * Makes the rows those of a list of agents, where they are now, with what stands for each.
+         * Makes the rows those of a list of agents, where they are now, with the shape of each.
          *
          * @throws ArgumentError if an agent is null or listed twice, its model is unknown, or what is needed of it was not loaded; places
          *     and motions are then still those of the last search
@@ -170,7 +170,7 @@ package starlogo.search
             shapes[0] = shapes[1] = null;
         }
 
-        /** Whether an agent has moved from where the search before saw it to where it is: it was not seen first now, and has not jumped. */
+        /** Whether an agent has moved from where the search before saw it to where it is: it was in that search, and has not jumped. */
         public function hasMotion(row:int):Boolean
         {
             return agents[row].jumpRevision <= _lastRevisions[row];
@@ -197,7 +197,7 @@ package starlogo.search
             return scratch;
         }
 
-        /** The structure of a row in the world, as much wider as touching asks for. */
+        /** The structure of a row in the world, wider by the margin within which shapes touch. */
         public function structureOf(row:int):BoundingStructure
         {
             if (placedRevisions[row] != revisions[row])
@@ -312,7 +312,7 @@ package starlogo.search
             }
         }
 
-        // Mostly agents have the rows that they had. Of a list that is refused no row is left.
+        // Mostly agents have the rows that they had. A list that is refused leaves no row.
         private function readList(list:Vector.<Agent>):void
         {
             var known:int = count;
@@ -371,7 +371,7 @@ package starlogo.search
             return row;
         }
 
-        // Some more than are asked for: a column that grows by one row at a time is copied again and again.
+        // Some more rows than are asked for: a column that grows by one row at a time is copied again and again.
         private function makeRows(least:int):void
         {
             if (least <= _lists.length)
@@ -388,7 +388,7 @@ package starlogo.search
             extents.grow(length);
         }
 
-        // Frees the rows of agents that the list has not; or those that a list which is refused has brought.
+        // Frees the rows of agents that are not in the list; or, of a list that is refused, the rows that it has added.
         private function freeRows(isRefused:Boolean):void
         {
             for (var row:int = 0; row < _rowCount; row++)
@@ -416,7 +416,7 @@ package starlogo.search
             }
         }
 
-        // Finds what stands for the agents that have changed, all before any row changes, and its extents.
+        // Finds the shapes of the agents that have changed, all before any row changes, and then their extents.
         private function findShapes():void
         {
             if (_changedCount > _changedShapes.length)

@@ -9,7 +9,7 @@ package starlogo.search
     /** Keeps the numbers of breeds in a table up to date: those of the pairs of breeds that are searched for. */
     internal final class BreedNumbers
     {
-        /** How many agents listed have a breed that takes part in no pair. */
+        /** How many agents listed have a breed that is in no pair. */
         public var outsiders:int = 0;
 
         private var _breeds:BreedPairs = null;
@@ -53,9 +53,9 @@ package starlogo.search
         }
 
         /**
-         * Of those that a member of the bins may touch, moves the ones to the beginning whose breeds count with its own.
+         * Moves those candidates of a member to the beginning whose breeds count together with its own.
          *
-         * @param others the places of those that it may touch
+         * @param others the places of the candidates
          * @param count how many they are
          * @return how many count
          */

@@ -12,10 +12,10 @@ package starlogo.search
      */
     public final class BreedPairs
     {
-        /** In place of a breed's name: any breed. An agent's breed that is called so is a breed like any other. */
+        /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = "*";
 
-        /** Whether a pair of breeds counts, at the number of the one times breedCount plus that of the other. */
+        /** Whether a pair of breeds counts, at the number of one breed times breedCount plus that of the other. */
         public var counts:Vector.<Boolean> = new Vector.<Boolean>();
 
         /** Whether every pair of the breeds that have numbers counts. */
@@ -53,7 +53,7 @@ package starlogo.search
             {
                 markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
             }
-            // not by indexOf(false), which finds none in Ruffle: what was not set becomes false when it is read
+            // not by indexOf(false), which finds none in Ruffle: an element that was not set becomes false only when it is read
             areAll = true;
             for each (var isCounting:Boolean in counts)
             {
@@ -61,7 +61,7 @@ package starlogo.search
             }
         }
 
-        /** A breed's number, from 0 on; -1 for one that takes part in no pair. */
+        /** A breed's number, from 0 on; -1 for a breed that is in no pair. */
         public function numberOf(breed:String):int
         {
             var number:int = _breeds.indexOf(breed);

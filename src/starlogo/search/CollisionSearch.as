@@ -14,7 +14,7 @@ package starlogo.search
      * What all colliders do: keeps a table of the agents, has the bins find the pairs of its rows that are near each other (thesis §3.7), and
      * the strategy decide which of them touch; standing or, where an agent sweeps, as they moved since the last search.
      *
-     * <p>Questions about two agents have a table and shapes of their own, and change nothing: not what the table has yet to find void.</p>
+     * <p>Questions about two agents have a table and shapes of their own, and change nothing that a search keeps.</p>
      *
      * @private
      */
@@ -28,14 +28,14 @@ package starlogo.search
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
 
-        // The members of the bins: all rows, or those that take part, with the places of their agents in the list.
+        // The members of the bins: all rows, or those whose breeds count, with the places of their agents in the list.
         private var _members:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _places:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds that count, or null for all; and the pairs that were found, as numbers of members,
-        // two a pair, the one that comes first in the list first. Where an agent sweeps, with their times.
+        // The search under way: the pairs of breeds that count, or null for all; and the pairs that were found, as numbers of members, two a pair,
+        // in the order of the list. Where an agent sweeps, with their times.
         private var _breeds:BreedPairs;
         private var _skippedPairs:int;
         private var _found:Vector.<int> = new Vector.<int>();
@@ -45,7 +45,7 @@ package starlogo.search
 
         /**
          * @param greatLand has the models of the agents
-         * @param strategy says what stands for them
+         * @param strategy finds their shapes
          * @throws ArgumentError if greatLand is null
          */
         public function CollisionSearch(greatLand:GreatLand, strategy:ShapeStrategy)
@@ -189,7 +189,7 @@ package starlogo.search
             report(agents.length);
         }
 
-        // Mostly all take part.
+        // Mostly all breeds count.
         private function chooseMembers(breeds:BreedPairs):void
         {
             _members = _table.rows;
@@ -222,7 +222,7 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var otherRow:int = _bins.rowAt[other];
-                // the one that comes first in the list is the one that moves
+                // the motion is that of the agent that is first in the list
                 var isFirst:Boolean = member < _bins.memberAt[other];
                 var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
                 if (time != RelativeMotion.NEVER)

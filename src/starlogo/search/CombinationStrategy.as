@@ -15,12 +15,12 @@ package starlogo.search
         private var _tightestFit:TightestFitStrategy;
         private var _hierarchy:HierarchyStrategy;
 
-        // Those of the others at hand that are hierarchical.
+        // Those of the candidates at hand that are hierarchical.
         private var _hierarchical:Vector.<int> = new Vector.<int>();
 
         /**
          * @param tightestFit for those that are not hierarchical
-         * @param hierarchy for pairs of which one is hierarchical at least
+         * @param hierarchy for pairs of which at least one agent is hierarchical
          */
         public function CombinationStrategy(tightestFit:TightestFitStrategy, hierarchy:HierarchyStrategy)
         {

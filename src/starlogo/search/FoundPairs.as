@@ -3,14 +3,14 @@ package starlogo.search
     import starlogo.agents.Agent;
 
     /**
-     * The pairs that a search has found: two agents a pair, the one that comes first in the list first; of each its place in the list and
-     * the number of its breed then.
+     * The pairs that a search has found: two agents a pair, in the order of the list; of each agent its place in the list and the number of its
+     * breed then.
      *
      * @private
      */
     public final class FoundPairs
     {
-        /** How many agents they are: two a pair. Whatever comes after them in the vectors is left from other searches. */
+        /** How many agents there are: two a pair. What comes after them in the vectors is left from other searches. */
         public var length:int = 0;
 
         /** The agents: a0, b0, a1, b1, ... */
@@ -19,7 +19,7 @@ package starlogo.search
         /** The place of each in the list that was searched. */
         public var places:Vector.<int> = new Vector.<int>();
 
-        /** The number of the breed of each, as BreedPairs counts them; -1 for a breed that takes part in no pair. */
+        /** The number of the breed of each, as BreedPairs counts them; -1 for a breed that is in no pair. */
         public var breeds:Vector.<int> = new Vector.<int>();
 
         /** No pairs. */
@@ -27,7 +27,7 @@ package starlogo.search
         {
         }
 
-        /** Says how many agents they are, and lets go of those that other searches have left behind these. */
+        /** Sets how many agents there are, and lets go of those that earlier searches have left after them. */
         public function end(length:int):void
         {
             // a vector that shrinks and grows again is a new one in a JavaScript engine

@@ -137,7 +137,7 @@ package starlogo.search
             counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The hierarchy is first, and then the older agent: the same whichever comes first, so that rounding is too.
+        // The hierarchy is first; of two, that of the agent with the lower id. So rounding is the same in either order.
         private static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
             var isHierarchy:Boolean = table.shapes[a].hierarchy != null;

@@ -10,7 +10,7 @@ package starlogo.search
     {
         private static const FEWEST:int = 16;
 
-        // No id is 0: there nothing is.
+        // 0 is a free place: no id is 0.
         private var _ids:Vector.<int> = new Vector.<int>(FEWEST);
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
@@ -63,7 +63,7 @@ package starlogo.search
                 return;
             }
             _count--;
-            // those behind move up, but for the ones that would come before their own place
+            // those after it move up, except for those that would come before their own place
             for (var place:int = (gap + 1) & mask; ids[place] != 0; place = (place + 1) & mask)
             {
                 var other:int = ids[place];
@@ -78,7 +78,7 @@ package starlogo.search
             ids[gap] = 0;
         }
 
-        /** Takes all out; in time in proportion to the most that ever were in it. */
+        /** Takes all out; in time in proportion to the most that the table has ever held. */
         public function clear():void
         {
             var ids:Vector.<int> = _ids;

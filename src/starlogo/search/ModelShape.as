@@ -4,7 +4,7 @@ package starlogo.search
     import starlogo.solid.SolidHierarchy;
 
     /**
-     * What stands for a model in a collider, in the model's space: one object for all agents that have it.
+     * The shape that represents a model in a collider, in the model's space: one object for all agents that have the model.
      *
      * @private
      */
@@ -17,15 +17,15 @@ package starlogo.search
         internal var model:String;
         internal var kind:int;
 
-        // The revision of what the GreatLand knows of the model, and whether there is another since.
+        // The revision of what the GreatLand knows of the model, and whether there has been another since.
         internal var revision:int;
         internal var isVoid:Boolean = false;
 
-        // What stands for the model, or the structure around its hierarchy; null for a unit sphere.
+        // The structure that represents the model, or the one around its hierarchy; null for a unit sphere.
         internal var structure:BoundingStructure = null;
         internal var hierarchy:SolidHierarchy = null;
 
-        // Whether it is a sphere and nothing else; whether it is the structure, which is to be had in the world.
+        // Whether it is a sphere and nothing else; whether the structure decides, and has to be placed in the world.
         internal var isSphere:Boolean = false;
         internal var decides:Boolean = false;
 

@@ -16,7 +16,7 @@ package starlogo.search
 
         /**
          * @param greatLand has the models
-         * @param strategy says what stands for them
+         * @param strategy finds their shapes
          * @throws ArgumentError if greatLand is null
          */
         public function ModelShapes(greatLand:GreatLand, strategy:ShapeStrategy)
@@ -30,7 +30,7 @@ package starlogo.search
         }
 
         /**
-         * What stands for an agent's model.
+         * The shape of an agent's model.
          *
          * @return null while the model is loading
          * @throws ArgumentError if the model is unknown, or what is needed of it was not loaded

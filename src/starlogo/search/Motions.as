@@ -15,8 +15,8 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * How the agents of a table have moved from the search before to the last one, in which an agent sweeps: by row, with the extents of all
-     * that they moved through; when two rows touch as they move, and how.
+     * How the agents of a table have moved between the last two searches, for searches in which an agent sweeps: the motion of each row with its
+     * extents; when two rows touch as they move, and how.
      */
     internal final class Motions
     {
@@ -32,7 +32,7 @@ package starlogo.search
         // Of the first of a pair relative to the second.
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // When the extents of a pair begin to overlap in those directions that were looked at, and cease to.
+        // When the extents of a pair begin and cease to overlap in the directions that were looked at so far.
         private var _enters:Number;
         private var _leaves:Number;
 
@@ -48,7 +48,7 @@ package starlogo.search
             _strategy = strategy;
         }
 
-        /** Whether an agent of a list sweeps. */
+        /** Whether any agent of a list sweeps. */
         public static function isOneSweeping(agents:Vector.<Agent>):Boolean
         {
             for (var i:int = agents.length - 1; i >= 0; i--)
@@ -97,7 +97,7 @@ package starlogo.search
         /**
          * When two rows of which one sweeps touch for the first time.
          *
-         * @param bins know by how much extents may miss each other that touch; null to look at all closely
+         * @param bins know how far apart the extents of rows that touch may be; null to test all exactly
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
         public function impactTime(table:AgentTable, bins:Bins, a:int, b:int):Number

@@ -23,7 +23,7 @@ package starlogo.search
         {
         }
 
-        /** Makes them those of a model, put where an agent is and wider by a margin. */
+        /** Sets them to those of a model, placed where an agent is and wider by a margin. */
         public function place(model:OuterStructures, placement:Placement, margin:Number):void
         {
             model.sphere.place(placement, sphere);

@@ -10,7 +10,7 @@ package starlogo.search
         /** Agents in the list. */
         public var agents:int;
 
-        /** Agents that take part in no pair that counts. */
+        /** Agents whose breeds are in no pair that counts. */
         public var agentsSkipped:int;
 
         /** Agents whose models are loading. */
@@ -25,7 +25,7 @@ package starlogo.search
         /** Pairs that were tested along their motions. */
         public var sweptPairs:int;
 
-        /** Pairs of which one was tested by its hierarchy at least. */
+        /** Pairs of which at least one agent was tested by its hierarchy. */
         public var hierarchyTests:int;
 
         /** Pairs of nodes that were visited. */
@@ -37,7 +37,7 @@ package starlogo.search
         /** Pairs that were found. */
         public var collisions:int;
 
-        /** Tests of two structures: at four times the kind of the one plus that of the other. */
+        /** Tests of two structures: at four times the kind of one structure plus that of the other. */
         public var tests:Vector.<int> = new Vector.<int>(16, true);
 
         /** All zero. */

@@ -13,14 +13,14 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * What makes one collider differ from another: what stands for an agent's model, and which pairs of rows touch. All the rest is
-     * CollisionSearch's.
+     * What makes one collider differ from another: which shape represents an agent's model, and which pairs of rows touch. All the rest is in
+     * CollisionSearch.
      *
      * @private
      */
     public class ShapeStrategy
     {
-        /** Takes the numbers of the tests; of the search under way. */
+        /** Takes the numbers of tests of the search under way. */
         public var counts:SearchCounts = new SearchCounts();
 
         /** For subclasses only. */
@@ -28,14 +28,14 @@ package starlogo.search
         {
         }
 
-        /** What stands for an agent's model: a kind of BoundingStructure, Agent.ANY_KIND or ModelShape.HIERARCHY. */
+        /** Which shape represents an agent's model: a kind of BoundingStructure, Agent.ANY_KIND or ModelShape.HIERARCHY. */
         public function kindOf(agent:Agent):int
         {
             return Agent.ANY_KIND;
         }
 
         /**
-         * Finds out what stands for a model.
+         * Finds the shape that represents a model.
          *
          * @param shape takes it; has the model's name and the kind
          * @param agent has the model, which was added to the GreatLand
@@ -47,7 +47,7 @@ package starlogo.search
         }
 
         /**
-         * Finds the extents of what stands for an agent that is turned and scaled, wherever it is.
+         * Finds the extents of the shape of an agent, turned and scaled as the agent is, relative to its position.
          *
          * @param out takes x, y, z of the middle, as seen from the agent's place, and half the lengths along x, y, z
          */
@@ -57,11 +57,10 @@ package starlogo.search
         }
 
         /**
-         * Of those that a member of the bins may touch, moves the ones that it does touch to the beginning: the pairs whose extents overlap and
-         * that areTouching says so of.
+         * Moves those candidates of a member that touch it to the beginning: those whose extents overlap its own and of which areTouching says so.
          *
          * @param place the member's
-         * @param others so many at the beginning are the places of those whose circles on the ground overlap its own
+         * @param others the first of them are the places of the candidates, whose circles on the ground overlap its own
          * @return how many it touches
          */
         public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
@@ -144,7 +143,7 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        /** Whether two rows touch that are spheres, as wide as their extents. */
+        /** Whether two rows that are spheres, as wide as their extents, touch. */
         internal static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var extents:Extents = table.extents;
@@ -161,7 +160,7 @@ package starlogo.search
             return squared <= reach * reach;
         }
 
-        /** The distance at which two rows touch that are spheres. */
+        /** The distance of the centres at which two rows that are spheres touch. */
         internal static function reachOfSpheres(table:AgentTable, a:int, b:int):Number
         {
             return (table.extents.halfX[a] + table.extents.halfX[b]) * Tolerances.TOUCHING

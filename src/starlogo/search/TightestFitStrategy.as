@@ -29,7 +29,7 @@ package starlogo.search
      */
     public final class TightestFitStrategy extends ShapeStrategy
     {
-        // the outer structures must not tell structures apart that touch
+        // the outer structures must not separate structures that touch
         private static const OUTER:Number = 1 + 1e-12;
 
         /** See StructureTests, whose settings these are. */
@@ -208,7 +208,7 @@ package starlogo.search
             return true;
         }
 
-        // When the structures that areOuterTouching looks at touch as well. Each two of them do so in one piece of the motion.
+        // When the outer structures and the structures all touch. Each two of them touch during one interval of the motion.
         private function impactTimeOfAll(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number):Number
         {
             var outerA:OuterStructures = table.outer[a];

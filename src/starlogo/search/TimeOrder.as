@@ -1,6 +1,6 @@
 package starlogo.search
 {
-    /** Puts pairs into the order of their times; those of one time stay as they are (merge sort, from runs that are in order already). */
+    /** Puts pairs into the order of their times; those of the same time stay in their order (merge sort, from runs that are in order already). */
     internal final class TimeOrder
     {
         // The numbers of the pairs, in their order; and the pairs as they were.

@@ -55,7 +55,7 @@ package starlogo.search
                 var squared:Number = x * x + y * y + z * z;
                 if (squared > reach * reach)
                 {
-                    // farther apart than rounding comes to, or to be looked at closely
+                    // farther apart than rounding comes to, or to be tested exactly
                     reach += slack;
                     if (squared > reach * reach)
                     {

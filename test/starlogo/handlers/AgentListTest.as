@@ -24,7 +24,7 @@ package starlogo.handlers
         [Test]
         public function takenOutByThousands():void
         {
-            begin(3000);
+            listAgents(3000);
             for (var i:int = 0; i < 1000; i++)
             {
                 var gone:Agent = randomAgent();
@@ -41,7 +41,7 @@ package starlogo.handlers
         [Test]
         public function thousandsOfSearchesCostNoMoreThanTheyMust():void
         {
-            begin(10000);
+            listAgents(10000);
             _agents.shift();
             var start:int = getTimer();
             for each (var agent:Agent in _all)
@@ -63,7 +63,7 @@ package starlogo.handlers
         [Test]
         public function poppingIsNoticed():void
         {
-            begin(2000);
+            listAgents(2000);
             for (var i:int = 0; i < 500; i++)
             {
                 askAbout(_agents.pop());
@@ -74,7 +74,7 @@ package starlogo.handlers
         [Test]
         public function swappingWithTheLastIsNoticed():void
         {
-            begin(2000);
+            listAgents(2000);
             for (var i:int = 0; i < 500; i++)
             {
                 var index:int = _random.integer(0, _agents.length - 1);
@@ -93,7 +93,7 @@ package starlogo.handlers
         [Test]
         public function aListInAnyOrder():void
         {
-            begin(1000);
+            listAgents(1000);
             for (var i:int = 0; i < 300; i++)
             {
                 _agents.reverse();
@@ -109,7 +109,7 @@ package starlogo.handlers
         [Test]
         public function aShortListInAnyOrder():void
         {
-            begin(20);
+            listAgents(20);
             for (var i:int = 0; i < 30; i++)
             {
                 _agents.reverse();
@@ -127,7 +127,7 @@ package starlogo.handlers
         [Test]
         public function anAgentThatIsGoneStaysGone():void
         {
-            begin(10);
+            listAgents(10);
             var gone:Agent = _agents.pop();
             assertFalse(ask(gone));
             _agents.push(gone);
@@ -139,14 +139,14 @@ package starlogo.handlers
                 assertTrue(ask(_all[i % 9]));
             }
             assertFalse("in this frame", ask(gone));
-            _list.begin(_agents);
+            _list.setAgents(_agents);
             assertTrue("not in the next", ask(gone));
         }
 
         [Test]
         public function anAgentThatCameInMeanwhileWaitsForTheNextFrame():void
         {
-            begin(10);
+            listAgents(10);
             var added:Agent = new Agent("sphere");
             assertFalse(ask(new Agent("sphere")));
             _agents.unshift(added);
@@ -155,14 +155,14 @@ package starlogo.handlers
             {
                 assertTrue(ask(agent));
             }
-            _list.begin(_agents);
+            _list.setAgents(_agents);
             assertTrue(ask(added));
         }
 
         [Test]
         public function aListMayHaveHoles():void
         {
-            begin(10);
+            listAgents(10);
             for (var i:int = 0; i < 10; i += 3)
             {
                 _agents[i] = null;
@@ -171,12 +171,12 @@ package starlogo.handlers
             {
                 askAbout(agent);
             }
-            _list.begin(_agents);
+            _list.setAgents(_agents);
             assertEquals(-1, _list.placeOf(_all[0]));
             assertEquals(1, _list.placeOf(_all[1]));
         }
 
-        private function begin(count:int):void
+        private function listAgents(count:int):void
         {
             _agents = new Vector.<Agent>();
             for (var i:int = 0; i < count; i++)
@@ -184,7 +184,7 @@ package starlogo.handlers
                 _agents.push(new Agent("sphere"));
             }
             _all = _agents.concat();
-            _list.begin(_agents);
+            _list.setAgents(_agents);
             _list.placeOf(_agents[0]);
         }
 

@@ -84,8 +84,8 @@ package starlogo.models.zip
 
         private function beginBlock():void
         {
-            _isLastBlock = take(1) == 1;
-            switch (take(2))
+            _isLastBlock = readBits(1) == 1;
+            switch (readBits(2))
             {
                 case 0:
                     skipStored();
@@ -107,8 +107,8 @@ package starlogo.models.zip
             _bytes.position -= _bitCount >> 3;
             _bits = 0;
             _bitCount = 0;
-            var length:int = take(16);
-            if (take(16) != (length ^ 0xFFFF))
+            var length:int = readBits(16);
+            if (readBits(16) != (length ^ 0xFFFF))
             {
                 throw new ArgumentError("it has a block of an uncertain length");
             }
@@ -136,13 +136,13 @@ package starlogo.models.zip
 
         private function readCodes():void
         {
-            var symbolCount:int = take(5) + 257;
-            var distanceCount:int = take(5) + 1;
-            var count:int = take(4) + 4;
+            var symbolCount:int = readBits(5) + 257;
+            var distanceCount:int = readBits(5) + 1;
+            var count:int = readBits(4) + 4;
             var lengths:Vector.<int> = new Vector.<int>(ORDER.length);
             for (var i:int = 0; i < count; i++)
             {
-                lengths[ORDER[i]] = take(3);
+                lengths[ORDER[i]] = readBits(3);
             }
             lengths = readLengths(new HuffmanCode(lengths), symbolCount + distanceCount);
             _symbols = new HuffmanCode(lengths.slice(0, symbolCount));
@@ -155,7 +155,7 @@ package starlogo.models.zip
             var lengths:Vector.<int> = new Vector.<int>();
             while (lengths.length < count)
             {
-                var symbol:int = takeSymbol(code);
+                var symbol:int = readSymbol(code);
                 var length:int = symbol < 16 ? symbol : 0;
                 var times:int = 1;
                 if (symbol == 16)
@@ -165,11 +165,11 @@ package starlogo.models.zip
                         throw new ArgumentError("it repeats a length that is not there");
                     }
                     length = lengths[lengths.length - 1];
-                    times = 3 + take(2);
+                    times = 3 + readBits(2);
                 }
                 else if (symbol > 16)
                 {
-                    times = symbol == 17 ? 3 + take(3) : 11 + take(7);
+                    times = symbol == 17 ? 3 + readBits(3) : 11 + readBits(7);
                 }
                 for (var i:int = 0; i < times; i++)
                 {
@@ -183,7 +183,7 @@ package starlogo.models.zip
             return lengths;
         }
 
-        private function takeSymbol(code:HuffmanCode):int
+        private function readSymbol(code:HuffmanCode):int
         {
             refill();
             var entry:int = code.entries[_bits & SHORT_MASK];
@@ -191,18 +191,18 @@ package starlogo.models.zip
             {
                 entry = code.longEntry(_bits);
             }
-            take(entry & 15);
+            readBits(entry & 15);
             return entry >> 4;
         }
 
         /** The next bits, 16 at most. */
-        private function take(count:int):int
+        private function readBits(count:int):int
         {
             refill();
-            var taken:int = _bits & (1 << count) - 1;
+            var value:int = _bits & (1 << count) - 1;
             _bits >>= count;
             _bitCount -= count;
-            return taken;
+            return value;
         }
 
         /** Sees to it that there are at least 16 bits, and at most 31. */

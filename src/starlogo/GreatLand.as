@@ -20,7 +20,7 @@ package starlogo
     use namespace engine;
 
     /**
-     * What a game has loaded, and how it is to be loaded: the flags of the thesis (§3.8, §4.8), its models, and what was
+     * What a game has loaded, and how it is loaded: the flags of the thesis (§3.8, §4.8), its models, and what was
      * computed for them.
      *
      * <p>The flags count for the models that are added from then on.</p>
@@ -275,7 +275,7 @@ package starlogo
         }
 
         /**
-         * The smallest structure of a kind around a model, found now if it was not kept.
+         * The smallest structure of a kind around a model, computed now if it was not kept.
          *
          * @param name the name of a model that was added
          * @param kind BoundingStructure.SPHERE, CAPSULE or BOX

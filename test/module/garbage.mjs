@@ -18,16 +18,16 @@ greatLand.addModel(BuiltInModel.sphere());
 
 // each to and fro along a way of its own; the numbers are there before, and so make none
 const agents = [];
-const wayX = new Float64Array(COUNT);
-const wayY = new Float64Array(COUNT);
+const motionX = new Float64Array(COUNT);
+const motionY = new Float64Array(COUNT);
 let seed = 7;
 const random = () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 4294967296;
 for (let i = 0; i < COUNT; i++) {
 	const agent = new Agent("sphere", i % 2 === 0 ? "bears" : "balls");
 	agent.moveTo(100 * random() - 50, 100 * random() - 50, 0.2 * random());
 	agents.push(agent);
-	wayX[i] = random() - 0.5;
-	wayY[i] = random() - 0.5;
+	motionX[i] = random() - 0.5;
+	motionY[i] = random() - 0.5;
 }
 
 let time = 0;
@@ -35,7 +35,7 @@ function move() {
 	const step = 0.3 * Math.sin(time++);
 	for (let i = 0; i < COUNT; i++) {
 		const agent = agents[i];
-		agent.moveTo(agent.x + step * wayX[i], agent.y + step * wayY[i], agent.z);
+		agent.moveTo(agent.x + step * motionX[i], agent.y + step * motionY[i], agent.z);
 	}
 }
 

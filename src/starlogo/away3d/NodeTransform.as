@@ -19,7 +19,7 @@ package starlogo.away3d
         // Four columns of three: where the axes and the origin come to.
         private var _columns:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0];
 
-        /** That of the tree's root: nothing is moved. */
+        /** The transform of the tree's root: nothing is moved. */
         public function NodeTransform()
         {
         }
@@ -31,7 +31,7 @@ package starlogo.away3d
             return c[0] * (c[4] * c[8] - c[5] * c[7]) - c[3] * (c[1] * c[8] - c[2] * c[7]) + c[6] * (c[1] * c[5] - c[2] * c[4]) < 0;
         }
 
-        /** That of a child of the object with this one. */
+        /** The transform of a child of the object with this one. */
         public function ofChild(child:Object3D):NodeTransform
         {
             var local:NodeTransform = new NodeTransform();

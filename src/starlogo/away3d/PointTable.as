@@ -2,10 +2,10 @@ package starlogo.away3d
 {
     import flash.utils.ByteArray;
 
-    /** Points, each place once: a hash table of their coordinates. */
+    /** Points, each position once: a hash table of their coordinates. */
     internal final class PointTable
     {
-        /** x, y, z, ... in the order of their first coming. */
+        /** x, y, z, ... in the order in which the points were first added. */
         public var coordinates:Vector.<Number> = new Vector.<Number>();
 
         // one more than the number of the point in each slot, 0 where there is none

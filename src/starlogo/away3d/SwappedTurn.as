@@ -42,7 +42,7 @@ package starlogo.away3d
         public function setAngles(heading:Number, pitch:Number, roll:Number):void
         {
             _placement.setRotation(heading, pitch, roll);
-            // a game's agents mostly turn one way: these angles go over as they are, full turns included
+            // a game's agents mostly turn one way: these angles are taken over as they are, full turns included
             if (heading == 0 || pitch == 0 && roll == 0)
             {
                 this.heading = 0 - pitch;
@@ -61,8 +61,8 @@ package starlogo.away3d
             z = _placement.r20 * fromX + _placement.r21 * fromY + _placement.r22 * fromZ;
         }
 
-        // Rows and columns 1 and 2 are swapped. The roll is what the heading leaves: when x points up or down, and the heading is
-        // any (rounding's), their sum is still right.
+        // Rows and columns 1 and 2 are swapped. The roll is computed after the heading: when x points up or down, the heading is arbitrary
+        // (rounding decides), but their sum is still right.
         private function readRotation():void
         {
             var r00:Number = _placement.r00;

@@ -1,6 +1,6 @@
 package starlogo.blocks
 {
-    /** What is wrong with the use of a block, in words for the student who used it. */
+    /** What is wrong with the use of a block, in words for students. */
     public class BlockError extends Error
     {
         private var _block:String;

@@ -2,7 +2,7 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
 
-    /** How agents collide, as far as blocks have set it: what none has set is null or -1. */
+    /** How agents collide, as far as blocks have set it: a trait that no block has set is null or -1. */
     internal final class BreedTraits
     {
         private var _hierarchical:Object;
@@ -21,7 +21,7 @@ package starlogo.blocks
             _collideAs = collideAs;
         }
 
-        /** These traits, and of an older set those that these do not set. */
+        /** These traits; where one is not set, that of an older set. */
         public function over(older:BreedTraits):BreedTraits
         {
             var hierarchical:Object = _hierarchical == null ? older._hierarchical : _hierarchical;

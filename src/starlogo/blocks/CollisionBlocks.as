@@ -74,7 +74,7 @@ package starlogo.blocks
             return _agents;
         }
 
-        /** What finds the collisions and calls the scripts; another one after forgetScripts. */
+        /** The Collision that finds the collisions and calls the scripts; another one after forgetScripts. */
         public function get collision():Collision
         {
             return _collision;
@@ -119,7 +119,7 @@ package starlogo.blocks
         /**
          * The block "on collision with ... do".
          *
-         * @param breed the breed whose block it is
+         * @param breed the breed that has the block
          * @param otherBreed the breed that they collide with, or Collision.ANY_BREED
          * @param script called with the collider and the collidee, every frame in which they touch
          * @throws BlockError if something is missing

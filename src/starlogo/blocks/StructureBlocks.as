@@ -17,7 +17,7 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _shown:Array = [];
 
-        // The lines of models' structures, in the models' space, by level, kind and model; for one revision of the models.
+        // The lines of the structures, in the models' spaces, by level, kind and model; for one revision of the models.
         private var _lines:Object = {};
         private var _revision:int = -1;
 

@@ -385,7 +385,7 @@ package starlogo.broadphase
                     var middleX:Number = xs[place];
                     var middleY:Number = ys[place];
                     var ownReach:Number = radii[place] + margin;
-                    var found:int = 0;
+                    var candidateCount:int = 0;
                     for (var other:int = place + 1; other < runEnd; other++)
                     {
                         var distanceX:Number = xs[other] - middleX;
@@ -395,8 +395,8 @@ package starlogo.broadphase
                             var reach:Number = ownReach + radii[other];
                             if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                             {
-                                candidates[found] = other;
-                                found++;
+                                candidates[candidateCount] = other;
+                                candidateCount++;
                             }
                         }
                     }
@@ -407,14 +407,14 @@ package starlogo.broadphase
                         reach = ownReach + radii[other];
                         if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                         {
-                            candidates[found] = other;
-                            found++;
+                            candidates[candidateCount] = other;
+                            candidateCount++;
                         }
                     }
-                    if (found > 0)
+                    if (candidateCount > 0)
                     {
-                        pairs += found;
-                        sink.onCandidates(place, candidates, found);
+                        pairs += candidateCount;
+                        sink.onCandidates(place, candidates, candidateCount);
                     }
                 }
             }
@@ -447,7 +447,7 @@ package starlogo.broadphase
                 var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
                 var line:int = (middleY - wide) * cellsPerPatch + BIAS;
                 var lastLine:int = (middleY + wide) * cellsPerPatch + BIAS;
-                var found:int = 0;
+                var candidateCount:int = 0;
                 for (; line <= lastLine; line++)
                 {
                     var cell:int = (((line & mask) * stride + column) & mask) + base;
@@ -459,15 +459,15 @@ package starlogo.broadphase
                         var reach:Number = ownReach + radii[other];
                         if (distanceX * distanceX + distanceY * distanceY <= reach * reach)
                         {
-                            candidates[found] = other;
-                            found++;
+                            candidates[candidateCount] = other;
+                            candidateCount++;
                         }
                     }
                 }
-                if (found > 0)
+                if (candidateCount > 0)
                 {
-                    pairs += found;
-                    sink.onCandidates(place, candidates, found);
+                    pairs += candidateCount;
+                    sink.onCandidates(place, candidates, candidateCount);
                 }
             }
             pairCount += pairs;

@@ -78,11 +78,11 @@ package starlogo.collision
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
-            var found:ContactPoint = _contactPoint;
-            contact.time = _search.findContact(collider, collidee, found);
-            contact.depth = found.depth;
-            contact.normal.setTo(found.normalX, found.normalY, found.normalZ);
-            contact.point.setTo(found.x, found.y, found.z);
+            var contactPoint:ContactPoint = _contactPoint;
+            contact.time = _search.findContact(collider, collidee, contactPoint);
+            contact.depth = contactPoint.depth;
+            contact.normal.setTo(contactPoint.normalX, contactPoint.normalY, contactPoint.normalZ);
+            contact.point.setTo(contactPoint.x, contactPoint.y, contactPoint.z);
             return contact;
         }
 

@@ -42,7 +42,7 @@ package starlogo.collision
         private var _contacts:FrameContacts = new FrameContacts();
         private var _calls:HandlerCalls = new HandlerCalls(_contacts);
         private var _isUpdating:Boolean = false;
-        private var _found:Vector.<Agent> = new Vector.<Agent>();
+        private var _agentPairs:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * Collisions without handlers.
@@ -222,7 +222,7 @@ package starlogo.collision
             else
             {
                 // a client's system may return a vector of its own
-                _calls.setPairs(BreedInterests.findIn(system, agents, _interests, _found), agents, _interests.breedPairs);
+                _calls.setPairs(BreedInterests.findIn(system, agents, _interests, _agentPairs), agents, _interests.breedPairs);
             }
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;

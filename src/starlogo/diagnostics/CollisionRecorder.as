@@ -149,7 +149,7 @@ package starlogo.diagnostics
                 var breed:String = found[i].breed;
                 var otherBreed:String = found[i + 1].breed;
                 var pair:Tally = _lastPair;
-                // mostly the pair of breeds that collided just before
+                // mostly the same pair of breeds as the one before
                 if (pair == null || pair.breed != breed || pair.otherBreed != otherBreed)
                 {
                     pair = _lastPair = pairOf(breed, otherBreed);

@@ -29,7 +29,7 @@ package starlogo.fitting
                 var height:Number = up < 0 ? -up : up;
                 if (across + up * up > radius * radius)
                 {
-                    // where the sphere that holds the old one touches the vertex too; past its height moving brings nothing
+                    // where the sphere that holds the old one touches the vertex too; moving past its height gains nothing
                     var shift:Number = Math.min((across + up * up - radius * radius) / (2 * (radius + height)), height);
                     z += up < 0 ? -shift : shift;
                     radius = Math.sqrt(across + (height - shift) * (height - shift));

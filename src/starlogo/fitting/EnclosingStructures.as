@@ -96,9 +96,9 @@ package starlogo.fitting
          * @param vertices x, y, z each
          * @param point on the line
          * @param axis unit vector along the line
-         * @param low what the segment reaches down to at least, as a distance from the point along the axis
-         * @param high what it reaches up to at least; below low if the segment need not be anywhere: then it shrinks to a
-         *        point where a shorter one would do
+         * @param low how far down the segment has to reach at least, as a distance from the point along the axis
+         * @param high how far up it has to reach at least; below low if the segment need not be anywhere: then it shrinks to a point where that
+         *        suffices
          * @param radius not less than distanceFromLine()
          */
         public static function capsule(vertices:Vector.<Number>, point:Vector3D, axis:Vector3D, low:Number, high:Number,
@@ -139,7 +139,7 @@ package starlogo.fitting
         }
 
         /**
-         * The cylinder around a segment that every vertex is within the radius of; its ends are taken as they are.
+         * The cylinder around a segment, with the radius that encloses every vertex; the ends of the segment are not moved.
          *
          * @param vertices x, y, z each
          * @param middle of the segment

@@ -1,6 +1,6 @@
 package starlogo.fitting
 {
-    /** The least and the greatest coordinates of a set of points, and which points have them; each along x, y and z. */
+    /** The least and the greatest coordinates of a set of points, and which points have them: three of each, along x, y and z. */
     internal final class ExtremePoints
     {
         /** The least coordinates. */

@@ -15,12 +15,12 @@ package starlogo.fitting
         private var _structure:BoundingStructure = null;
 
         /**
-         * A fit that was not begun.
+         * A fit that has not begun.
          *
          * @param session the vertices, and their hull
          * @param find finds the structure: <code>function(session:FitSession):BoundingStructure</code>; called in the last step.
-         *        What takes more than a few milliseconds for thousands of vertices had better be done before
-         * @param before what has to be done first; null for nothing
+         *        What takes more than a few milliseconds for thousands of vertices belongs in the steps before
+         * @param before work that has to be done first; null for none
          */
         public function Fit(session:FitSession, find:Function, before:Steps = null)
         {
@@ -29,13 +29,13 @@ package starlogo.fitting
             _before = before;
         }
 
-        /** What was found; null until no step is left. */
+        /** The structure; null until no step is left. */
         public function get structure():BoundingStructure
         {
             return _structure;
         }
 
-        /** Does the next step; nothing when none is left: what needs a fit that something else has begun goes on with it. */
+        /** Does the next step; does nothing when none is left, because several fits may share this one and continue it. */
         public function step():Boolean
         {
             if (_before == null)

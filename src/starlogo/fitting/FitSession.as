@@ -25,7 +25,7 @@ package starlogo.fitting
          * A session without fits.
          *
          * @param vertices x, y, z of each vertex; kept, not copied, and never changed
-         * @param atOnce false leaves all, the check of the vertices too, to <code>step()</code>
+         * @param atOnce false leaves all work, including the check of the vertices, to <code>step()</code>
          * @throws ArgumentError if they are null or empty, their number of coordinates is no multiple of 3, or one is not
          *         finite
          */
@@ -50,7 +50,7 @@ package starlogo.fitting
             return _hull.vertices;
         }
 
-        /** Their convex hull; what steps have left of it is done now. */
+        /** Their convex hull; steps that are left of its computation are done now. */
         public function get hull():ConvexHull
         {
             finish(_hull);

@@ -13,10 +13,10 @@ package starlogo.fitting
      *
      * <p>This is the abstract base of one class per algorithm; a subclass implements <code>findStructure()</code>, or, to work in
      * steps, <code>begin()</code>, and nothing else. Only vertices on the convex hull decide how tight a fit can be (thesis §3.4.2), so the algorithms search with those; a FitSession
-     * computes the hull once for all the fitters that are given the same vertices. What they find is then measured in double
-     * precision over every vertex.</p>
+     * computes the hull once for all the fitters that are given the same vertices. The structures are then measured in double precision over every
+     * vertex.</p>
      *
-     * <p>A fitter of one's own that finds its structure in one go:</p>
+     * <p>A client's own fitter that finds its structure in one go:</p>
      *
      * <listing>
      * public class OriginSphereFitter extends Fitter
@@ -49,9 +49,8 @@ package starlogo.fitting
         }
 
         /**
-         * The algorithm and its settings in a few words: of two fitters with the same signature each finds what the other
-         * finds. What a fitter without one finds, which is null, is not kept in a FitStore or a baked file; a fitter of one's own
-         * may have one, to be changed whenever it finds something else.
+         * The algorithm and its settings in a few words: two fitters with the same signature find the same structures. Null for none: then the
+         * structures are not kept in a FitStore or a baked file. A client's own fitter may have one, which has to change whenever its results do.
          */
         public function get signature():String
         {
@@ -59,8 +58,8 @@ package starlogo.fitting
         }
 
         /**
-         * Begins to find a structure around the vertices of a session: for a subclass that works in steps. Settings of the fitter
-         * count as they are now.
+         * Begins to find a structure around the vertices of a session: for a subclass that works in steps. The settings of the fitter count as they
+         * are at this call.
          *
          * @param session the vertices, and their hull; it may not be there before the first step
          * @return the work, not begun yet

@@ -19,7 +19,7 @@ package starlogo.fitting
         override protected function findStructure(session:FitSession):BoundingStructure
         {
             var ball:SmallestEnclosingBall = new SmallestEnclosingBall(session.hull.points);
-            // the hull leaves out what is outside of it by less than its grid's step
+            // vertices may be outside of the hull by less than a step of its grid
             ball.enclose(session.vertices);
             return EnclosingStructures.sphere(session.vertices, ball.x, ball.y, ball.z);
         }

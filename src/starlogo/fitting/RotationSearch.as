@@ -85,7 +85,7 @@ package starlogo.fitting
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
             var thickness:Number = _turned[3 * corners[4] + 2] - _turned[3 * corners[5] + 2];
-            // to and fro: the corners found last are close to those looked for next
+            // back and forth: the corners found last are close to those looked for next
             _isForth = !_isForth;
             var count:int = _sines.length;
             for (var i:int = 0; i < count; i++)
@@ -136,7 +136,7 @@ package starlogo.fitting
             }
         }
 
-        // To the next rotation about y, or about x; false if there is none.
+        // Goes on to the next rotation about y, or about x; false if there is none.
         private function goOn():Boolean
         {
             _aboutY += _stepY;
@@ -162,7 +162,7 @@ package starlogo.fitting
                     -sinY, cosY * sinX, cosY * cosX];
         }
 
-        // About x, then about y. The matrix has the rows of Ry Rx by columns.
+        // Turns the hull about x, then about y. The matrix holds the rows of Ry Rx column by column.
         private function turn(aboutX:Number, aboutY:Number):void
         {
             var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
@@ -222,7 +222,7 @@ package starlogo.fitting
             return result;
         }
 
-        // Of the landmarks' box in the plane: the hull's is no smaller.
+        // The area of the landmarks' box in the plane: that of the hull's is no smaller.
         private function areaOfLandmarks(cosine:Number, sine:Number):Number
         {
             var turned:Vector.<Number> = _turned;
@@ -263,7 +263,7 @@ package starlogo.fitting
                 var value:Number = alongFirst * turned[at] + alongSecond * turned[at + 1];
                 if (value > best)
                 {
-                    // on from there at once: to see whether another neighbour is better still costs more than it brings
+                    // goes on from there at once: looking for a better neighbour yet costs more than it gains
                     best = value;
                     corner = neighbor;
                     i = firstNeighbor[corner];

@@ -45,8 +45,8 @@ package starlogo.geometry
          * Computes the hull.
          *
          * @param vertices x, y, z of each vertex, in any one unit; kept, not copied, and never changed
-         * @param atOnce false leaves the work, the check of the vertices too, to <code>step()</code>: until no step is left,
-         *        nothing but the vertices is to be asked for
+         * @param atOnce false leaves the work, including the check of the vertices, to <code>step()</code>: until no step is left, nothing but the
+         *        vertices may be read
          * @throws ArgumentError if it is null or empty, has a length that is no multiple of 3, or holds a number that is not
          *         finite or beyond 1e100
          */
@@ -201,7 +201,7 @@ package starlogo.geometry
         {
             if (dimension > 1)
             {
-                // along the coordinate axes sides that are flat stay flat
+                // along the coordinate axes, flat sides stay flat
                 var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
                 _grid = new HullGrid(_vertices, gridAxes, dimension);
             }

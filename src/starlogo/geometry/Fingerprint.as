@@ -4,7 +4,7 @@ package starlogo.geometry
     import flash.utils.Endian;
 
     /**
-     * Tells data apart: 64 bits that depend on every bit of it and on the order. Made of two of Bob Jenkins's one-at-a-time
+     * Tells data apart: 64 bits that depend on every bit of the data and on their order. Made of two of Bob Jenkins's one-at-a-time
      * hashes ("Hash functions", Dr. Dobb's Journal, September 1997) that take 32 bits at a time in place of 8: of two that
      * differ in a single word the fingerprints always differ. Not proof against a search for two that are alike.
      *
@@ -12,7 +12,7 @@ package starlogo.geometry
      */
     public final class Fingerprint
     {
-        /** How many bytes it has as ByteArrays have it. */
+        /** How many bytes it has in a ByteArray. */
         public static const LENGTH:int = 8;
 
         private var _low:int = 0x3C6EF372;
@@ -84,7 +84,7 @@ package starlogo.geometry
             bytes.writeInt(_high);
         }
 
-        /** Whether it is what is read. */
+        /** Whether the next bytes are this fingerprint. */
         public function isNextOf(bytes:ByteArray):Boolean
         {
             var low:int = bytes.readInt();

@@ -14,12 +14,12 @@ package starlogo.geometry
         private static const VERTICES_PER_STEP:int = 3000;
         private static const TRIANGLES_PER_STEP:int = 6000;
 
-        // No model's sides are in such proportions. A vertex's number fills an integer, and what is left of it counts as well.
+        // Weights in proportions that no model's sides have. A vertex's number fills an integer, and its fraction counts as well.
         private static const WEIGHT_X:Number = 0.7548776662466927 * 1073741824;
         private static const WEIGHT_Y:Number = 0.5698402909980532 * 1073741824;
         private static const WEIGHT_Z:Number = 0.4301597090019468 * 1073741824;
 
-        /** What was found, when no step is left. */
+        /** The fingerprint, when no step is left. */
         public var fingerprint:Fingerprint = new Fingerprint();
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;

@@ -22,7 +22,7 @@ package starlogo.geometry
         /** The uniform scale, positive. */
         public var size:Number = 1;
 
-        /** For who keeps what depends on more than the position: counts the changes of that. */
+        /** Counts the changes of all but the position, for caches of what does not depend on it. */
         public var extentsRevision:int = 0;
 
         /** The turn about z that the rotation is made of, in degrees; see setRotation. */

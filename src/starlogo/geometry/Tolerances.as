@@ -3,7 +3,7 @@ package starlogo.geometry
     /**
      * Every tolerance of the engine: its unit, where it comes from, and what changing it does.
      *
-     * <p>All of them are relative, so that a game at any scale behaves alike. Two rounding errors stand behind them: a
+     * <p>All of them are relative, so that a game at any scale behaves alike. They come from two rounding errors: a
      * Number's, 1.1e-16 relative, and that of Flash Player's single-precision Matrix3D, 6e-8 relative.</p>
      */
     public final class Tolerances
@@ -52,8 +52,8 @@ package starlogo.geometry
 
         /**
          * The squared sine of the angle below which two directions are nearly parallel, and what depends on their cross
-         * product is computed the slower way, which does not cancel. Smaller: answers lose digits, about 1e-16 over
-         * the sine of the angle. Larger: more pairs go the slower way, with the same answers.
+         * product is computed by a slower method, in which nothing cancels. Smaller: answers lose digits, about 1e-16 over
+         * the sine of the angle. Larger: more pairs take the slower method, with the same answers.
          */
         public static const NEARLY_PARALLEL:Number = 1e-6;
 
@@ -78,7 +78,7 @@ package starlogo.geometry
 
         /**
          * A distance from a plane beyond which its sign is right in spite of rounding, in steps of the hull's grid. Below
-         * 1e-7: hulls may come out wrong. Larger: more decisions take the slower, exact way.
+         * 1e-7: hulls may come out wrong. Larger: more decisions are made by the slower, exact method.
          */
         public static const HULL_CERTAIN:Number = 1e-6;
 
@@ -140,7 +140,7 @@ package starlogo.geometry
 
         /**
          * The gap across which the surfaces of two models still touch, as a fraction of the sum of the radii of spheres
-         * around both. What stands for a model, the nodes of its hierarchy and fitted boxes and capsules alike, is wider than
+         * around both. What represents a model, the nodes of its hierarchy and fitted boxes and capsules alike, is wider than
          * the model by as much, so that it touches what the surface touches; spheres are given it by TOUCHING, which must be
          * 1 + 4 times this at least. Smaller than 2e-15: surfaces that touch may, turned, be told apart by rounding. Larger:
          * surfaces with a gap between them collide.
@@ -207,7 +207,7 @@ package starlogo.geometry
         public static const GRAZING:Number = 1e-10;
 
         /**
-         * How far apart two nearest points must be for the way between them to be the normal of a contact, as a fraction of the
+         * How far apart two closest points must be for the line between them to give the normal of a contact, as a fraction of the
          * structures' size; and the sine of the angle up to which edges are parallel to each other or to a face for it. Smaller: normals
          * are off by 1e-16 over it. Larger: depths are, by as much.
          */
@@ -220,8 +220,8 @@ package starlogo.geometry
         public static const UPRIGHT:Number = 1e-6;
 
         /**
-         * How much later than it was found first a touch may be found again, as a fraction of the way. Smaller: rounding may have the contact
-         * of two models taken for that of the structures around them. Larger: a later touch may be taken for the first.
+         * How much later a second computation of a time of impact may put it than the first did, as a fraction of the motion. Smaller: rounding may
+         * have the contact of two models taken for that of the structures around them. Larger: a later touch may be taken for the first.
          */
         public static const SAME_TIME:Number = 1e-9;
 

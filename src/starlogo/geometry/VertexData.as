@@ -1,7 +1,7 @@
 package starlogo.geometry
 {
     /**
-     * Says what is wrong with vertices and triangles that a caller was given; the caller adds whose they are, and throws.
+     * Says what is wrong with vertices and triangles; the caller adds which model has them, and throws.
      *
      * @private
      */

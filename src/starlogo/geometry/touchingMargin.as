@@ -1,9 +1,9 @@
 package starlogo.geometry
 {
     /**
-     * The rule of touching: how far what stands at a place is wider than it is, because its coordinates are rounded. Two shapes touch if
-     * they overlap or touch when both are as much wider, in every collision system, standing, swept and asked. What rounding takes from
-     * the sizes of shapes is Tolerances.TOUCHING, SURFACES and NESTING.
+     * The rule of touching: by how much a shape at a place is enlarged, because the coordinates of the place are rounded. Two shapes touch if they
+     * overlap or touch when both are enlarged so; this holds in every collision system, for agents that stand, that sweep, and for questions about
+     * two agents. For the rounding of the sizes of shapes there are Tolerances.TOUCHING, SURFACES and NESTING.
      *
      * @param x where an agent is, in patches
      * @param y likewise

@@ -19,7 +19,7 @@ package starlogo.handlers
          * The contact of a pair, in an object that the next call overwrites; computed now, if it has not been.
          *
          * @param pair its number
-         * @param first the agent of the pair that is first in the list
+         * @param first the first agent of the pair
          * @param second the collidee
          * @param isBack whether it is to be that of the second as the collider
          */

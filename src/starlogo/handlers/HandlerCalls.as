@@ -61,16 +61,16 @@ package starlogo.handlers
         }
 
         /** Sets the pairs to those of a client's own collision system. There are no calls for an agent that is not in the list. */
-        public function setPairs(found:Vector.<Agent>, agents:Vector.<Agent>, breedPairs:BreedPairs):void
+        public function setPairs(agentPairs:Vector.<Agent>, agents:Vector.<Agent>, breedPairs:BreedPairs):void
         {
             _list.setAgents(agents);
-            for (var i:int = 0; i < found.length; i++)
+            for (var i:int = 0; i < agentPairs.length; i++)
             {
-                pairs.agents[i] = found[i];
-                pairs.places[i] = Math.max(0, _list.placeOf(found[i]));
-                pairs.breeds[i] = breedPairs.numberOf(found[i].breed);
+                pairs.agents[i] = agentPairs[i];
+                pairs.places[i] = Math.max(0, _list.placeOf(agentPairs[i]));
+                pairs.breeds[i] = breedPairs.numberOf(agentPairs[i].breed);
             }
-            pairs.end(agents.length == 0 ? 0 : found.length);
+            pairs.end(agents.length == 0 ? 0 : agentPairs.length);
         }
 
         /**

@@ -38,7 +38,7 @@ package starlogo.libraries
         public var keepAll:Boolean = false;
 
         /**
-         * What is known of each shape; of a GreatLand, the same as its other library has.
+         * What is known of each shape; both libraries of a GreatLand share it.
          *
          * @private
          */
@@ -60,8 +60,7 @@ package starlogo.libraries
         }
 
         /**
-         * The degrees between the rotations that the first list's oriented box tries (thesis §3.8); a list of other fitters
-         * brings its own.
+         * The degrees between the rotations that the oriented box of the default list tries (thesis §3.8); it does not count for other fitters.
          *
          * @throws ArgumentError if it is set to what is not a positive, finite number
          */
@@ -166,7 +165,7 @@ package starlogo.libraries
         }
 
         /**
-         * The smallest structure of a kind for a shape: that which was kept, or else what the fitters find now, once.
+         * The smallest structure of a kind for a shape: the one that was kept, or else the one that the fitters find now, once.
          *
          * @param name the shape's name
          * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
@@ -196,7 +195,7 @@ package starlogo.libraries
         }
 
         /**
-         * What finds the structures of a shape, not begun.
+         * The work that finds the structures of a shape, not begun.
          *
          * @private
          */

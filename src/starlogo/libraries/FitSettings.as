@@ -7,24 +7,23 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Every setting that decides what the libraries compute for a model, as it is when this is made: fits that were computed with
-     * other settings do not count as these. What is only chosen among what was computed does not count: cheaperTestsFactor,
-     * keepAll, boundsKind.
+     * Every setting that decides what the libraries compute for a model, as it is when this object is made: fits that were computed with other
+     * settings are not used. Settings that only choose among what was computed are not part of it: cheaperTestsFactor, keepAll, boundsKind.
      */
     public final class FitSettings
     {
-        /** To be raised whenever an algorithm of the engine finds something else than before for the same settings. */
+        /** Has to be raised whenever an algorithm of the engine gives another result for the same settings. */
         private static const REVISION:int = 1;
 
         /**
-         * What structures depend on; null if they are not wanted, or cannot be kept.
+         * The settings that structures depend on; null if structures are not wanted, or cannot be kept.
          *
          * @private
          */
         engine var structures:Fingerprint = null;
 
         /**
-         * What a hierarchy depends on; null if none is wanted.
+         * The settings that a hierarchy depends on; null if none is wanted.
          *
          * @private
          */
@@ -63,7 +62,7 @@ package starlogo.libraries
         }
 
         /**
-         * What a section of a .fits file depends on: 0 is the structures, 1 the hierarchy, 2 the surface.
+         * The settings that a section of a .fits file depends on: 0 is the structures, 1 the hierarchy, 2 the surface.
          *
          * @return null if the section is not wanted, or cannot be kept
          *

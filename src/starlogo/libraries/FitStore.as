@@ -22,8 +22,8 @@ package starlogo.libraries
      * entries that were not used for longest go; where nothing can be kept, games work without.</p>
      *
      * <p>Several games at once, in several tabs say, may share a storage. Each entry is kept by itself, so none of them mixes with
-     * another or overwrites it; what two write at the same time of the list of entries may miss one of them until it is used
-     * the next time.</p>
+     * another or overwrites it; if two write the list of entries at the same time, one entry may be missing from it until it is used the next
+     * time.</p>
      */
     public final class FitStore
     {
@@ -117,7 +117,7 @@ package starlogo.libraries
         }
 
         /**
-         * The bytes that are kept; null if there are none.
+         * The bytes that are kept for a geometry and settings; null if there are none.
          *
          * @private
          */

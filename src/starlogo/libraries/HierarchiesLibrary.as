@@ -39,7 +39,7 @@ package starlogo.libraries
         public var splitByMean:Boolean = false;
 
         /**
-         * Which structures the nodes have: BoundingStructure.BOX, SPHERE or CAPSULE (§7.7). The splits are those of the
+         * Which kind of structure the nodes have: BoundingStructure.BOX, SPHERE or CAPSULE (§7.7). The splits are those of the
          * boxes in any case. A sphere is about the middle of the node's box, a capsule along the box's longest axis; both
          * are as small as the vertices then allow.
          */
@@ -52,7 +52,7 @@ package starlogo.libraries
         public var prepareExact:Boolean = false;
 
         /**
-         * What is known of each shape; of a GreatLand, the same as its other library has.
+         * What is known of each shape; both libraries of a GreatLand share it.
          *
          * @private
          */
@@ -113,7 +113,7 @@ package starlogo.libraries
         }
 
         /**
-         * What builds the hierarchy of a shape, not begun.
+         * The work that builds the hierarchy of a shape, not begun.
          *
          * @private
          */
@@ -131,7 +131,7 @@ package starlogo.libraries
         }
 
         /**
-         * What builds the hierarchy of a model, which is in order and never changes; not begun.
+         * The work that builds the hierarchy of a model, not begun. A model is known to be valid, and never changes.
          *
          * @private
          */

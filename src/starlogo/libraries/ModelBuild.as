@@ -16,8 +16,7 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Finds for one model what the libraries want of it: what a baked file has, or else what a store has; what neither has is computed, and
-     * kept in the store.
+     * Gets for one model what the libraries need: from a baked file, or else from a store; what neither has is computed, and kept in the store.
      *
      * @private
      */
@@ -38,7 +37,7 @@ package starlogo.libraries
          * @param structures finds its structures; null if none are wanted
          * @param hierarchy builds its hierarchy; null if none is wanted
          * @param settings those of the libraries that these two are of
-         * @param baked what may be its .fits file; null for none
+         * @param baked the bytes of its .fits file, which are not trusted; null for none
          * @param store null for none
          */
         public function ModelBuild(model:Model, structures:StructuresBuild, hierarchy:SolidHierarchyBuilder, settings:FitSettings,
@@ -81,7 +80,7 @@ package starlogo.libraries
             return _structures != null && _structures.isRead;
         }
 
-        /** What has the hierarchy, or makes it of what is known when it is needed, when no step is left; null if none was wanted. */
+        /** The builder that has the hierarchy, or builds it when it is needed; when no step is left. Null if none was wanted. */
         public function get hierarchy():SolidHierarchyBuilder
         {
             return _hierarchy;
@@ -94,8 +93,8 @@ package starlogo.libraries
         }
 
         /**
-         * What a .fits file of the model has, the surface with it, when no step is left of a build without a baked file and a store. Cost:
-         * that of the surface, if it is not prepared.
+         * The content of a .fits file of the model, including the surface, when no step is left of a build without a baked file and a store. If the
+         * surface is not prepared, that is done now.
          */
         public function toFits():ByteArray
         {

@@ -11,8 +11,8 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * What was computed for a model, apart from what follows from it: the smallest structures, how its hierarchy divides the
-     * triangles, what was found out of its surface. A FitStore keeps it; a .fits file is it.
+     * The results of the computations for a model, without what follows from them: the smallest structures, how the hierarchy divides the
+     * triangles, the notes of the surface. It is what a FitStore keeps and a .fits file contains.
      */
     public final class ModelFits
     {
@@ -24,20 +24,20 @@ package starlogo.libraries
         engine var structures:Vector.<BoundingStructure> = null;
 
         /**
-         * What a TreeWriter wrote, at its position; null if there is no hierarchy.
+         * The bytes that a TreeWriter wrote, from the position on; null if there is no hierarchy.
          *
          * @private
          */
         engine var tree:ByteArray = null;
 
         /**
-         * What was noted of the surface; null if nothing was.
+         * The notes of the surface; null if there are none.
          *
          * @private
          */
         engine var notes:SurfaceNotes = null;
 
-        /** Of nothing. A GreatLand and a FitStore make them. */
+        /** Empty. GreatLand and FitStore make them. */
         public function ModelFits()
         {
         }
@@ -61,7 +61,7 @@ package starlogo.libraries
         }
 
         /**
-         * Of what the libraries have.
+         * The fits that the libraries have.
          *
          * @param shape null if there are no structures
          * @param hierarchy null if there is none

@@ -76,7 +76,7 @@ package starlogo.libraries
             return _hierarchy;
         }
 
-        /** Sets what has the hierarchy, or builds it when it is first asked for; null for none. */
+        /** Sets the builder that has the hierarchy, or builds it when it is first asked for; null for none. */
         public function setHierarchy(builder:SolidHierarchyBuilder):void
         {
             countChange(_builder || _hierarchy);

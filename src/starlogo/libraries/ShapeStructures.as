@@ -10,19 +10,19 @@ package starlogo.libraries
      */
     public final class ShapeStructures
     {
-        /** The smallest structure of each kind, or null: kept for the client or not, it need not be found again. */
+        /** The smallest structure of each kind, or null; also if it is not kept for the client, so that it need not be computed again. */
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
-        /** What has the least volume, or the cheapest tests within the factor. */
+        /** The structure with the least volume, or with the cheapest tests within the factor. */
         public var tightest:BoundingStructure = null;
 
         /** Whether the client is given the smallest of each kind. */
         public var keepsAll:Boolean;
 
-        /** What was read as the smallest of each kind, but was not checked yet; null for nothing. */
+        /** The smallest structures of each kind as they were read, not checked yet; null for none. */
         public var unchecked:Vector.<BoundingStructure> = null;
 
-        /** What fitters found when a kind was asked for that there was none of; or null. */
+        /** The structures that the fitters found later, when one of a missing kind was asked for; or null. */
         public var foundLater:ShapeStructures = null;
 
         /**
@@ -63,7 +63,7 @@ package starlogo.libraries
             return smallest[kind] == null && foundLater != null ? foundLater.smallest[kind] : smallest[kind];
         }
 
-        /** Leaves nothing but the tightest: the others are not checked yet. */
+        /** Leaves only the tightest: the others are not checked yet. */
         public function trustTightestOnly():void
         {
             unchecked = smallest;
@@ -72,7 +72,7 @@ package starlogo.libraries
         }
 
         /**
-         * Checks what was not checked yet, and takes it if all of it holds.
+         * Checks the structures that are not checked yet, and uses them if all of them enclose the model.
          *
          * @param vertices the model's, x, y, z each
          */

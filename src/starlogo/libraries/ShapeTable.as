@@ -1,8 +1,8 @@
 package starlogo.libraries
 {
     /**
-     * What a game knows under the names of shapes, and how often something of that was replaced or removed: what was made of it is void
-     * when the number has changed.
+     * What a game has under the names of shapes, and how often any of it was replaced or removed: what was derived from it is void when that number
+     * has changed.
      *
      * @private
      */
@@ -16,12 +16,12 @@ package starlogo.libraries
 
         private var _entries:Object = {};
 
-        /** A table of nothing. */
+        /** An empty table. */
         public function ShapeTable()
         {
         }
 
-        /** What is known under a name; an entry of nothing if nothing is. Once made, an entry stays: its revisions count on. */
+        /** The entry of a name; an empty one if nothing is known. Once made, an entry stays: its revisions are counted on. */
         public function of(name:String):ShapeEntry
         {
             var entry:ShapeEntry = _entries[PREFIX + name];
@@ -43,9 +43,9 @@ package starlogo.libraries
         }
 
         /**
-         * What to throw if there is nothing under a name.
+         * The error to throw if something is missing under a name.
          *
-         * @param what what there is nothing of
+         * @param what the thing that is missing
          * @param name the name
          * @param flag the flag that would have it computed
          */

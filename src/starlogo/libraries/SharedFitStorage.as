@@ -8,8 +8,8 @@ package starlogo.libraries
      * Keeps fits as shared objects, one for each name (thesis §7.9): in the player on the user's disk, in the ES module in the
      * page's local storage. Where these are switched off nothing is kept.
      *
-     * <p>The player lets a site have 100 KB unasked. It asks the user about more, and a game does not wait for the answer: what would need it is
-     * not kept.</p>
+     * <p>The player lets a site have 100 KB unasked. For more it asks the user, and a game does not wait for the answer: what would need more room
+     * is not kept.</p>
      */
     public final class SharedFitStorage implements FitStorage
     {

@@ -62,7 +62,7 @@ package starlogo.libraries
         }
 
         /**
-         * Spares the fitters their work, if the structures enclose the model. To be called before the first step.
+         * Uses structures that were read in place of the fitters, if they enclose the model. To be called before the first step.
          *
          * @param read by the numbers of the kinds, the smallest of each that the fitters once found, or null
          */
@@ -71,13 +71,13 @@ package starlogo.libraries
             _read = read;
         }
 
-        /** Whether what was found is what was read, when no step is left. */
+        /** Whether the structures are those that were read, when no step is left. */
         public function get isRead():Boolean
         {
             return _isRead;
         }
 
-        /** What was found, when no step is left. */
+        /** The structures, when no step is left. */
         public function get structures():ShapeStructures
         {
             return _structures;

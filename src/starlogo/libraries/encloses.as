@@ -10,8 +10,8 @@ package starlogo.libraries
 
     /**
      * Whether a structure contains all vertices of a model, as precisely as a fit has to (Tolerances.CONTAINMENT): whether the tightest one
-     * of its position is no wider. What is allowed goes with the model's size, not with that of a structure that may be forged. One to three
-     * passes over the vertices.
+     * of its position is no wider. The tolerance is in proportion to the model's size, not to that of the structure, which may be forged. One to
+     * three passes over the vertices.
      *
      * @param structure a sphere, a capsule or a box
      * @param vertices x, y, z each

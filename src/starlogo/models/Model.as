@@ -21,7 +21,7 @@ package starlogo.models
         private static const ORIGIN:Vector.<Number> = new <Number>[0, 0, 0];
 
         /**
-         * Where the model's origin was in what the model was made of.
+         * The model's origin in the coordinates of the source that the model was made of.
          *
          * @private
          */
@@ -42,7 +42,7 @@ package starlogo.models
         engine var sourceZ:Number;
 
         /**
-         * How many units of what the model was made of one of the model's is.
+         * The length of the model's unit, in units of the source.
          *
          * @private
          */
@@ -70,7 +70,7 @@ package starlogo.models
         }
 
         /**
-         * A model of a shape that no step is left of.
+         * A model made of a shape of which all steps are done.
          *
          * @private
          */

@@ -11,7 +11,7 @@ package starlogo.models
         /**
          * An error that says which model, where and what.
          *
-         * @param modelName the model's name, or what was given for one
+         * @param modelName the model's name as it was given
          * @param place where in the file: "line 12", or an element's path; "" where it has no place
          * @param problem what is wrong, and what was expected
          */

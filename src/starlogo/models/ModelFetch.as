@@ -10,19 +10,19 @@ package starlogo.models
     import flash.net.URLRequest;
     import flash.utils.ByteArray;
 
-    /** A model's file on its way here. */
+    /** A model's file that is being fetched. */
     internal final class ModelFetch
     {
-        /** Whether the file is still to come: neither here, nor failed, nor cancelled. */
+        /** Whether the file is still being fetched: neither complete, nor failed, nor cancelled. */
         public var isUnderWay:Boolean = true;
 
-        /** How much of it is here, from 0 to 1. */
+        /** How much of it is fetched, from 0 to 1. */
         public var progress:Number = 0;
 
-        /** The file; null before it is here. */
+        /** The file; null until it is fetched. */
         public var bytes:ByteArray = null;
 
-        /** Why it won't come; null if nothing is known against it. */
+        /** Why it cannot be fetched; null if there is no problem. */
         public var problem:String = null;
 
         private var _loader:URLLoader;

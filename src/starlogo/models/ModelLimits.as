@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /**
-     * How large models may be: what players can hold with room to spare (docs/limits.md).
+     * How large models may be: sizes that players can hold with room to spare (docs/limits.md).
      *
      * @private
      */

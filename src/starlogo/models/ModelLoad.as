@@ -11,7 +11,7 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * One model on its way through a ModelLoader: fetched, read, normalised, and taken in by the receiver. The steps throw a ModelError
+     * One model in a ModelLoader: fetched, read, normalised, and taken in by the receiver. The steps throw a ModelError
      * if the file did not come or is no model; those of the receiver may throw other errors.
      */
     internal final class ModelLoad extends StepSequence
@@ -57,7 +57,7 @@ package starlogo.models
             _receiver = receiver;
         }
 
-        /** Whether what it needs next is there, or won't come. */
+        /** Whether the file that is needed next is fetched, or cannot be. */
         public function get isReady():Boolean
         {
             if (_fetch != null && _fetch.isUnderWay)
@@ -107,7 +107,7 @@ package starlogo.models
             setFile(null, null);
         }
 
-        /** Sets what to read: a file's bytes, or its text. */
+        /** Sets the file to read: its bytes, or its text. */
         public function setFile(bytes:ByteArray, text:String):void
         {
             _bytes = bytes;
@@ -115,7 +115,7 @@ package starlogo.models
             begin(unpacking).begin(reading).begin(normalising).call(keepShape).begin(receiving);
         }
 
-        /** Sets what makes the model, in place of a file. */
+        /** Sets the source that makes the model, in place of a file. */
         public function setSource(source:ModelSource):void
         {
             _source = source;
@@ -194,7 +194,7 @@ package starlogo.models
             {
                 return _receiver.receive(model);
             }
-            // one that is too late
+            // a file that took too long
             _fitsFetch.cancel();
             return FitsReceiver(_receiver).receiveWithFits(model, _fitsFetch.bytes);
         }

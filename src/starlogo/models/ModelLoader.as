@@ -135,7 +135,7 @@ package starlogo.models
             return _longestStep;
         }
 
-        /** Whether a model of a name is on its way: asked for, but not loaded yet. */
+        /** Whether a model of a name is being loaded: asked for, but not loaded yet. */
         public function isPending(name:String):Boolean
         {
             for each (var pending:ModelLoad in _queue)

@@ -3,7 +3,7 @@ package starlogo.models
     import starlogo.steps.Steps;
 
     /**
-     * Makes a model in steps, from what is no file: from what a renderer has loaded, say. A ModelLoader does its steps; one that
+     * Makes a model in steps from something other than a file: from what a renderer has loaded, say. A ModelLoader does its steps; one that
      * throws ends the load.
      */
     public interface ModelSource extends Steps

@@ -1,7 +1,7 @@
 package starlogo.models
 {
     /**
-     * Splits text by means of what is native in the player: there a character at a time is slow.
+     * Splits text by native functions of the player, where a loop over characters is slow.
      *
      * @private
      */
@@ -82,8 +82,7 @@ package starlogo.models
         }
 
         /**
-         * The number that a word is, or NaN. A decimal comma is understood: programs write it that leave number formats
-         * to the system's language.
+         * The number that a word is, or NaN. A decimal comma is understood: programs that leave number formats to the system's language write it.
          */
         public static function toNumber(word:String):Number
         {

@@ -33,7 +33,7 @@ package starlogo.models
         }
 
         /**
-         * The work of turning vertices in place. With y up, -z of the file becomes y; with x up, -y becomes x and -z becomes y (the
+         * The work that turns vertices in place. With y up, -z of the file becomes y; with x up, -y becomes x and -z becomes y (the
          * right and inward axes of the COLLADA specification's table for up_axis).
          *
          * @return null if z is up

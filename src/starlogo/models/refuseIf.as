@@ -1,8 +1,7 @@
 package starlogo.models
 {
     /**
-     * Refuses a model's file if something is wrong with it. The sentence is made in any case: loops over much throw their errors
-     * themselves.
+     * Refuses a model's file if something is wrong with it. The message is made in any case: long loops throw their errors themselves.
      *
      * @param isWrong whether it is
      * @param name the model's name

@@ -46,7 +46,8 @@ package starlogo.search
         internal var depths:Vector.<int> = new Vector.<int>();
         internal var extents:Extents = new Extents();
 
-        // By row: where the agent is, and of which of its revisions that is; the same of the search before: what a search that fails has read.
+        // By row: where the agent is, and of which of its revisions that is; the same of the search before; a search that fails leaves there what
+        // it has read.
         internal var x:Vector.<Number> = new Vector.<Number>();
         internal var y:Vector.<Number> = new Vector.<Number>();
         internal var z:Vector.<Number> = new Vector.<Number>();

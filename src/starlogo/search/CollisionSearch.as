@@ -38,8 +38,8 @@ package starlogo.search
         // in the order of the list. Where an agent sweeps, with their times.
         private var _breeds:BreedPairs;
         private var _skippedPairs:int;
-        private var _found:Vector.<int> = new Vector.<int>();
-        private var _foundCount:int;
+        private var _pairs:Vector.<int> = new Vector.<int>();
+        private var _pairCount:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
 
@@ -83,9 +83,9 @@ package starlogo.search
         {
             search(agents, breeds);
             writeAgents(out);
-            if (out.length > 2 * _foundCount)
+            if (out.length > 2 * _pairCount)
             {
-                out.length = 2 * _foundCount;
+                out.length = 2 * _pairCount;
             }
         }
 
@@ -95,7 +95,7 @@ package starlogo.search
             search(agents, breeds);
             writeAgents(out.agents);
             writeNumbers(out.places, out.breeds);
-            out.end(2 * _foundCount);
+            out.end(2 * _pairCount);
         }
 
         /**
@@ -142,26 +142,26 @@ package starlogo.search
             {
                 count = _strategy.keepTouching(_table, _bins, place, others, count);
             }
-            var found:Vector.<int> = _found;
+            var pairs:Vector.<int> = _pairs;
             var memberAt:Vector.<int> = _bins.memberAt;
             var member:int = memberAt[place];
-            var at:int = 2 * _foundCount;
+            var at:int = 2 * _pairCount;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = memberAt[others[i]];
                 if (member < other)
                 {
-                    found[at] = member;
-                    found[at + 1] = other;
+                    pairs[at] = member;
+                    pairs[at + 1] = other;
                 }
                 else
                 {
-                    found[at] = other;
-                    found[at + 1] = member;
+                    pairs[at] = other;
+                    pairs[at + 1] = member;
                 }
                 at += 2;
             }
-            _foundCount += count;
+            _pairCount += count;
         }
 
         private function search(agents:Vector.<Agent>, breeds:BreedPairs):void
@@ -178,12 +178,12 @@ package starlogo.search
             }
             chooseMembers(breeds);
             _breeds = breeds == null || breeds.areAll ? null : breeds;
-            _foundCount = _skippedPairs = 0;
+            _pairCount = _skippedPairs = 0;
             _strategy.resetCounts();
             _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _members, _memberCount, this);
             if (_isSwept)
             {
-                _order.sort(_times, _found, _foundCount);
+                _order.sort(_times, _pairs, _pairCount);
             }
             _strategy.finishCounts();
             report(agents.length);
@@ -228,7 +228,7 @@ package starlogo.search
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _times[_foundCount + kept] = time;
+                    _times[_pairCount + kept] = time;
                     kept++;
                 }
             }
@@ -249,11 +249,11 @@ package starlogo.search
         {
             var listed:Vector.<Agent> = _table.agents;
             var members:Vector.<int> = _members;
-            var found:Vector.<int> = _found;
-            var length:int = 2 * _foundCount;
+            var pairs:Vector.<int> = _pairs;
+            var length:int = 2 * _pairCount;
             for (var i:int = 0; i < length; i++)
             {
-                out[i] = listed[members[found[i]]];
+                out[i] = listed[members[pairs[i]]];
             }
         }
 
@@ -261,12 +261,12 @@ package starlogo.search
         {
             var numbers:Vector.<int> = _table.breeds;
             var members:Vector.<int> = _members;
-            var found:Vector.<int> = _found;
+            var pairs:Vector.<int> = _pairs;
             var hasAll:Boolean = members === _table.rows;
-            var length:int = 2 * _foundCount;
+            var length:int = 2 * _pairCount;
             for (var i:int = 0; i < length; i++)
             {
-                var member:int = found[i];
+                var member:int = pairs[i];
                 breeds[i] = numbers[members[member]];
                 if (!hasAll)
                 {
@@ -284,7 +284,7 @@ package starlogo.search
             did.agentsLoading = _table.loadingCount;
             did.binEntries = _bins.entryCount;
             did.candidatePairs = _bins.pairCount - _skippedPairs;
-            did.collisions = _foundCount;
+            did.collisions = _pairCount;
         }
     }
 }

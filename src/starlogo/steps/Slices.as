@@ -1,6 +1,6 @@
 package starlogo.steps
 {
-    /** Work on a row of things, some of them in each step. */
+    /** Work on things that are numbered from 0, some of them in each step. */
     public final class Slices implements Steps
     {
         private var _count:int;

@@ -10,10 +10,10 @@ package starlogo.steps
      *
      * <p>Nothing is called before the first step; a part is let go of when it is done.</p>
      *
-     * <p>Every class of the engine that works in phases has them as parts. One of the engine's own extends this class and adds its
-     * parts in the constructor; one that clients name keeps a sequence, and its <code>step()</code> does that one's. A loop over
-     * many things is <code>slices()</code>, with a constant <code>THINGS_PER_STEP</code> for their number; a loop whose end only
-     * the work itself knows is <code>repeat()</code>; work that starts anew adds its parts again.</p>
+     * <p>Every class of the engine that works in phases has them as parts. An internal class extends this one and adds its parts in the
+     * constructor; a class that clients name keeps a sequence in a field, and its <code>step()</code> calls that of the sequence. A loop over many
+     * things is <code>slices()</code>, with a constant <code>THINGS_PER_STEP</code> for their number; a loop whose end only the work itself knows
+     * is <code>repeat()</code>; work that starts anew adds its parts again.</p>
      */
     public class StepSequence implements Steps
     {
@@ -62,7 +62,7 @@ package starlogo.steps
         /**
          * Adds work that a step of its own makes when its turn has come; returns the sequence.
          *
-         * @param make function():Steps; what it returns is done next, null is nothing to do
+         * @param make function():Steps; the work that it returns is done next; null for none
          */
         public function begin(make:Function):StepSequence
         {

@@ -226,7 +226,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function manyQuestionsOnTheWayEndNoMotion():void
+        public function manyQuestionsDuringAMotionDoNotEndIt():void
         {
             assertKept(function(collider:Collider):void
                 {
@@ -495,7 +495,7 @@ package starlogo.collision
 
         private function check(name:String, sweepsBefore:Boolean, happens:Function):void
         {
-            var collider:Collider = begin(name, sweepsBefore);
+            var collider:Collider = newCollider(name, sweepsBefore);
             happens(collider);
             _ball.sweeps = true;
             _ball.moveTo(10, 0, 0.4);
@@ -516,7 +516,7 @@ package starlogo.collision
             {
                 for each (var sweepsBefore:Boolean in [true, false])
                 {
-                    var collider:Collider = begin(name, sweepsBefore);
+                    var collider:Collider = newCollider(name, sweepsBefore);
                     happens(collider);
                     _ball.sweeps = true;
                     _ball.moveTo(10, 0, 0.4);
@@ -531,7 +531,7 @@ package starlogo.collision
             _wrong.assertNone();
         }
 
-        private function begin(name:String, sweepsBefore:Boolean):Collider
+        private function newCollider(name:String, sweepsBefore:Boolean):Collider
         {
             var collider:Collider = EachCollider.make(name, _greatLand);
             _ball.shape = "sphere";

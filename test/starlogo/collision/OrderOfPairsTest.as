@@ -204,7 +204,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function isThatOfTheirPlacesOnTheWay():void
+        public function isThatOfTheirTimesOfImpact():void
         {
             for each (var name:String in EachCollider.NAMES)
             {

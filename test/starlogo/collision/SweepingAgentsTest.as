@@ -66,7 +66,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aJumpIsNoWay():void
+        public function aJumpIsNoMotion():void
         {
             for each (var collider:Collider in colliders())
             {
@@ -90,7 +90,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function theNewAndTheReshapedHaveNoWay():void
+        public function theNewAndTheReshapedHaveNoMotion():void
         {
             for each (var collider:Collider in colliders())
             {
@@ -115,7 +115,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function eachColliderHasItsOwnWay():void
+        public function eachColliderKeepsItsOwnMotions():void
         {
             var often:Collider = new TightestFitCollider(_greatLand);
             var seldom:Collider = new TightestFitCollider(_greatLand);
@@ -131,7 +131,7 @@ package starlogo.collision
         }
 
         [Test]
-        public function aFrameThatFailsIsPartOfTheWay():void
+        public function aFrameThatFailsIsPartOfTheMotion():void
         {
             for each (var collider:Collider in colliders())
             {

@@ -94,7 +94,7 @@ package starlogo.collision
             _seen = _found = _glimpses = 0;
             for (var game:int = 0; game < games; game++)
             {
-                begin(count);
+                makeAgents(count);
                 for (var frame:int = 0; frame < FRAMES; frame++)
                 {
                     move();
@@ -106,7 +106,7 @@ package starlogo.collision
             assertTrue("seen: " + _seen, _seen > 8 * games && _found < 0.7 * games * FRAMES * count * (count - 1) / 2);
         }
 
-        private function begin(count:int):void
+        private function makeAgents(count:int):void
         {
             _agents = new Vector.<Agent>();
             _doubles = new Vector.<Agent>();

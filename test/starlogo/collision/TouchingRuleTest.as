@@ -63,7 +63,7 @@ package starlogo.collision
             _b.x = 0.5;
             for (var i:int = 0; i < SYSTEMS.length; i++)
             {
-                begin(i);
+                setSystem(i);
                 assertEquals(nameOf(i), 2, Collider(_colliders[i]).findCollisions(_agents).length);
                 assertTrue(nameOf(i), Collider(_colliders[i]).areColliding(_a, _b));
                 assertTrue(nameOf(i), Collider(_colliders[i]).areColliding(_b, _a));
@@ -128,7 +128,7 @@ package starlogo.collision
                 _b.x = 10000.7;
                 for (var i:int = 0; i < SYSTEMS.length; i++)
                 {
-                    begin(i);
+                    setSystem(i);
                     if (Collider(_colliders[i]).findCollisions(_agents).length != 2 || !Collider(_colliders[i]).areColliding(_a, _b)
                             || !Collider(_colliders[i]).areColliding(_b, _a))
                     {
@@ -201,7 +201,7 @@ package starlogo.collision
                 {
                     continue;
                 }
-                begin(i);
+                setSystem(i);
                 pair.resize(_a, _b);
                 for each (var manner:String in manners)
                 {
@@ -231,7 +231,7 @@ package starlogo.collision
             return name != "bins" || pair.isAlongAxis;
         }
 
-        private function begin(system:int):void
+        private function setSystem(system:int):void
         {
             _a.hierarchical = SYSTEMS[system][1] > 0;
             _b.hierarchical = SYSTEMS[system][1] > 1;

@@ -86,7 +86,7 @@ package starlogo.solid
             {
                 var a:SolidHierarchy = hierarchyOf(randomModel(), _random.pick(KINDS));
                 var structure:BoundingStructure = shapes.ofKind(_random.pick(KINDS), 0.5, 0.5);
-                checkWay("structure " + i, a, _random.integer(1, 7), null, 0, structure, false);
+                checkMotion("structure " + i, a, _random.integer(1, 7), null, 0, structure, false);
             }
             report("structures");
         }
@@ -99,7 +99,7 @@ package starlogo.solid
             {
                 var a:SolidHierarchy = hierarchyOf(randomModel(), _random.pick(kinds));
                 var b:SolidHierarchy = hierarchyOf(randomModel(), _random.pick(kinds));
-                checkWay("trees " + i, a, _random.integer(1, 7), b, _random.integer(1, 7), null, exact);
+                checkMotion("trees " + i, a, _random.integer(1, 7), b, _random.integer(1, 7), null, exact);
             }
             report(kinds + (exact ? ", exact" : ""));
         }
@@ -120,7 +120,7 @@ package starlogo.solid
         }
 
         // Either b or the structure is null.
-        private function checkWay(name:String, a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, structure:BoundingStructure,
+        private function checkMotion(name:String, a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, structure:BoundingStructure,
                 exact:Boolean):void
         {
             _ways++;

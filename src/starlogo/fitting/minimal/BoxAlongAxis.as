@@ -53,8 +53,8 @@ package starlogo.fitting.minimal
          * @param x of the direction, a unit vector
          * @param y of the direction
          * @param z of the direction
-         * @param enough a volume that is not interesting any more: if the box cannot be smaller, the answer may be any
-         *        volume from that to the box's, and its sides are not computed
+         * @param enough a volume from which on the box is of no interest: if it cannot be smaller, the result may be any volume from this one to
+         *        that of the box, and its sides are not computed
          */
         public function measure(x:Number, y:Number, z:Number, enough:Number = Infinity):Number
         {

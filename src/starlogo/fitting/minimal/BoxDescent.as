@@ -56,14 +56,14 @@ package starlogo.fitting.minimal
                     _x * _sideY - _y * _sideX];
         }
 
-        /** Takes the smallest box with an axis along a direction, a unit vector. */
+        /** Starts from the smallest box with an axis along a direction, a unit vector. */
         public function start(x:Number, y:Number, z:Number):void
         {
             _volume = Infinity;
             tryDirection(x, y, z);
         }
 
-        /** Makes the box smaller for as long as steps do. */
+        /** Makes the box smaller, until no step does. */
         public function descend():void
         {
             var step:Number = FIRST_STEP;
@@ -103,7 +103,7 @@ package starlogo.fitting.minimal
             _lowest = _box.lowest;
         }
 
-        // To the crease of each edge at the corner that is within a step, and a step along it both ways.
+        // To the crease of each edge at the corner that is within a step, and a step along it in both directions.
         private function slideAt(corner:int, step:Number):void
         {
             var points:Vector.<Number> = _hull.convexPoints;

@@ -22,7 +22,7 @@ package starlogo.fitting.minimal
         private static const MOST_ACTIVE:int = 48;
         private static const GAIN:Number = 1e-7;
 
-        /** The ends, x, y, z of either: to be set before, and read after. */
+        /** The ends, x, y, z of each: set before a descent, read after it. */
         public var ends:Vector.<Number> = new Vector.<Number>(6);
 
         /** The radius that holds all points. */

@@ -7,7 +7,7 @@ package starlogo.fitting.minimal
      */
     public final class DirectionSample
     {
-        /** Of the direction, a unit vector. */
+        /** The direction, a unit vector. */
         public var x:Number;
 
         /** @copy #x */
@@ -16,17 +16,17 @@ package starlogo.fitting.minimal
         /** @copy #x */
         public var z:Number;
 
-        /** Of what was found. */
+        /** The volume of the structure that was found. */
         public var volume:Number;
 
-        /** Of a capsule that was found: its ends, x, y, z of either. */
+        /** The ends of a capsule that was found, x, y, z of each. */
         public var ends:Vector.<Number> = null;
 
         /**
          * @param x of the direction
          * @param y of the direction
          * @param z of the direction
-         * @param volume of what was found
+         * @param volume of the structure that was found
          */
         public function DirectionSample(x:Number, y:Number, z:Number, volume:Number = Infinity)
         {

@@ -148,7 +148,7 @@ package starlogo.fitting.minimal
                 alongV = toV - fromV;
                 if (goesDown && alongU > 0 && alongV >= -LEVEL * alongU)
                 {
-                    // at the bottom again, without having met the start: it is inside a side, and was passed over
+                    // at the bottom again, without having met the start, which is inside of a side and was skipped
                     return;
                 }
                 goesDown = goesDown || alongV < 0 || alongU < 0 && alongV <= -LEVEL * alongU;
@@ -181,7 +181,7 @@ package starlogo.fitting.minimal
                     var square:Number = toU * toU + toV * toV;
                     if (square <= _same)
                     {
-                        // behind this corner, or before it: its neighbours count too
+                        // in line with this corner, farther or nearer along the direction of view: its neighbours count too
                         if (_cluster.indexOf(neighbor) < 0)
                         {
                             _cluster.push(neighbor);
@@ -189,7 +189,7 @@ package starlogo.fitting.minimal
                         continue;
                     }
                     var turn:Number = alongU * toV - alongV * toU;
-                    // straight back, or by rounding beyond it
+                    // straight back, or by rounding a little past that
                     if (turn <= -BACK * (alongU * toU + alongV * toV))
                     {
                         continue;

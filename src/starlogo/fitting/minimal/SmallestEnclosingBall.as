@@ -58,7 +58,7 @@ package starlogo.fitting.minimal
         }
 
         /**
-         * Grows to the smallest ball around these points and those that it had to hold before.
+         * Grows to the smallest ball around these points and all those before.
          *
          * @param points x, y, z each
          */

@@ -21,7 +21,7 @@ package starlogo.geometry.hull
         private var _points:Vector.<Number>;
         private var _next:int = 0;
 
-        // how many edges that are none of a flat side meet at each point; -1 for one that is no vertex
+        // how many edges meet at each point, those inside of a flat side not counted; -1 for a point that is no vertex
         private var _edgeEnds:Vector.<int>;
 
         /**
@@ -96,7 +96,7 @@ package starlogo.geometry.hull
             }
         }
 
-        // Each edge is met twice, and counted once. It is none of a flat side if the neighbour's third corner is below it.
+        // Each edge is met twice, and counted once. It is not inside of a flat side if the neighbour's third corner is below the face.
         private function countEdge(face:HullFace, neighbor:HullFace, from:int, to:int):void
         {
             if (from > to)
@@ -119,7 +119,7 @@ package starlogo.geometry.hull
             }
         }
 
-        // The vertices where at least three edges that are none of a flat side meet; null when that is all of them.
+        // The vertices at which at least three edges meet that are not inside of a flat side; null if that holds for all.
         private function findCorners():void
         {
             var found:Vector.<int> = new Vector.<int>();

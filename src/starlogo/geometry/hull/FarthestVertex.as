@@ -1,6 +1,6 @@
 package starlogo.geometry.hull
 {
-    /** The vertex farthest from a point, or from a line, or from a plane: of all those that it has looked at, some at a time. */
+    /** The vertex farthest from a point, or from a line, or from a plane: of all vertices that were looked at, some at a time. */
     internal final class FarthestVertex
     {
         /** The vertex; the first one of several. */

@@ -61,7 +61,7 @@ package starlogo.geometry.hull
         /** Its distance from the plane. */
         public var farthestDistance:Number = 0;
 
-        /** Whether a later vertex has seen this face: it is no longer part of the hull. */
+        /** Whether a vertex that was added later lies beyond this face, which then is no longer part of the hull. */
         public var isBuried:Boolean = false;
 
         /** Whether a walk over the finished hull has been here. */

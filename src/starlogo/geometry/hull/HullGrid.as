@@ -72,7 +72,7 @@ package starlogo.geometry.hull
             return placed;
         }
 
-        // Puts the vertices' places along the next axis where their whole numbers go.
+        // Writes the vertices' positions along the next axis, before they are rounded.
         private function measure(first:int, end:int):void
         {
             if (first == 0)

@@ -106,7 +106,7 @@ package starlogo.geometry.hull
             }
         }
 
-        // For what is farthest from the box's middle, then from the first corner, from the line and from the plane.
+        // Looks for the vertex that is farthest from the box's middle, then from the first corner, from the line and from the plane.
         private function look(first:int, end:int):void
         {
             var corner:int = corners.length == 0 ? 0 : 3 * corners[0];

@@ -53,7 +53,7 @@ package starlogo.geometry.hull
             }
         }
 
-        // Only left turns stay. What is below keep belongs to the other half.
+        // Keeps left turns only. Corners before the index keep are those of the other half.
         private function addHalf(keep:int):void
         {
             var points:Vector.<Number> = _points;

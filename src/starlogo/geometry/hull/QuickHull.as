@@ -22,8 +22,8 @@ package starlogo.geometry.hull
         /** The largest coordinate of the grid: with it a normal stays below 2^51, and its halves' products below 2^53. */
         public static const GRID:Number = 33554432;
 
-        // About how much a step does: points put on lists, points looked at per new face; and how many looks making a face
-        // takes as long as.
+        // About how much a step does: points put on lists, and points looked at for each new face; and to how many points looked at the making of a
+        // face is equal in time.
         private static const POINTS_PER_STEP:int = 500;
         private static const LOOKS_PER_STEP:int = 3000;
         private static const LOOKS_PER_FACE:int = 12;
@@ -101,7 +101,8 @@ package starlogo.geometry.hull
             }
         }
 
-        // Some vertex may have been taken that later ones have left in the middle of a flat side: again with the others alone.
+        // A vertex may have been taken that is in the middle of a flat side once later vertices are added: then the hull of the others alone is
+        // built.
         private function restartIfFlat():void
         {
             if (_walk.corners != null)

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.models.TextTokens;
 
     /**
-     * An element of a COLLADA document, known by its name in any namespace. All that is known of E4X is known here.
+     * An element of a COLLADA document, known by its name in any namespace. All use of E4X is in this class.
      *
      * <p>Names are compared as texts: players differ in what a QName of no namespace finds.</p>
      */
@@ -45,7 +45,7 @@ package starlogo.models.collada
             return attribute("id");
         }
 
-        /** What an attribute is; "" if it is not there. */
+        /** The value of an attribute; "" if it is not there. */
         public function attribute(name:String):String
         {
             return _xml.attribute(name).toString();
@@ -117,7 +117,7 @@ package starlogo.models.collada
             return found;
         }
 
-        /** The way to it from the root: names, with ids or, among several without, with numbers from 1. */
+        /** Its path from the root: names, with ids or, among several without, with numbers from 1. */
         public function get path():String
         {
             var places:Array = [];

@@ -73,7 +73,7 @@ package starlogo.models.collada
             return work;
         }
 
-        /** The source that an input leads to, by way of an element "vertices" or not. */
+        /** The source that an input leads to, directly or through an element "vertices". */
         private function positionSource(input:ColladaElement):ColladaElement
         {
             var url:String = input.attribute("source");

@@ -1,6 +1,6 @@
 package starlogo.models.collada
 {
-    /** A node of a COLLADA scene as it is walked through: one element may come up often, through instance_node. */
+    /** A node of a COLLADA scene as it is visited: one element may be visited often, through instance_node. */
     internal final class ColladaNode
     {
         /** The element. */

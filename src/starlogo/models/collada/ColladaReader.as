@@ -88,7 +88,7 @@ package starlogo.models.collada
             return new ColladaPlacing(_document, mesh, instance, mesh.hasSurfaces ? vertices : _loosePoints, triangles);
         }
 
-        /** A geometry is read once, however often the scene has it. */
+        /** A geometry is read once, however often it is in the scene. */
         private function meshOf(geometry:ColladaElement):ColladaMesh
         {
             var key:String = "#" + geometry.id; // an id may be the name of a property that each Object has

@@ -17,7 +17,7 @@ package starlogo.models.collada
         }
 
         /**
-         * What an element of a node does.
+         * The transform of an element of a node.
          *
          * @return null if the element is none that transforms
          */
@@ -114,7 +114,7 @@ package starlogo.models.collada
             return differences == 0;
         }
 
-        /** What 16 numbers in rows do. */
+        /** The transform of 16 numbers in rows. */
         internal static function matrix(document:ColladaDocument, element:ColladaElement):ColladaTransform
         {
             var m:Vector.<Number> = document.numbers(element, 16);

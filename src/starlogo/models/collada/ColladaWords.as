@@ -20,7 +20,7 @@ package starlogo.models.collada
         private var _ends:NextOfTwo;
 
         /**
-         * @param elements whose words they are
+         * @param elements the elements to read
          */
         public function ColladaWords(elements:Vector.<ColladaElement>)
         {

@@ -234,7 +234,7 @@ package starlogo.models.obj
                 _triangulator.addPolygon(polygon);
                 for each (var corner:uint in polygon)
                 {
-                    _isUsed[corner] = 1; // be it of no triangle
+                    _isUsed[corner] = 1; // even if it has no triangle
                 }
                 count += polygon.length;
             }

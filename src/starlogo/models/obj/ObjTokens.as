@@ -10,10 +10,10 @@ package starlogo.models.obj
     {
         // the marks are words of characters that no text uses
 
-        /** Stands for a line's end. */
+        /** Marks a line's end.  */
         internal static const END:String = "\uE000";
 
-        /** Stands for a line's end that the next line goes on from. */
+        /** Marks a line's end after which the next line continues the statement. */
         internal static const CONTINUED:String = "\uE001";
 
         /** How many characters a line may have, and what it is continued in: it is taken in one step. */

@@ -29,7 +29,7 @@ package starlogo.models.polygons
             _triangles = triangles;
         }
 
-        /** Takes the ring of a node, which turns left. */
+        /** Sets the ring to that of a node; it turns left. */
         internal function setRing(start:int):void
         {
             _node = start;

@@ -24,7 +24,7 @@ package starlogo.models.polygons
         }
 
         /**
-         * Takes a polygon.
+         * Sets the polygon.
          *
          * @param outline a node of the outline's ring
          * @param holes a node of each hole's ring, turning right
@@ -129,8 +129,7 @@ package starlogo.models.polygons
         }
 
         /**
-         * The corner that is in the way from a hole's node to another corner and lowest above the ray, or that
-         * corner.
+         * Of the corners that block the line from a hole's node to a corner, the one nearest to the ray; if none does, that corner.
          */
         private function nearestToRay(hole:int, hitX:Number, corner:int):int
         {

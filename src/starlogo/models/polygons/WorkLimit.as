@@ -1,7 +1,7 @@
 package starlogo.models.polygons
 {
     /**
-     * How much work there may be on something that may be made to take any time.
+     * A limit to the work on input that could be made to take any time.
      *
      * @private
      */
@@ -10,7 +10,7 @@ package starlogo.models.polygons
         /** How much was done. */
         public var done:int = 0;
 
-        /** How much may be. */
+        /** How much may be done. */
         public var most:int;
 
         /**

@@ -5,8 +5,8 @@ package starlogo.models.zip
     import starlogo.steps.Steps;
 
     /**
-     * Counts the bytes that deflated ones (RFC 1951) would unpack to, without unpacking them: a few bytes may be made for
-     * hundreds of megabytes. It stops at a limit.
+     * Counts the bytes that deflated data (RFC 1951) would unpack to, without unpacking them: a few bytes may unpack to hundreds of megabytes. It
+     * stops at a limit.
      */
     internal final class DeflateMeter implements Steps
     {
@@ -20,7 +20,7 @@ package starlogo.models.zip
         // zeros after the end, for the bits that are read ahead
         private static const PADDING:int = 8;
 
-        // for the symbols from 257: the lengths that they stand for, and the bits that follow them and add to it
+        // for the symbols from 257: the lengths that they code, and the numbers of bits that follow them and add to it
         private static const LENGTHS:Vector.<int> = new <int>[3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 15, 17, 19, 23, 27, 31, 35,
                 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258];
         private static const LENGTH_BITS:Vector.<int> = new <int>[0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3,
@@ -205,7 +205,7 @@ package starlogo.models.zip
             return value;
         }
 
-        /** Sees to it that there are at least 16 bits, and at most 31. */
+        /** Reads ahead, so that there are at least 16 bits, and at most 31. */
         private function refill():void
         {
             if (_bitCount < 16)
@@ -264,7 +264,7 @@ package starlogo.models.zip
                 var extra:int;
                 if (isDistance)
                 {
-                    // how far back plays no part
+                    // the distance itself does not matter
                     extra = symbol < 4 ? 0 : (symbol >> 1) - 1;
                     i++;
                 }

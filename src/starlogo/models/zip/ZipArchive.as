@@ -61,7 +61,7 @@ package starlogo.models.zip
         /**
          * Begins to unpack a file that there is.
          *
-         * @throws ModelError if it is not where the archive says, too large, or packed in a way that is not known
+         * @throws ModelError if it is not where the archive says, too large, or packed by an unknown method
          */
         public function unpack(path:String):ZipEntry
         {

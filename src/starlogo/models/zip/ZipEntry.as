@@ -10,7 +10,7 @@ package starlogo.models.zip
      */
     internal final class ZipEntry extends StepSequence
     {
-        /** What is no larger than this when it is unpacked does no harm, in bytes. */
+        /** A file that is no larger than this when it is unpacked does no harm; in bytes. */
         internal static const HARMLESS_SIZE:int = 16777216;
 
         /** The file, when no step is left; the steps throw a ModelError if it is damaged or has another size than it says. */

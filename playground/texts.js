@@ -108,7 +108,7 @@ export const texts = {
 		tooMany: (most) => `there are ${most} agents already; delete some before you create more.`,
 		notANumber: (block) => `the block “${block}” needs a number.`,
 		nobody: (block) => `the block “${block}” is about an agent, but there is none here. Put it into a block that begins with a breed.`,
-		noCollidee: (block) => `the block “${block}” speaks of the collidee, who is somebody only inside of a collision block.`,
+		noCollidee: (block) => `the block “${block}” speaks of the collidee, which is an agent only inside of a collision block.`,
 	},
 	breeds: { bears: "bears", turtles: "turtles", seagulls: "seagulls", walls: "walls", paintballs: "paintballs" },
 	colours: { red: "red", orange: "orange", yellow: "yellow", green: "green", blue: "blue", purple: "purple", brown: "brown", grey: "grey", white: "white" },

@@ -15,7 +15,7 @@ package starlogo.blocks
             else if (!(subject is Agent))
             {
                 throw new BlockError(block, "needs an agent or a breed, but got " + nameOf(subject)
-                        + ". Remember: \"collidee\" is somebody only while a collision block runs.");
+                        + ". Remember: \"collidee\" is an agent only while a collision block runs.");
             }
         }
 

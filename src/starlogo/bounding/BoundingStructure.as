@@ -143,7 +143,7 @@ package starlogo.bounding
         }
 
         /**
-         * Makes the structure wider on all sides: by as much as touching asks for where it stands.
+         * Makes the structure wider on all sides: by the margin of touching at its place.
          *
          * @param by a length, not negative
          *

@@ -12,8 +12,8 @@ package starlogo.bounding
      * A box of any orientation: the points that are, along each of three axes, no farther from <code>center</code> than
      * that axis's half-extent (thesis §3.3). Half-extents of 0 make it a rectangle, a segment or a point.
      *
-     * <p>The axes are unit vectors at right angles, of either handedness. The tests rely on it: whoever changes an
-     * axis directly has to keep it so.</p>
+     * <p>The axes are unit vectors at right angles, of either handedness. The tests rely on it: code that changes an axis directly has to keep it
+     * so.</p>
      *
      * <p>This file is long because a box has three axes to check, turn and place.</p>
      */

@@ -34,7 +34,7 @@ package starlogo.hierarchy
         engine var hierarchy:Hierarchy;
 
         /**
-         * The number of levels down to this one, the root's being 1; 0 for a node that stands for a single structure.
+         * The number of levels down to this one, the root's being 1; 0 for a node that represents a single structure.
          *
          * @private
          */

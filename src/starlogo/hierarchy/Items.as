@@ -122,8 +122,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * Begins to put the items whose centre is below a splitting point before the others. The extents of both are found on the way,
-         * so that an item is looked at once a level.
+         * Begins to put the items whose centre is below a splitting point before the others. The extents of both groups are computed at the same
+         * time, so that an item is read once for each level.
          *
          * @param first the first item in the order
          * @param end the one after the last

@@ -11,7 +11,7 @@ package starlogo.hierarchy
         /** Of models that move, before the test: the latest time that is of interest; after it: when the leaves touch. From 0 to 1. */
         public var time:Number = 0;
 
-        /** Knows nothing: leaves whose structures touch do. */
+        /** A test without triangles: leaves touch if their structures do. */
         public function LeafTest()
         {
         }

@@ -9,8 +9,8 @@ package starlogo.hierarchy
      * The traversal of pairs of nodes of two trees, depth-first (thesis §4.6): where two nodes touch, the children of one of them are looked
      * at, until two that are leaves or at their depth limit touch. A subclass decides about a pair.
      *
-     * <p>For models that move a pair has an interval of time in which its nodes may touch, and what is looked for is the first moment at
-     * which two that decide do: a pair whose interval begins later than what was found is left out. For models that stand still all
+     * <p>For models that move a pair has an interval of time in which its nodes may touch, and what is looked for is the first moment at which two
+     * nodes that decide touch: a pair whose interval begins after the earliest moment found so far is left out. For models that stand still all
      * happens at time 0, and the first two end the search.</p>
      *
      * <p>Times are fields, not arguments or results: passed between functions, JavaScript's machines put each into an object of its own.</p>
@@ -46,7 +46,7 @@ package starlogo.hierarchy
         /** When the trees touched that were asked about last, from 0 to 1; or RelativeMotion.NEVER. */
         public var time:Number;
 
-        /** The nodes that did, of models that move; of trees that did not, any. */
+        /** The nodes that touched first, of models that move; arbitrary where the trees do not touch. */
         public var firstA:HierarchyNode = null;
 
         /** @copy #firstA */

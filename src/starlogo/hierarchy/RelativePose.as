@@ -7,8 +7,8 @@ package starlogo.hierarchy
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * Where one agent's model is in the space of another's: what all the nodes of their hierarchies share, so that only the
-     * agents are related, once for each pair.
+     * Where one agent's model is in the space of another's: all the nodes of their hierarchies share it, so that it is computed once for each pair
+     * of agents.
      *
      * @private
      */

@@ -13,13 +13,13 @@ package starlogo.hierarchy
     use namespace engine;
 
     /**
-     * Decides whether trees of spheres or capsules overlap, trees of different structures, or a tree and a node that stands for a single
-     * structure, or when they do: by the pair tests of their kinds.
+     * Decides whether trees of spheres or capsules overlap, trees of different structures, or a tree and a node that represents a single structure,
+     * or when they do: by the pair tests of their kinds.
      *
      * <p>A child's sphere may reach out of its parent's, so that what meets the child need not meet the parent. Still a greater
      * depth never finds more: whatever the depths, nodes are reached in one order, a level of the first tree and then one of the
-     * second (thesis §4.6), only by way of ancestors that overlap. Below the last level of one tree, the cover of its node
-     * there stands for all its descendants. Of models that move, a pair is looked at for as long only as those before it touch.</p>
+     * second (thesis §4.6), only through ancestors that overlap. Below the last level of one tree, the cover of its node there represents all its
+     * descendants. For models that move, a pair is tested only in the interval in which its ancestors touch.</p>
      *
      * @private
      */
@@ -110,7 +110,7 @@ package starlogo.hierarchy
             return share <= 1 && from < time;
         }
 
-        // Sets when the interval ends to the last time that they touch, which is the first one on the way back.
+        // Sets the end of the interval to the last time at which they touch: the first one of the motion backwards.
         private function findEnd(a:BoundingStructure, b:BoundingStructure):void
         {
             _part.takePart(pose.motion, to, from);

@@ -12,8 +12,8 @@ package starlogo.intersection
     /**
      * The kernel of two boxes: separating axes, over time for the sweep, and for the contact that along which the boxes overlap least.
      *
-     * <p>The contact is that of any two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest way
-     * out is at right angles to two of the segments' directions, that is to a face of the one, or to an edge of each.</p>
+     * <p>The contact is that of any two structures that are sums of segments: two boxes, or a capsule's axis and a box. The shortest separating
+     * displacement is at right angles to two of the segments' directions: to a face of one structure, or to an edge of each.</p>
      */
     internal final class BoxPair extends PairKernel
     {
@@ -22,13 +22,13 @@ package starlogo.intersection
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
-        // The shortest way so far.
+        // The shortest separating displacement so far.
         private var _depth:Number;
         private var _x:Number;
         private var _y:Number;
         private var _z:Number;
 
-        /** Nothing found yet. */
+        /** No contact yet. */
         public function BoxPair()
         {
         }

@@ -91,7 +91,7 @@ package starlogo.intersection
         }
 
         /**
-         * Takes two triangles.
+         * Sets the two triangles.
          *
          * @param a has nine numbers of a triangle: x, y, z of each corner
          * @param atA where in a they begin
@@ -148,7 +148,7 @@ package starlogo.intersection
             {
                 return true;
             }
-            // Squared heights over the longest edges, relative to these: what becomes of the normals' precision.
+            // Squared heights over the longest edges, relative to these: that is how precise the normals are.
             var longestA:Number = longest(edgesA);
             var longestB:Number = longest(edgesB);
             var areaA:Number = nx * nx + ny * ny + nz * nz;
@@ -195,7 +195,7 @@ package starlogo.intersection
          * @param y likewise
          * @param z likewise
          * @param at where on it the second's projection has its middle, from the first's
-         * @param reach half of how long both projections are
+         * @param reach the sum of half the lengths of both projections
          */
         protected function separates(x:Number, y:Number, z:Number, at:Number, reach:Number):Boolean
         {

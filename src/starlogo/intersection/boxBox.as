@@ -10,7 +10,7 @@ package starlogo.intersection
      *
      * <p>Before that, what the smallest sphere around b and the largest inside of it say about box a settles most pairs.
      * Where an edge of one box is parallel to one of the other, the six face axes are enough; where it is nearly so, the
-     * edge axes are computed in a way that lets no rounding error separate boxes that meet. Touching counts, to within
+     * edge axes are computed such that no rounding error separates boxes that meet. Touching counts, to within
      * Tolerances.TOUCHING. Allocates nothing. Written out: through the kernel, BoxPair, it takes 3.3 times as long
      * in Adobe's VM, 2.8 in Ruffle, 5.6 in Node; KernelsAgreeTest has both agree.</p>
      *
@@ -42,7 +42,7 @@ package starlogo.intersection
         var y:Number = (centerB.y - centerA.y) / touching;
         var z:Number = (centerB.z - centerA.z) / touching;
 
-        // The way between the centres in a's axes.
+        // The vector between the centres, in a's axes.
         var axis:Vector3D;
         axis = a.axisX;
         var aXx:Number = axis.x;

@@ -68,7 +68,7 @@ package starlogo.search
             return number < 0 && _hasAny ? _breeds.length : number;
         }
 
-        /** The numbers of the breeds that a name stands for: all of them for ANY_BREED. */
+        /** The numbers of the breeds that a name matches: all of them for ANY_BREED. */
         public function numbersOf(breed:String):Vector.<int>
         {
             if (breed != ANY_BREED)

@@ -22,7 +22,7 @@ package starlogo.solid
             }
         }
 
-        /** The one of a thing's set that stands for it; another after the set was joined to others, perhaps. */
+        /** The representative of a thing's set; it may change when the set is joined to another. */
         public function rootOf(thing:int):int
         {
             var parents:Vector.<int> = _parents;
@@ -38,7 +38,7 @@ package starlogo.solid
             return thing;
         }
 
-        /** Joins two sets: the root of the first stands for both. */
+        /** Joins two sets: the representative of the first is then that of both. */
         public function join(a:int, b:int):void
         {
             _parents[rootOf(b)] = rootOf(a);

@@ -117,7 +117,7 @@ package starlogo.solid
          * @param a the model's hierarchy
          * @param placementA where the model stands
          * @param depth how many levels of it are visited
-         * @param structure stands for another model, in that one's space
+         * @param structure represents another model, in that model's space
          * @param placementB where the other model stands
          */
         public function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,

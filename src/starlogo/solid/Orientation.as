@@ -3,15 +3,14 @@ package starlogo.solid
     import starlogo.steps.Steps;
 
     /**
-     * Turns the triangles of a closed surface one way where some were turned round by mistake: from triangle to triangle over
-     * the edges that just two share. What is connected that way keeps the side that most of its triangles have for the front,
-     * or, if it is a draw, faces outwards.
+     * Orients the triangles of a closed surface alike where some were turned round by mistake: from triangle to triangle over the edges that just
+     * two share. A connected part keeps the side that most of its triangles have for the front, or, if it is a draw, faces outwards.
      */
     internal final class Orientation implements Steps
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
-        /** For each triangle, whether it must be turned round, when no step is left; null if there is no way to. */
+        /** For each triangle, whether it must be turned round, when no step is left; null if the surface cannot be oriented. */
         public var isTurned:Vector.<Boolean>;
 
         private var _vertices:Vector.<Number>;
@@ -111,7 +110,7 @@ package starlogo.solid
             }
         }
 
-        // Turns all of a part the other way if that turns fewer.
+        // Turns the other triangles of a part instead if they are fewer.
         private function turnPart():void
         {
             var turned:int = 0;

@@ -121,7 +121,7 @@ package starlogo.solid
             return _pairs < MOST_PAIRS && _stack.length > 0 && _partCount > 1;
         }
 
-        // What hangs together already need not be looked into.
+        // Whether the pieces of two nodes are of one part already: then they need not be compared.
         private function areOnePart(a:HierarchyNode, b:HierarchyNode):Boolean
         {
             var part:int = partOf(a.first);

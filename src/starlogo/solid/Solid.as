@@ -36,7 +36,7 @@ package starlogo.solid
         /** Whether the surface closes, so that there is an inside. */
         public var isClosed:Boolean = false;
 
-        /** Whether the triangles are all turned one way, to front or back. */
+        /** Whether the triangles are oriented alike. */
         public var isOriented:Boolean = false;
 
         /**
@@ -102,7 +102,7 @@ package starlogo.solid
                 var dx:Number = RAYS[i];
                 var dy:Number = RAYS[int(i + 1)];
                 var dz:Number = RAYS[int(i + 2)];
-                // the shorter way out
+                // in the direction in which the box is left sooner
                 var isBackward:Boolean = (x - _root.x) * dx + (y - _root.y) * dy + (z - _root.z) * dz < 0;
                 _directionX = isBackward ? -dx : dx;
                 _directionY = isBackward ? -dy : dy;

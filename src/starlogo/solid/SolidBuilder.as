@@ -74,7 +74,7 @@ package starlogo.solid
             return _finder;
         }
 
-        // What does not hold is found out without it.
+        // Uses the notes where they are right; otherwise the surface is examined without them.
         private function useChecked():void
         {
             if (_finder.surface == null)

@@ -13,7 +13,7 @@ package starlogo.solid
         /** Goes on with what the subclass adds. */
         protected var work:StepSequence;
 
-        /** What was found so far. */
+        /** The surface as far as it is known. */
         protected var found:Surface = new Surface();
 
         /** Whether a triangle has an area. */
@@ -55,7 +55,7 @@ package starlogo.solid
             return work.step();
         }
 
-        /** Takes a triangle whose corners are at three places: the numbers of vertices that stand for all at theirs. */
+        /** Takes a triangle whose corners are at three places: the numbers of the vertices that all others there are welded to. */
         protected function addTriangle(triangle:int, a:int, b:int, c:int):void
         {
         }

@@ -20,7 +20,7 @@ package starlogo.solid
         /** For each vertex, the first one in order that is at its place. */
         public var welded:Vector.<int>;
 
-        /** The largest distance of a vertex from the one that stands for it. */
+        /** The largest distance of a vertex from the one that it is welded to. */
         public var widestGap:Number = 0;
 
         private var _vertices:Vector.<Number>;
@@ -29,7 +29,7 @@ package starlogo.solid
         private var _order:Array = null;
         private var _next:int = 0;
 
-        // The vertices that stand for others, in order, and the first of them that is not far behind.
+        // The vertices that others are welded to, in order, and the first of them that is not far behind.
         private var _places:Vector.<int> = new Vector.<int>();
         private var _nearPlace:int = 0;
 

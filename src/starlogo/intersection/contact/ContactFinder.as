@@ -9,12 +9,12 @@ package starlogo.intersection.contact
     /**
      * Where two structures touch, or how they overlap.
      *
-     * <p>The normal points along the shortest way that frees the first from the second, and the depth is its length: moved by as much,
-     * they touch. Where spheres and capsules have gone no deeper than to their centres and axes, that is the line between the points of
-     * these, or of the box, that are nearest to each other. Deeper than that, and for boxes, it is the direction at right
-     * angles to a face or to an edge of each along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996). Where several
-     * ways are equally short, one is chosen: centres that coincide are parted along z; a sphere or capsule on the axis of a capsule parallel to
-     * it, or in line, leaves it at right angles and as upright as can be; in the middle of a box any of the faces will do.</p>
+     * <p>The normal points along the shortest displacement that separates the first from the second, and the depth is its length: moved by as much,
+     * the first just touches. Where spheres and capsules have gone no deeper than to their centres and axes, that is the line between the points of
+     * these, or of the box, that are nearest to each other. Deeper than that, and for boxes, it is the direction at right angles to a face or to an
+     * edge of each along which they overlap least (Gottschalk, Lin and Manocha, "OBBTree", 1996). Of several that are equally short, one is chosen:
+     * centres that coincide are parted along z; a sphere or capsule on the axis of a capsule parallel to it, or in line, leaves it at right angles
+     * and as upright as can be; in the middle of a box any of the faces will do.</p>
      *
      * <p>The point is in the middle of the overlap along the normal; of two boxes that touch in an edge or a face, and of a box with a
      * capsule's axis in it, in the middle of that too. Exact but for rounding; allocates nothing.</p>
@@ -26,7 +26,7 @@ package starlogo.intersection.contact
         private var _displacement:RelativeMotion = new RelativeMotion();
         private var _sphere:Sphere = new Sphere(new Vector3D(), 0);
 
-        /** Nothing found yet. */
+        /** No contact yet. */
         public function ContactFinder()
         {
         }
@@ -46,7 +46,7 @@ package starlogo.intersection.contact
         {
             if (a.kind > b.kind)
             {
-                // the other way round, and back
+                // in the other order, and turned back
                 find(b, a, -x, -y, -z, out);
                 out.turn(x, y, z);
                 return;

@@ -36,10 +36,9 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Makes it the contact of the same structures in the other order, where not the second is displaced, but the first by as much the
-         * other way.
+         * Makes it the contact of the same structures in the other order: then the other structure is displaced, by the opposite vector.
          *
-         * @param x how far that is
+         * @param x that vector
          * @param y likewise
          * @param z likewise
          */

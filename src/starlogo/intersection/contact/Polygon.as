@@ -13,7 +13,7 @@ package starlogo.intersection.contact
         // four corners against four planes
         private static const MOST_NUMBERS:int = 3 * 9;
 
-        /** The point that was found. */
+        /** The common point. */
         public var x:Number;
 
         /** @copy #x */
@@ -132,7 +132,7 @@ package starlogo.intersection.contact
             z *= 3 / end;
         }
 
-        // Of a segment or polygon that is cut off at the edges of another polygon (Sutherland and Hodgman, "Reentrant polygon
+        // Sets the point to the middle of a segment or polygon, clipped to another polygon (Sutherland and Hodgman, "Reentrant polygon
         // clipping", 1974).
         private function setMiddleWithin(inner:Polygon, outer:Polygon, x:Number, y:Number, z:Number):void
         {

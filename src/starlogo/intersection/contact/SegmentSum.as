@@ -36,7 +36,7 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Becomes that of a structure.
+         * Sets the sum to that of a structure.
          *
          * @param structure a Box, or a Capsule of which the axis counts
          * @param x how far it is displaced
@@ -87,7 +87,7 @@ package starlogo.intersection.contact
             return sum;
         }
 
-        /** Gives what of it is farthest out in a direction: a corner, an edge or a face. */
+        /** Writes the feature that is farthest out in a direction: a corner, an edge or a face. */
         public function supportInto(polygon:Polygon, x:Number, y:Number, z:Number):void
         {
             polygon.begin(this.x, this.y, this.z);

@@ -42,7 +42,7 @@ package starlogo.intersection.sweep
         {
         }
 
-        /** Takes b's axes in a's: row by row, unit vectors. */
+        /** Sets b's axes in a's: row by row, unit vectors. */
         public function turn(xx:Number, xy:Number, xz:Number, yx:Number, yy:Number, yz:Number, zx:Number, zy:Number, zz:Number):void
         {
             _xx = xx;

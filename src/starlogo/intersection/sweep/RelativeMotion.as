@@ -4,16 +4,16 @@ package starlogo.intersection.sweep
 
     /**
      * How one structure moves while another stands still: along a straight line, from time 0 to time 1, neither turning nor growing.
-     * Where both move, it is the one's motion less the other's. Plain fields, because the tests read them.
+     * Where both move, it is the motion of the first less that of the second. Plain fields, because the pair tests read them.
      *
      * @private
      */
     public final class RelativeMotion
     {
-        /** The time of a touch that never comes. */
+        /** The time of impact of structures that do not touch. */
         public static const NEVER:Number = Infinity;
 
-        /** That of a structure that stands still. */
+        /** The motion of a structure that stands still. */
         public static const NONE:RelativeMotion = new RelativeMotion();
 
         private static const TURNED:RelativeMotion = new RelativeMotion();
@@ -52,7 +52,7 @@ package starlogo.intersection.sweep
             startZ = -z;
         }
 
-        /** Makes it a part of another motion, from one time of that to another; back, if the second is earlier. */
+        /** Makes it a part of another motion, from one time to another; in the opposite direction if the second time is earlier. */
         public function takePart(of:RelativeMotion, from:Number, to:Number):void
         {
             startX = of.startX + from * of.x;
@@ -81,7 +81,7 @@ package starlogo.intersection.sweep
             return TURNED;
         }
 
-        /** How far apart structures may be on this motion, beyond what standing ones may, and still touch: what its own rounding makes of it. */
+        /** How much farther apart than standing structures those on this motion may be and still touch: the rounding error of the motion. */
         public function rounding():Number
         {
             return Tolerances.ROUNDING * (Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));

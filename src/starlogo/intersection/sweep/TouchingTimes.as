@@ -3,8 +3,8 @@ package starlogo.intersection.sweep
     import starlogo.geometry.Tolerances;
 
     /**
-     * From when to when no axis that was tried separates two things that pass each other. Whether they touch at all is decided with a
-     * gap for rounding, when they do without one.
+     * The interval of time in which no axis tried so far separates two shapes that pass each other. Whether they touch at all is decided with a gap
+     * for rounding, the time of impact without one.
      */
     internal final class TouchingTimes
     {
@@ -37,7 +37,7 @@ package starlogo.intersection.sweep
             _last = latest;
         }
 
-        /** Takes a time before which they do not touch; returns whether they may touch all the same. */
+        /** Sets a time before which they do not touch; returns whether they may touch after it. */
         public function limitTo(time:Number):Boolean
         {
             _touch = time;

@@ -17,7 +17,7 @@ package starlogo.intersection.sweep
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
-        // The shortest way out so far.
+        // The shortest separating displacement so far.
         private var _depth:Number;
         private var _x:Number;
         private var _y:Number;
@@ -97,7 +97,8 @@ package starlogo.intersection.sweep
             out.z = a[int(atA + 2)] + _polygonA.z;
         }
 
-        // All the time; or, where a contact is looked for, never: then the shortest way out is kept.
+        // Whether an axis separates the triangles all the time. Where a contact is looked for it never does: then the shortest separating
+        // displacement is kept.
         override protected function separates(x:Number, y:Number, z:Number, at:Number, reach:Number):Boolean
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);

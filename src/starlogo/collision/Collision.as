@@ -191,7 +191,7 @@ package starlogo.collision
                 _tableIsStale = false;
             }
             var system:CollisionSystem = _collisionSystem;
-            findPairs(system, agents);
+            findPairs(system, agents, start);
             _contacts.system = system;
             _isUpdating = true;
             try
@@ -211,19 +211,17 @@ package starlogo.collision
             }
         }
 
-        private function findPairs(system:CollisionSystem, agents:Vector.<Agent>):void
+        private function findPairs(system:CollisionSystem, agents:Vector.<Agent>, start:int):void
         {
-            var start:int = getTimer();
             var collider:Collider = system as Collider;
             if (collider != null)
             {
                 collider.findPairsAmong(agents, _interests.breedPairs, _calls.pairs);
+                _statistics.copyFrom(collider.statistics);
+                return;
             }
-            else
-            {
-                // a client's system may return a vector of its own
-                _calls.setPairs(BreedInterests.findIn(system, agents, _interests, _agentPairs), agents, _interests.breedPairs);
-            }
+            // a client's system may return a vector of its own, and need not count
+            _calls.setPairs(BreedInterests.findIn(system, agents, _interests, _agentPairs), agents, _interests.breedPairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.length >> 1;

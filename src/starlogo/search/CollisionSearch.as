@@ -34,9 +34,11 @@ package starlogo.search
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _places:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds that count, or null for all; and the pairs that were found, as numbers of members, two a pair,
-        // in the order of the list. Where an agent sweeps, with their times.
+        // The search under way: the pairs of breeds that count, or null for all; the pairs that were found, as agents, or as numbers of members
+        // where these are needed; where an agent sweeps, with their times. The agents of a pair are in the order of the list.
         private var _breeds:BreedPairs;
+        private var _out:Vector.<Agent>;
+        private var _withNumbers:Boolean;
         private var _skippedPairs:int;
         private var _pairs:Vector.<int> = new Vector.<int>();
         private var _pairCount:int;
@@ -81,8 +83,7 @@ package starlogo.search
          */
         public function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):void
         {
-            search(agents, breeds);
-            writeAgents(out);
+            search(agents, breeds, out, false);
             if (out.length > 2 * _pairCount)
             {
                 out.length = 2 * _pairCount;
@@ -92,8 +93,7 @@ package starlogo.search
         /** As find, with the places of the agents in the list and the numbers of their breeds. */
         public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, out:FoundPairs):void
         {
-            search(agents, breeds);
-            writeAgents(out.agents);
+            search(agents, breeds, out.agents, true);
             writeNumbers(out.places, out.breeds);
             out.end(2 * _pairCount);
         }
@@ -142,6 +142,20 @@ package starlogo.search
             {
                 count = _strategy.keepTouching(_table, _bins, place, others, count);
             }
+            if (_isSwept || _withNumbers)
+            {
+                putMembers(place, others, count);
+            }
+            if (!_isSwept)
+            {
+                putAgents(place, others, count);
+            }
+            _pairCount += count;
+        }
+
+        // The pairs of a member and others, as numbers of members.
+        private function putMembers(place:int, others:Vector.<int>, count:int):void
+        {
             var pairs:Vector.<int> = _pairs;
             var memberAt:Vector.<int> = _bins.memberAt;
             var member:int = memberAt[place];
@@ -161,12 +175,40 @@ package starlogo.search
                 }
                 at += 2;
             }
-            _pairCount += count;
         }
 
-        private function search(agents:Vector.<Agent>, breeds:BreedPairs):void
+        // The same pairs as agents.
+        private function putAgents(place:int, others:Vector.<int>, count:int):void
+        {
+            var out:Vector.<Agent> = _out;
+            var listed:Vector.<Agent> = _table.agents;
+            var memberAt:Vector.<int> = _bins.memberAt;
+            var rowAt:Vector.<int> = _bins.rowAt;
+            var member:int = memberAt[place];
+            var agent:Agent = listed[rowAt[place]];
+            var at:int = 2 * _pairCount;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                if (member < memberAt[other])
+                {
+                    out[at] = agent;
+                    out[at + 1] = listed[rowAt[other]];
+                }
+                else
+                {
+                    out[at] = listed[rowAt[other]];
+                    out[at + 1] = agent;
+                }
+                at += 2;
+            }
+        }
+
+        private function search(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, withNumbers:Boolean):void
         {
             _table.read(agents);
+            _out = out;
+            _withNumbers = withNumbers;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
             if (_isSwept)
             {
@@ -184,7 +226,9 @@ package starlogo.search
             if (_isSwept)
             {
                 _order.sort(_times, _pairs, _pairCount);
+                writeAgents(out);
             }
+            _out = null;
             _strategy.finishCounts();
             report(agents.length);
         }

@@ -95,7 +95,10 @@ package starlogo.search
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = boxes[row];
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var isSphere:Boolean = shapes[row].isSphere;
             var boxTests:int = 0;
+            var sphereTests:int = 0;
             var kept:int = 0;
             if (box != null && placed[row] != revisions[row])
             {
@@ -129,6 +132,14 @@ package starlogo.search
                         continue;
                     }
                 }
+                else if (isSphere && shapes[otherRow].isSphere)
+                {
+                    sphereTests++;
+                    if (!areSpheresTouching(table, row, otherRow))
+                    {
+                        continue;
+                    }
+                }
                 else if (!areNear(table.extents, bins, row, otherRow) || !areTouching(table, row, otherRow))
                 {
                     continue;
@@ -137,6 +148,7 @@ package starlogo.search
                 kept++;
             }
             counts.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
+            counts.tests[0] += sphereTests;
             return kept;
         }
 

@@ -326,9 +326,9 @@ package starlogo.agents
          * that it flies through nothing, however fast it is.
          *
          * <p>The motion is the straight line from where the collider saw the agent in its last frame to where it is, both ends included. The
-         * other agent's own motion counts, whether that sweeps or not: the two are looked at as they move. Turns and size count as they are now. An
-         * agent has no motion in the first frame that a collider sees it in, after a change of its shape, after <code>jumpTo()</code>, after a
-         * frame whose list did not have it, and while its model was loading: in that frame it is tested only where it is.</p>
+         * other agent's own motion counts, whether that sweeps or not: the relative motion of the two is tested. Turns and size count as they are
+         * now. An agent has no motion in the first frame that a collider sees it in, after a change of its shape, after <code>jumpTo()</code>,
+         * after a frame whose list did not have it, and while its model was loading: in that frame it is tested only where it is.</p>
          */
         public function get sweeps():Boolean
         {

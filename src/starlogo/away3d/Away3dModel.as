@@ -13,7 +13,7 @@ package starlogo.away3d
      * <p>The source is an ObjectContainer3D (a Mesh is one), a Geometry, an ISubGeometry, or an Array or Vector of such, which are
      * taken together: the geometries of an animated mesh's frames make one model that encloses them all. The transforms of a
      * container's children count, mirrors and those in shared geometry too; the source's own does not: it says where the object
-     * is in the world, and an Away3dAgentBinding sees to that. All meshes count, visible or not.</p>
+     * is in the world, which is the concern of an Away3dAgentBinding. All meshes count, visible or not.</p>
      *
      * <p>Vertices at equal positions are one, since Away3D's parsers and primitives repeat them for their normals; those that no
      * triangle uses are left out. Triangles are counter-clockwise seen from where Away3D shows them.</p>

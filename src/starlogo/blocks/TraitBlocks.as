@@ -73,7 +73,7 @@ package starlogo.blocks
          *
          * @param subject an agent, or the name of a breed
          * @param structure one of structureNames
-         * @throws BlockError if it is neither, or the structure none of them
+         * @throws BlockError if the subject is neither, or the structure is not one of structureNames
          */
         public function collideAs(subject:Object, structure:String):void
         {

@@ -75,7 +75,7 @@ package starlogo.collision
         {
         }
 
-        /** Intersection tests of all kinds of structures, those of the nodes of hierarchies not among them. */
+        /** Intersection tests of all kinds of structures, without those of the nodes of hierarchies. */
         public function get tests():int
         {
             return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests;

@@ -83,7 +83,7 @@ package starlogo.fitting
          * Finds a structure around the vertices. For several fits of the same vertices <code>fitOnce()</code> is faster.
          *
          * @param vertices x, y, z of each vertex; not changed
-         * @return a structure of its own in the vertices' space and unit
+         * @return a new structure, in the vertices' space and unit
          * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is
          *         not finite
          */

@@ -101,7 +101,7 @@ package starlogo.handlers
             _agents = null;
         }
 
-        // Finds the contacts that are asked for, and those that go on.
+        // Computes the contacts that handlers take, and finds the pairs that touched before.
         private function prepare():void
         {
             _tracker.frame++;

@@ -21,9 +21,8 @@ package starlogo.libraries
      * checked as a baked file is: an entry that was changed, cut off or forged is ignored, and replaced. Where there is no room, the
      * entries that were not used for longest go; where nothing can be kept, games work without.</p>
      *
-     * <p>Several games at once, in several tabs say, may share a storage. Each entry is kept by itself, so none of them mixes with
-     * another or overwrites it; if two write the list of entries at the same time, one entry may be missing from it until it is used the next
-     * time.</p>
+     * <p>Several games at once, in several tabs say, may share a storage. Each entry is stored separately, so that no game overwrites the entries
+     * of another; if two write the list of entries at the same time, one entry may be missing from it until it is used the next time.</p>
      */
     public final class FitStore
     {

@@ -185,7 +185,7 @@ package starlogo.models
         }
 
         /**
-         * Loads a model that a source of one's own makes.
+         * Loads a model that a client's own source makes.
          *
          * @param source not begun yet; its steps should take a few milliseconds at most
          * @throws ArgumentError if it is null

@@ -105,7 +105,7 @@ package starlogo.search
         /**
          * @param strategy finds the shapes of agents
          * @param shapes has the shape of each model
-         * @param bins find the level of extents; null where none are asked for
+         * @param bins find the levels of extents; null if levels are not needed
          */
         public function AgentTable(strategy:ShapeStrategy, shapes:ModelShapes, bins:Bins)
         {
@@ -308,7 +308,7 @@ package starlogo.search
         {
             if (_bins != null && shapes[row] != null && _bins.fit(extents, row))
             {
-                // it needs a finer level once it comes back: looked at in every search until then
+                // it needs a finer level once it comes back: so its extents are computed in every search until then
                 _extentsRevisions[row] = STALE;
             }
         }

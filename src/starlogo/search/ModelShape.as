@@ -32,7 +32,7 @@ package starlogo.search
         // What is tried before the structure, a little wider; or null.
         internal var outer:OuterStructures = null;
 
-        /** What is asked for of a model; the strategy finds the rest. */
+        /** Sets the key: model, kind and revision; the strategy finds the rest. */
         public function ModelShape(model:String, kind:int, revision:int)
         {
             this.model = model;

@@ -60,7 +60,7 @@ package starlogo.steps
         }
 
         /**
-         * Adds work that a step of its own makes when its turn has come; returns the sequence.
+         * Adds work that a function makes when its turn has come, in a separate step; returns the sequence.
          *
          * @param make function():Steps; the work that it returns is done next; null for none
          */

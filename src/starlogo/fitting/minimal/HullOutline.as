@@ -48,7 +48,7 @@ package starlogo.fitting.minimal
         private var _cluster:Vector.<int> = new Vector.<int>();
 
         /**
-         * @param hull what is looked at
+         * @param hull the hull of which outlines are wanted
          */
         public function HullOutline(hull:ConvexHull)
         {

@@ -137,7 +137,7 @@ package starlogo.models.collada
         }
 
         /**
-         * Counts points that are read: each mesh reads its own, be they the same source's.
+         * Counts points that are read: each mesh counts the points that it reads, also if several read the same source.
          *
          * @throws ModelError if they are more than a file of any use has
          */

@@ -86,7 +86,7 @@ package starlogo.models.collada
             return found.length > 0 ? found[0] : null;
         }
 
-        /** The words of its own text. For one that may be long there is ColladaWords. */
+        /** The words of its own text. ColladaWords does the same in steps, for long texts. */
         public function get words():Array
         {
             return TextTokens.of(text);

@@ -14,7 +14,7 @@ package starlogo.models.collada
         /** When it is read: three indices of points per triangle. */
         public var triangles:Vector.<uint> = new Vector.<uint>();
 
-        /** When it is read: whether there are surfaces, be it without area. */
+        /** When it is read: whether there are surfaces, even if they have no area. */
         public var hasSurfaces:Boolean = false;
 
         private var _document:ColladaDocument;

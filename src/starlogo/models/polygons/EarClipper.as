@@ -19,7 +19,7 @@ package starlogo.models.polygons
 
         /**
          * @param rings where the ring is
-         * @param work counts the corners that are looked at; when it is used up, corners are cut off unseen
+         * @param work counts the corners that are looked at; when it is used up, corners are cut off without a check
          * @param triangles where the triangles go
          */
         public function EarClipper(rings:PolygonRings, work:WorkLimit, triangles:Vector.<uint>)

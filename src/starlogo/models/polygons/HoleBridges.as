@@ -15,7 +15,7 @@ package starlogo.models.polygons
 
         /**
          * @param rings where the rings are
-         * @param work counts the corners that are looked at; holes are left out, that is filled, when it is used up
+         * @param work counts the corners that are looked at; when it is used up, further holes are filled
          */
         public function HoleBridges(rings:PolygonRings, work:WorkLimit)
         {

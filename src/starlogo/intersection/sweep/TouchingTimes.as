@@ -5,8 +5,10 @@ package starlogo.intersection.sweep
     /**
      * From when to when no axis that was tried separates two things that pass each other. Whether they touch at all is decided with a
      * gap for rounding, when they do without one.
+     *
+     * @private
      */
-    internal final class TouchingTimes
+    public final class TouchingTimes
     {
         // With the gap.
         private var _first:Number;

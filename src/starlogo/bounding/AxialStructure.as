@@ -64,12 +64,17 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
-        override protected function placeInto(placement:Placement, out:BoundingStructure):void
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
+            if (out == null || out.kind != kind)
+            {
+                out = newFor(out);
+            }
             var placed:AxialStructure = out as AxialStructure;
             placePoint(start, placement, placed.start);
             placePoint(end, placement, placed.end);
             placed.radius = radius * placement.size;
+            return placed;
         }
     }
 }

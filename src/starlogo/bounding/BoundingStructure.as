@@ -124,22 +124,17 @@ package starlogo.bounding
          */
         public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
-            if (out == null)
-            {
-                out = clone();
-            }
-            else if (out.kind != kind)
+            throw missing("place");
+        }
+
+        /** A structure for the result of <code>place</code> where out is not of its kind: a new one for null, or an error. */
+        protected final function newFor(out:BoundingStructure):BoundingStructure
+        {
+            if (out != null)
             {
                 throw new ArgumentError("out must be of the kind of " + this + ", or null: " + out);
             }
-            placeInto(placement, out);
-            return out;
-        }
-
-        /** What <code>place</code> does for a subclass; out is of the same kind. */
-        protected function placeInto(placement:Placement, out:BoundingStructure):void
-        {
-            throw missing("place");
+            return clone();
         }
 
         /**

@@ -131,9 +131,13 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
-        override protected function placeInto(placement:Placement, out:BoundingStructure):void
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
             var placed:Box = out as Box;
+            if (placed == null)
+            {
+                placed = newFor(out) as Box;
+            }
             var size:Number = placement.size;
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
@@ -175,6 +179,7 @@ package starlogo.bounding
             vector.x = r00 * x + r01 * y + r02 * z;
             vector.y = r10 * x + r11 * y + r12 * z;
             vector.z = r20 * x + r21 * y + r22 * z;
+            return placed;
         }
 
         /** @inheritDoc */

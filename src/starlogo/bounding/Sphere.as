@@ -81,11 +81,31 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
-        override protected function placeInto(placement:Placement, out:BoundingStructure):void
+        override public function place(placement:Placement, out:BoundingStructure = null):BoundingStructure
         {
             var placed:Sphere = out as Sphere;
-            placePoint(center, placement, placed.center);
-            placed.radius = radius * placement.size;
+            if (placed == null)
+            {
+                placed = newFor(out) as Sphere;
+            }
+            // placePoint written out: the call takes a fifth of the time
+            var size:Number = placement.size;
+            var x:Number = center.x * size;
+            var y:Number = center.y * size;
+            var z:Number = center.z * size;
+            var middle:Vector3D = placed.center;
+            placed.radius = radius * size;
+            if (placement.isIdentity)
+            {
+                middle.x = x + placement.x;
+                middle.y = y + placement.y;
+                middle.z = z + placement.z;
+                return placed;
+            }
+            middle.x = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            middle.y = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            middle.z = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+            return placed;
         }
 
         /** @inheritDoc */

@@ -27,9 +27,12 @@ package starlogo.hierarchy
     {
         private var _part:RelativeMotion = new RelativeMotion();
 
-        // The structure of the second model that was visited last, and by kind the same in the space of the first.
-        private var _structureB:BoundingStructure;
-        private var _isPlaced:Boolean;
+        // Which structure of the second model was visited last: numbers, because an object in a field costs Adobe's VM a write barrier.
+        private var _levelB:int;
+        private var _firstB:int;
+        private var _isCoverB:Boolean;
+
+        // By kind: the same in the space of the first.
         private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
                 new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0), newBox()];
         private var _box:Box = newBox();
@@ -43,7 +46,7 @@ package starlogo.hierarchy
         /** @inheritDoc */
         override protected function begin(a:HierarchyNode, b:HierarchyNode):void
         {
-            _isPlaced = false;
+            _levelB = -1;
         }
 
         /** @inheritDoc */
@@ -51,36 +54,45 @@ package starlogo.hierarchy
         {
             nodeVisits++;
             var structureA:BoundingStructure = a.structure;
-            if (b.level > a.level && a.cover != null)
+            var structureB:BoundingStructure = b.structure;
+            var isCover:Boolean = false;
+            if (b.level > 0)
             {
-                structureA = a.cover;
+                if (b.level > a.level && a.cover != null)
+                {
+                    structureA = a.cover;
+                }
+                if (a.level > b.level + 1 && b.cover != null)
+                {
+                    structureB = b.cover;
+                    isCover = true;
+                }
+                else if (structureB == null)
+                {
+                    structureB = b.bounds;
+                }
             }
-            else if (structureA == null)
+            if (structureA == null)
             {
                 structureA = boxOf(a);
             }
-            var structureB:BoundingStructure = b.structure;
-            if (a.level > b.level + 1 && b.cover != null)
-            {
-                structureB = b.cover;
-            }
-            else if (structureB == null)
-            {
-                structureB = b.bounds;
-            }
-            if (structureB !== _structureB)
-            {
-                _structureB = structureB;
-                _isPlaced = false;
-            }
             var moved:BoundingStructure = _moved[structureB.kind];
-            if (!_isPlaced)
+            if (b.level != _levelB || b.first != _firstB || isCover != _isCoverB)
             {
-                _isPlaced = true;
+                _levelB = b.level;
+                _firstB = b.first;
+                _isCoverB = isCover;
                 structureB.place(pose.placement, moved);
                 moved.widen(pose.gap);
             }
-            if (isSwept ? !isInTime(structureA, moved) : !intersects(structureA, moved))
+            if (isSwept)
+            {
+                if (!isInTime(structureA, moved))
+                {
+                    return APART;
+                }
+            }
+            else if (!intersects(structureA, moved))
             {
                 return APART;
             }

@@ -4,7 +4,6 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
@@ -77,10 +76,10 @@ package starlogo.intersection
             throw new IllegalOperationError("abstract");
         }
 
-        /** Points a contact's normal along the gap. */
-        protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
+        /** Points a contact's normal along the gap; returns its length. */
+        protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
         {
-            out.pointAlong(gapX, gapY, gapZ);
+            return out.pointAlong(gapX, gapY, gapZ);
         }
 
         /**
@@ -139,7 +138,11 @@ package starlogo.intersection
             return time;
         }
 
-        /** @inheritDoc */
+        /**
+         * That of a capsule; the kernels of spheres have their own, which is quicker.
+         *
+         * @inheritDoc
+         */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             relate(a, b, displacement);
@@ -149,8 +152,7 @@ package starlogo.intersection
             var least:Number = Tolerances.DIRECTION * size;
             if (squared > least * least)
             {
-                pointAlongGap(b, out);
-                placeContact(a, displacement, radii - Math.sqrt(squared), out);
+                placeContact(a, displacement, radii - pointAlongGap(b, out), out);
             }
             else
             {
@@ -158,19 +160,12 @@ package starlogo.intersection
             }
         }
 
-        /** Places a contact of which the normal is known: from a's closest point, back along the normal. */
+        /** Places a capsule's contact of which the normal is known: from a's closest point, back along the normal. */
         protected final function placeContact(a:BoundingStructure, displacement:RelativeMotion, depth:Number, out:ContactPoint):void
         {
             var x:Number = displacement.startX;
             var y:Number = displacement.startY;
             var z:Number = displacement.startZ;
-            var sphere:Sphere = a as Sphere;
-            if (sphere != null)
-            {
-                var center:Vector3D = sphere.center;
-                out.place(x + center.x, y + center.y, z + center.z, sphere.radius, depth);
-                return;
-            }
             var capsule:Capsule = a as Capsule;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;

@@ -4,6 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -64,12 +65,60 @@ package starlogo.intersection
             gapZ = z;
         }
 
-        override protected function get size():Number
+        /**
+         * That of a sphere written out: through relate() and find() it takes 1.5 times as long in Adobe's VM.
+         *
+         * @inheritDoc
+         */
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            return halfX + halfY + halfZ + radii;
+            var sphere:Sphere = a as Sphere;
+            if (sphere == null)
+            {
+                super.findContact(a, b, displacement, out);
+                return;
+            }
+            var box:Box = b as Box;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = box.center;
+            var axisX:Vector3D = box.axisX;
+            var axisY:Vector3D = box.axisY;
+            var axisZ:Vector3D = box.axisZ;
+            var x:Number = displacement.startX + center.x;
+            var y:Number = displacement.startY + center.y;
+            var z:Number = displacement.startZ + center.z;
+            var toX:Number = x - middle.x;
+            var toY:Number = y - middle.y;
+            var toZ:Number = z - middle.z;
+            var inX:Number = axisX.x * toX + axisX.y * toY + axisX.z * toZ;
+            var inY:Number = axisY.x * toX + axisY.y * toY + axisY.z * toZ;
+            var inZ:Number = axisZ.x * toX + axisZ.y * toY + axisZ.z * toZ;
+            var half:Number = box.halfX;
+            var size:Number = half;
+            toX = inX > half ? inX - half : (inX < -half ? inX + half : 0);
+            half = box.halfY;
+            size += half;
+            toY = inY > half ? inY - half : (inY < -half ? inY + half : 0);
+            half = box.halfZ;
+            size += half;
+            toZ = inZ > half ? inZ - half : (inZ < -half ? inZ + half : 0);
+            var depth:Number = sphere.radius;
+            var squared:Number = toX * toX + toY * toY + toZ * toZ;
+            var least:Number = Tolerances.DIRECTION * (size + depth);
+            if (squared > least * least)
+            {
+                out.pointAlong(toX * axisX.x + toY * axisY.x + toZ * axisZ.x, toX * axisX.y + toY * axisY.y + toZ * axisZ.y,
+                        toX * axisX.z + toY * axisY.z + toZ * axisZ.z);
+                depth -= Math.sqrt(squared);
+            }
+            else
+            {
+                depth += pointThroughFace(box, inX, inY, inZ, out);
+            }
+            out.place(x, y, z, sphere.radius, depth);
         }
 
-        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
+        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
         {
             var box:Box = b as Box;
             var axisX:Vector3D = box.axisX;
@@ -77,30 +126,30 @@ package starlogo.intersection
             var axisZ:Vector3D = box.axisZ;
             out.pointAlong(gapX * axisX.x + gapY * axisY.x + gapZ * axisZ.x, gapX * axisX.y + gapY * axisY.y + gapZ * axisZ.y,
                     gapX * axisX.z + gapY * axisY.z + gapZ * axisZ.z);
+            return Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ);
         }
 
-        // Out through the nearest face.
-        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        // Points a contact's normal out through the nearest face; returns how far that is.
+        private static function pointThroughFace(box:Box, x:Number, y:Number, z:Number, out:ContactPoint):Number
         {
-            var box:Box = b as Box;
             var axis:Vector3D = box.axisX;
-            var along:Number = fromX;
-            var depth:Number = halfX - Math.abs(fromX);
-            if (halfY - Math.abs(fromY) < depth)
+            var along:Number = x;
+            var depth:Number = box.halfX - Math.abs(x);
+            if (box.halfY - Math.abs(y) < depth)
             {
                 axis = box.axisY;
-                along = fromY;
-                depth = halfY - Math.abs(fromY);
+                along = y;
+                depth = box.halfY - Math.abs(y);
             }
-            if (halfZ - Math.abs(fromZ) < depth)
+            if (box.halfZ - Math.abs(z) < depth)
             {
                 axis = box.axisZ;
-                along = fromZ;
-                depth = halfZ - Math.abs(fromZ);
+                along = z;
+                depth = box.halfZ - Math.abs(z);
             }
             var side:Number = along < 0 ? -1 : 1;
             out.pointAlong(side * axis.x, side * axis.y, side * axis.z);
-            placeContact(a, displacement, radii + depth, out);
+            return depth;
         }
     }
 }

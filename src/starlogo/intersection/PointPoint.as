@@ -8,9 +8,9 @@ package starlogo.intersection
     import starlogo.intersection.sweep.pointPointImpact;
 
     /** The kernel of two spheres. When they touch has a closed form: when the centres are as close as both radii. */
-    internal final class PointPoint extends ClosestPoints
+    internal final class PointPoint extends PairKernel
     {
-        /** Nothing related yet. */
+        /** It has no state. */
         public function PointPoint()
         {
         }
@@ -26,33 +26,30 @@ package starlogo.intersection
                     center.z - middle.z + motion.startZ, motion.x, motion.y, motion.z, sphere.radius + other.radius);
         }
 
-        override protected function relate(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        /** @inheritDoc */
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             var sphere:Sphere = a as Sphere;
             var other:Sphere = b as Sphere;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = other.center;
-            gapX = center.x - middle.x + motion.startX;
-            gapY = center.y - middle.y + motion.startY;
-            gapZ = center.z - middle.z + motion.startZ;
-            radii = sphere.radius + other.radius;
-        }
-
-        // Asked at time 0 only, where relate has left the gap.
-        override protected function find(time:Number):void
-        {
-        }
-
-        // The difference of two points has a direction however short it is.
-        override protected function get size():Number
-        {
-            return 0;
-        }
-
-        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
-        {
-            out.pointAlong(0, 0, 1);
-            placeContact(a, displacement, radii, out);
+            var x:Number = displacement.startX + center.x;
+            var y:Number = displacement.startY + center.y;
+            var z:Number = displacement.startZ + center.z;
+            var depth:Number = sphere.radius + other.radius;
+            var gapX:Number = x - middle.x;
+            var gapY:Number = y - middle.y;
+            var gapZ:Number = z - middle.z;
+            // the difference of two points has a direction however short it is
+            if (gapX * gapX + gapY * gapY + gapZ * gapZ > 0)
+            {
+                depth -= out.pointAlong(gapX, gapY, gapZ);
+            }
+            else
+            {
+                out.pointAlong(0, 0, 1);
+            }
+            out.place(x, y, z, sphere.radius, depth);
         }
     }
 }

@@ -4,6 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -61,15 +62,47 @@ package starlogo.intersection
             gapZ = z;
         }
 
-        override protected function get size():Number
+        /**
+         * Written out: through relate() and find() it takes 1.5 times as long in Adobe's VM.
+         *
+         * @inheritDoc
+         */
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            return Math.sqrt(_lengthSquared) + radii;
-        }
-
-        override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
-        {
-            out.pointAcross(_axisX, _axisY, _axisZ);
-            placeContact(a, displacement, radii, out);
+            var sphere:Sphere = a as Sphere;
+            var capsule:Capsule = b as Capsule;
+            var center:Vector3D = sphere.center;
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            var axisX:Number = end.x - start.x;
+            var axisY:Number = end.y - start.y;
+            var axisZ:Number = end.z - start.z;
+            var x:Number = displacement.startX + center.x;
+            var y:Number = displacement.startY + center.y;
+            var z:Number = displacement.startZ + center.z;
+            var toX:Number = x - start.x;
+            var toY:Number = y - start.y;
+            var toZ:Number = z - start.z;
+            var along:Number = toX * axisX + toY * axisY + toZ * axisZ;
+            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
+            if (along > 0)
+            {
+                along = along < lengthSquared ? along / lengthSquared : 1;
+                toX -= along * axisX;
+                toY -= along * axisY;
+                toZ -= along * axisZ;
+            }
+            var depth:Number = sphere.radius + capsule.radius;
+            var least:Number = Tolerances.DIRECTION * (Math.sqrt(lengthSquared) + depth);
+            if (toX * toX + toY * toY + toZ * toZ > least * least)
+            {
+                depth -= out.pointAlong(toX, toY, toZ);
+            }
+            else
+            {
+                out.pointAcross(axisX, axisY, axisZ);
+            }
+            out.place(x, y, z, sphere.radius, depth);
         }
     }
 }

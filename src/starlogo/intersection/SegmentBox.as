@@ -104,12 +104,12 @@ package starlogo.intersection
             return _alongX + _alongY + _alongZ + halfX + halfY + halfZ + radii;
         }
 
-        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
+        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
         {
             gapX *= _signX;
             gapY *= _signY;
             gapZ *= _signZ;
-            super.pointAlongGap(b, out);
+            return super.pointAlongGap(b, out);
         }
 
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void

@@ -3,6 +3,8 @@ package starlogo.intersection
     import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.TouchingTimes;
 
     /**
      * The kernel of two triangles: separating axes, all of them. The two normals, the nine cross products of an edge of each, and for
@@ -21,13 +23,19 @@ package starlogo.intersection
         /** For tests that are over before the next begins. */
         internal static const SCRATCH:TriangleAxes = new TriangleAxes();
 
-        /** Whether an axis separates triangles that have a gap on it; else <code>separates</code> tells. */
+        /** Whether triangles stand, and no contact is looked for. */
         protected var isStanding:Boolean = true;
+
+        /** When the axes separate triangles that pass each other. */
+        protected var times:TouchingTimes;
+
+        /** How the second moves then. */
+        protected var motion:RelativeMotion;
 
         /** The gap that still counts as touching, a distance. */
         public var tolerance:Number;
 
-        /** Whether triangles without area are compared as segments. */
+        /** Whether triangles without area are compared as segments: no contact is looked for. */
         protected var comparesSegments:Boolean = true;
 
         /** The longest edge of the first, with the tolerance as its radius, where the triangles are compared as segments. */
@@ -189,7 +197,7 @@ package starlogo.intersection
         }
 
         /**
-         * Whether an axis separates triangles that do not just stand there.
+         * Tries an axis where a contact is looked for.
          *
          * @param x the axis, of any length
          * @param y likewise
@@ -197,9 +205,8 @@ package starlogo.intersection
          * @param at where on it the second's projection has its middle, from the first's
          * @param reach the sum of half the lengths of both projections
          */
-        protected function separates(x:Number, y:Number, z:Number, at:Number, reach:Number):Boolean
+        protected function tryDepth(x:Number, y:Number, z:Number, at:Number, reach:Number):void
         {
-            return false;
         }
 
         /** Whether two triangles without area are separated: segmentA and segmentB. */
@@ -235,26 +242,44 @@ package starlogo.intersection
             var first:Number = x * px + y * py + z * pz;
             second = x * qx + y * qy + z * qz;
             third = x * rx + y * ry + z * rz;
+            if (isStanding && !(first > high && second > high && third > high) && !(first < low && second < low && third < low))
+            {
+                return false;
+            }
             var lowB:Number = first < second ? first : second;
             lowB = third < lowB ? third : lowB;
             var highB:Number = first > second ? first : second;
             highB = third > highB ? third : highB;
-            if (!isStanding)
+            if (isStanding)
             {
-                return separates(x, y, z, (lowB + highB - low - high) / 2, (high - low + highB - lowB) / 2);
+                var gap:Number = lowB > high ? lowB - high : low - highB;
+                return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
             }
-            var gap:Number = lowB > high ? lowB - high : low - highB;
-            return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
+            var at:Number = (lowB + highB - low - high) / 2;
+            var reach:Number = (high - low + highB - lowB) / 2;
+            if (comparesSegments)
+            {
+                return times.areSeparated(at, x * motion.x + y * motion.y + z * motion.z, reach, tolerance * Math.sqrt(x * x + y * y + z * z));
+            }
+            tryDepth(x, y, z, at, reach);
+            return false;
         }
 
         private function isCornerAt(x:Number, y:Number, z:Number):Boolean
         {
-            return isClose(px - x, py - y, pz - z) || isClose(qx - x, qy - y, qz - z) || isClose(rx - x, ry - y, rz - z);
-        }
-
-        private function isClose(x:Number, y:Number, z:Number):Boolean
-        {
-            return x * x + y * y + z * z <= tolerance * tolerance;
+            var limit:Number = tolerance * tolerance;
+            var dx:Number = px - x;
+            var dy:Number = py - y;
+            var dz:Number = pz - z;
+            var isCorner:Boolean = dx * dx + dy * dy + dz * dz <= limit;
+            dx = qx - x;
+            dy = qy - y;
+            dz = qz - z;
+            isCorner ||= dx * dx + dy * dy + dz * dz <= limit;
+            dx = rx - x;
+            dy = ry - y;
+            dz = rz - z;
+            return isCorner || dx * dx + dy * dy + dz * dz <= limit;
         }
 
         private function setEdges():void

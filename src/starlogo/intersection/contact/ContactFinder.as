@@ -1,8 +1,6 @@
 package starlogo.intersection.contact
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
     import starlogo.intersection.PairTable;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -24,7 +22,6 @@ package starlogo.intersection.contact
     public final class ContactFinder
     {
         private var _displacement:RelativeMotion = new RelativeMotion();
-        private var _sphere:Sphere = new Sphere(new Vector3D(), 0);
 
         /** No contact yet. */
         public function ContactFinder()
@@ -50,18 +47,6 @@ package starlogo.intersection.contact
                 find(b, a, -x, -y, -z, out);
                 out.turn(x, y, z);
                 return;
-            }
-            if (a.kind == BoundingStructure.SPHERE)
-            {
-                // as exact as if it stood there
-                var sphere:Sphere = a as Sphere;
-                var center:Vector3D = _sphere.center;
-                center.x = x + sphere.center.x;
-                center.y = y + sphere.center.y;
-                center.z = z + sphere.center.z;
-                _sphere.radius = sphere.radius;
-                a = _sphere;
-                x = y = z = 0;
             }
             _displacement.startX = x;
             _displacement.startY = y;

@@ -52,13 +52,14 @@ package starlogo.intersection.contact
             normalZ = -normalZ;
         }
 
-        /** Sets the normal to a vector, of any length but 0. */
-        public function pointAlong(x:Number, y:Number, z:Number):void
+        /** Sets the normal to a vector, of any length but 0; returns the length. */
+        public function pointAlong(x:Number, y:Number, z:Number):Number
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             normalX = x / length;
             normalY = y / length;
             normalZ = z / length;
+            return length;
         }
 
         /** Sets the normal at right angles to an axis: as upright as can be; where the axis is upright, or has no length, along x or z. */

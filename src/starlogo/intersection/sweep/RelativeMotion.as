@@ -84,7 +84,14 @@ package starlogo.intersection.sweep
         /** How much farther apart than standing structures those on this motion may be and still touch: the rounding error of the motion. */
         public function rounding():Number
         {
-            return Tolerances.ROUNDING * (Math.abs(startX) + Math.abs(startY) + Math.abs(startZ) + Math.abs(x) + Math.abs(y) + Math.abs(z));
+            // not with Math.abs, which would be a call for each
+            var sum:Number = startX < 0 ? -startX : startX;
+            sum = startY < 0 ? sum - startY : sum + startY;
+            sum = startZ < 0 ? sum - startZ : sum + startZ;
+            sum = x < 0 ? sum - x : sum + x;
+            sum = y < 0 ? sum - y : sum + y;
+            sum = z < 0 ? sum - z : sum + z;
+            return Tolerances.ROUNDING * sum;
         }
     }
 }

@@ -5,8 +5,10 @@ package starlogo.intersection.sweep
     /**
      * The interval of time in which no axis tried so far separates two shapes that pass each other. Whether they touch at all is decided with a gap
      * for rounding, the time of impact without one.
+     *
+     * @private
      */
-    internal final class TouchingTimes
+    public final class TouchingTimes
     {
         // With the gap.
         private var _first:Number;

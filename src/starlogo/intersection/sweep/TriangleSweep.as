@@ -12,8 +12,6 @@ package starlogo.intersection.sweep
      */
     public final class TriangleSweep extends TriangleAxes
     {
-        private var _times:TouchingTimes = new TouchingTimes();
-        private var _motion:RelativeMotion = new RelativeMotion();
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
@@ -27,6 +25,8 @@ package starlogo.intersection.sweep
         public function TriangleSweep()
         {
             isStanding = false;
+            times = new TouchingTimes();
+            motion = new RelativeMotion();
         }
 
         /**
@@ -47,12 +47,12 @@ package starlogo.intersection.sweep
                 gap:Number, latest:Number):Number
         {
             comparesSegments = true;
-            _times.begin(latest);
-            _motion.x = motionX;
-            _motion.y = motionY;
-            _motion.z = motionZ;
+            times.begin(latest);
+            motion.x = motionX;
+            motion.y = motionY;
+            motion.z = motionZ;
             relate(a, atA, b, atB, gap);
-            return areSeparated() ? RelativeMotion.NEVER : _times.first;
+            return areSeparated() ? RelativeMotion.NEVER : times.first;
         }
 
         /**
@@ -97,15 +97,10 @@ package starlogo.intersection.sweep
             out.z = a[int(atA + 2)] + _polygonA.z;
         }
 
-        // Whether an axis separates the triangles all the time. Where a contact is looked for it never does: then the shortest separating
-        // displacement is kept.
-        override protected function separates(x:Number, y:Number, z:Number, at:Number, reach:Number):Boolean
+        // Keeps the shortest separating displacement.
+        override protected function tryDepth(x:Number, y:Number, z:Number, at:Number, reach:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (comparesSegments)
-            {
-                return _times.areSeparated(at, x * _motion.x + y * _motion.y + z * _motion.z, reach, tolerance * length);
-            }
             var depth:Number = (reach - Math.abs(at)) / length;
             // false for NaN
             if (depth < _depth - Tolerances.ROUNDING * reach / length)
@@ -116,12 +111,11 @@ package starlogo.intersection.sweep
                 _y = side * y / length;
                 _z = side * z / length;
             }
-            return false;
         }
 
         override protected function areSegmentsSeparated():Boolean
         {
-            return !_times.limitTo(timeOfImpact(segmentB, segmentA, _motion));
+            return !times.limitTo(timeOfImpact(segmentB, segmentA, motion));
         }
 
         // The corners of a triangle that are farthest out in a direction.

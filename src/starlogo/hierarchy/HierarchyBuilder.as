@@ -128,7 +128,7 @@ package starlogo.hierarchy
                 var node:HierarchyNode = _nodes[_next];
                 if (!_isDividing)
                 {
-                    _isDividing = node.level < _maxDepth && _divider.begin(node);
+                    _isDividing = node.level < _maxDepth && _divider.beginNode(node);
                     left -= ITEMS_PER_NODE;
                 }
                 if (_isDividing)

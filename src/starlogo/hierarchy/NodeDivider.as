@@ -47,7 +47,7 @@ package starlogo.hierarchy
         }
 
         /** Begins to give a node children; returns whether there is more to do. If not, it has too few vertices. */
-        public function begin(node:HierarchyNode):Boolean
+        public function beginNode(node:HierarchyNode):Boolean
         {
             if (!hasEnough(node))
             {
@@ -84,7 +84,7 @@ package starlogo.hierarchy
             {
                 return true;
             }
-            if (!takeDivision(_axis))
+            if (!applyDivision(_axis))
             {
                 divideWhereCentresSpread();
             }
@@ -134,12 +134,12 @@ package starlogo.hierarchy
             {
                 _items.beginDivision(_node.first, _node.end, widest, split);
                 _items.divideSome(_node.end - _node.first);
-                takeDivision(widest);
+                applyDivision(widest);
             }
         }
 
         // Whether there are items on either side; if not, the node has no children.
-        private function takeDivision(axis:int):Boolean
+        private function applyDivision(axis:int):Boolean
         {
             var node:HierarchyNode = _node;
             var middle:int = _items.middle;

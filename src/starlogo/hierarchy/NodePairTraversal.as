@@ -103,7 +103,7 @@ package starlogo.hierarchy
             time = RelativeMotion.NEVER;
             from = 0;
             to = 1;
-            begin(a, b);
+            beginRoots(a, b);
             while (true)
             {
                 if (from < time)
@@ -179,7 +179,7 @@ package starlogo.hierarchy
         }
 
         /** Prepares for two roots, and finds out when they may touch. */
-        protected function begin(a:HierarchyNode, b:HierarchyNode):void
+        protected function beginRoots(a:HierarchyNode, b:HierarchyNode):void
         {
         }
 

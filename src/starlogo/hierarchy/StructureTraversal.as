@@ -44,7 +44,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function begin(a:HierarchyNode, b:HierarchyNode):void
+        override protected function beginRoots(a:HierarchyNode, b:HierarchyNode):void
         {
             _levelB = -1;
         }
@@ -115,7 +115,7 @@ package starlogo.hierarchy
         // Whether structures touch in the interval of their pair, before time; sets when it begins to what they do first.
         private function isInTime(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            _part.takePart(pose.motion, from, to);
+            _part.setPart(pose.motion, from, to);
             var share:Number = timeOfImpact(b, a, _part);
             from += (to - from) * share;
             otherFrom = from;
@@ -125,7 +125,7 @@ package starlogo.hierarchy
         // Sets the end of the interval to the last time at which they touch: the first one of the motion backwards.
         private function findEnd(a:BoundingStructure, b:BoundingStructure):void
         {
-            _part.takePart(pose.motion, to, from);
+            _part.setPart(pose.motion, to, from);
             var share:Number = timeOfImpact(b, a, _part);
             to = share <= 1 ? to - (to - from) * share : from;
         }

@@ -26,7 +26,7 @@ package starlogo.hierarchy
         }
 
         /** @inheritDoc */
-        override protected function begin(a:HierarchyNode, b:HierarchyNode):void
+        override protected function beginRoots(a:HierarchyNode, b:HierarchyNode):void
         {
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;

@@ -144,7 +144,7 @@ package starlogo.libraries
         private function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
             var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
-            builder.begin(vertices, triangles);
+            builder.setModel(vertices, triangles);
             return builder;
         }
 

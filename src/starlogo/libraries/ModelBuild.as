@@ -131,7 +131,7 @@ package starlogo.libraries
             }
             if (_hierarchy != null && _fits.tree != null)
             {
-                _hierarchy.take(new TreeReader(_fits.tree), _fits.notes);
+                _hierarchy.useStored(new TreeReader(_fits.tree), _fits.notes);
             }
         }
 

@@ -243,7 +243,7 @@ package starlogo.search
 
         private function timeOfLastContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
         {
-            _back.takePart(motion, 1, 0);
+            _back.setPart(motion, 1, 0);
             return 1 - timeOfImpact(a, b, _back);
         }
 

@@ -45,7 +45,7 @@ package starlogo.solid
         }
 
         /** Begins a hierarchy of triangles, or of vertices where triangles is null. It keeps both lists. */
-        public function begin(vertices:Vector.<Number>, triangles:Vector.<uint>):void
+        public function setModel(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
             _hierarchy = new SolidHierarchy(vertices, triangles, _boundsKind);
             _builder = new HierarchyBuilder(_hierarchy, _minVerticesToSplit, _maxDepth, _splitByMean);
@@ -59,12 +59,12 @@ package starlogo.solid
 
         /**
          * Spares most of the work, if what is given is true; what turns out not to be is done anyhow. To be called between
-         * <code>begin()</code> and the first step.
+         * <code>setModel()</code> and the first step.
          *
          * @param tree how the items were divided, not begun
          * @param notes what was noted of the surface; null for nothing
          */
-        public function take(tree:StoredTree, notes:SurfaceNotes):void
+        public function useStored(tree:StoredTree, notes:SurfaceNotes):void
         {
             _builder.useStored(tree);
             _hierarchy.notes = notes;

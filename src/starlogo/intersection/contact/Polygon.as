@@ -38,7 +38,7 @@ package starlogo.intersection.contact
         }
 
         /** Becomes a point. */
-        public function begin(x:Number, y:Number, z:Number):void
+        public function setPoint(x:Number, y:Number, z:Number):void
         {
             _end = 0;
             add(x, y, z);

@@ -90,7 +90,7 @@ package starlogo.intersection.contact
         /** Writes the feature that is farthest out in a direction: a corner, an edge or a face. */
         public function supportInto(polygon:Polygon, x:Number, y:Number, z:Number):void
         {
-            polygon.begin(this.x, this.y, this.z);
+            polygon.setPoint(this.x, this.y, this.z);
             for (var at:int = 0; at < end; at += 3)
             {
                 var dx:Number = directions[at];

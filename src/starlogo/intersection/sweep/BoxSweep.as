@@ -87,7 +87,7 @@ package starlogo.intersection.sweep
                 gap:Number, latest:Number):Number
         {
             var times:TouchingTimes = _times;
-            times.begin(latest);
+            times.reset(latest);
             var xx:Number = _xx < 0 ? -_xx : _xx;
             var xy:Number = _xy < 0 ? -_xy : _xy;
             var xz:Number = _xz < 0 ? -_xz : _xz;

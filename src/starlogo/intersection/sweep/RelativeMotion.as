@@ -53,7 +53,7 @@ package starlogo.intersection.sweep
         }
 
         /** Makes it a part of another motion, from one time to another; in the opposite direction if the second time is earlier. */
-        public function takePart(of:RelativeMotion, from:Number, to:Number):void
+        public function setPart(of:RelativeMotion, from:Number, to:Number):void
         {
             startX = of.startX + from * of.x;
             startY = of.startY + from * of.y;

@@ -33,7 +33,7 @@ package starlogo.intersection.sweep
          *
          * @param latest the latest time that is of interest
          */
-        public function begin(latest:Number):void
+        public function reset(latest:Number):void
         {
             _first = _touch = 0;
             _last = latest;

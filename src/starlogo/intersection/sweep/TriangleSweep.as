@@ -47,7 +47,7 @@ package starlogo.intersection.sweep
                 gap:Number, latest:Number):Number
         {
             comparesSegments = true;
-            times.begin(latest);
+            times.reset(latest);
             motion.x = motionX;
             motion.y = motionY;
             motion.z = motionZ;

@@ -17,8 +17,7 @@ package starlogo.hierarchy
      * using AABB trees", 1997).</p>
      *
      * <p>Worth it: a StructureTraversal of the same trees takes more than twice as long in V8, 2.9 times in Ruffle, and several times in
-     * Adobe's VM (TraversalBenchmark). A further copy, for models that are turned about z alone, spared a fifth of a pair in Adobe's VM,
-     * up to a fifth in V8, and nothing in Ruffle: that is not on all three machines.</p>
+     * Adobe's VM (TraversalBenchmark).</p>
      *
      * @private
      */

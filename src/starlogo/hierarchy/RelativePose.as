@@ -20,6 +20,9 @@ package starlogo.hierarchy
         /** How far apart the two may be, in the space of the first, and still touch: what rounding makes of where they stand. */
         public var gap:Number = 0;
 
+        /** Whether both models are turned about z at most, as almost always. */
+        public var isUpright:Boolean;
+
         /** How the second model moves from there, of models that move: from time 0 to time 1, its start being 0. */
         public var motion:RelativeMotion = new RelativeMotion();
 
@@ -52,9 +55,10 @@ package starlogo.hierarchy
             var relative:Placement = placement;
             relative.size = scale;
             gap = (touchingMargin(a.x, a.y, a.z) + touchingMargin(b.x, b.y, b.z)) / a.size;
-            if (a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1)
+            isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
+            if (isUpright)
             {
-                // both are turned about z at most, as almost always: the other entries are exactly 0
+                // the other entries are exactly 0
                 relative.x = a00 * x + a10 * y;
                 relative.y = a01 * x + a11 * y;
                 relative.z = z;

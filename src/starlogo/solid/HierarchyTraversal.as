@@ -12,6 +12,7 @@ package starlogo.solid
     import starlogo.hierarchy.NodePairTraversal;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureTraversal;
+    import starlogo.hierarchy.UprightBoxTraversal;
     import starlogo.intersection.intersects;
 
     use namespace engine;
@@ -22,7 +23,7 @@ package starlogo.solid
      *
      * <p>The thesis puts both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of
      * agents takes the second model into the space of the first, and the traversal for what the hierarchies are made of does
-     * the rest: a BoxTraversal or a StructureTraversal, with an ExactPairTest where triangles decide.</p>
+     * the rest: an UprightBoxTraversal, a BoxTraversal or a StructureTraversal, with an ExactPairTest where triangles decide.</p>
      *
      * <p>Answers are nested: what triangles find, nodes find at any depth, and a greater depth finds no more than a smaller one.
      * Nodes alone would not do for solids: the leaves hug the surface, and a model well inside of a closed one meets none of
@@ -36,6 +37,7 @@ package starlogo.solid
     public final class HierarchyTraversal
     {
         private var _pose:RelativePose = new RelativePose();
+        private var _uprightBoxes:UprightBoxTraversal;
         private var _boxes:BoxTraversal;
         private var _structures:StructureTraversal;
         private var _exact:ExactPairTest;
@@ -50,6 +52,7 @@ package starlogo.solid
         /** Nothing counted yet. */
         public function HierarchyTraversal()
         {
+            _uprightBoxes = new UprightBoxTraversal(_pose);
             _boxes = new BoxTraversal(_pose);
             _structures = new StructureTraversal(_pose, false);
             _exact = new ExactPairTest(_pose);
@@ -60,7 +63,7 @@ package starlogo.solid
         /** Pairs of nodes that were visited since resetCounts. */
         public function get nodeVisits():int
         {
-            return _boxes.nodeVisits + _structures.nodeVisits;
+            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _structures.nodeVisits;
         }
 
         /** Pairs of triangles that were tested since resetCounts. */
@@ -72,7 +75,7 @@ package starlogo.solid
         /** Begins to count. */
         public function resetCounts():void
         {
-            _boxes.nodeVisits = _structures.nodeVisits = 0;
+            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _structures.nodeVisits = 0;
             _exact.triangleTests = 0;
         }
 
@@ -104,7 +107,7 @@ package starlogo.solid
             var traversal:NodePairTraversal = _structures;
             if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
             {
-                traversal = _boxes;
+                traversal = _pose.isUpright ? _uprightBoxes : _boxes;
             }
             // whose roots do not overlap, as of most that are close and do not collide, are not inside of each other
             return traversal.find(a.root, depthA, b.root, depthB, decider)

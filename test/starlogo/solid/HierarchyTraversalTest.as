@@ -15,6 +15,7 @@ package starlogo.solid
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureTraversal;
+    import starlogo.hierarchy.UprightBoxTraversal;
     import starlogo.libraries.HierarchiesLibrary;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -105,14 +106,16 @@ package starlogo.solid
             return changes;
         }
 
-        /** Trees of boxes have a traversal written out for them: it finds what the one for all structures does. */
+        /** Trees of boxes have a traversal written out for them, upright ones another: they find what the one for all structures does. */
         [Test]
         public function boxesFindWhatStructuresDo():void
         {
             var random:SeededRandom = new SeededRandom(2117);
             var pose:RelativePose = new RelativePose();
             var boxes:BoxTraversal = new BoxTraversal(pose);
+            var uprightBoxes:UprightBoxTraversal = new UprightBoxTraversal(pose);
             var structures:StructureTraversal = new StructureTraversal(pose, false);
+            var upright:int = 0;
             var bear:Hierarchy = hierarchyOf(new ObjModel("bear", Fixtures.text(FIXTURES[0])), BoundingStructure.BOX);
             var ball:Hierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
             var count:int = Effort.choose(1000, 30000);
@@ -126,9 +129,15 @@ package starlogo.solid
                 var depthB:int = random.integer(1, 8);
                 var answer:Boolean = structures.find(a.root, depthA, b.root, depthB, null);
                 assertEquals("pair " + i, answer, boxes.find(a.root, depthA, b.root, depthB, null));
+                if (pose.isUpright)
+                {
+                    upright++;
+                    assertEquals("upright pair " + i, answer, uprightBoxes.find(a.root, depthA, b.root, depthB, null));
+                }
                 hits += answer ? 1 : 0;
             }
             assertTrue(hits + " of " + count, hits > count / 4 && hits < count * 3 / 4);
+            assertTrue(upright + " of " + count, upright > count / 10 && upright < count / 4);
         }
 
         private static function randomPlacement(random:SeededRandom):Placement

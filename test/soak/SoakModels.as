@@ -10,7 +10,6 @@ package soak
     import starlogo.models.Model;
     import starlogo.models.ModelEvent;
     import starlogo.models.ModelLoader;
-    import support.Collada;
     import support.SolidModels;
     import support.Zip;
 

@@ -8,7 +8,6 @@ package standins
     import flash.utils.ByteArray;
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import standin.SinglePrecision;
     import standin.flash.geom.Matrix3D;

@@ -11,7 +11,6 @@ package starlogo.blocks
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
-    import starlogo.models.Model;
     import support.assertThrows;
 
     public class CollisionBlocksTest

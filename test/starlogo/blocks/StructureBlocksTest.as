@@ -3,7 +3,6 @@ package starlogo.blocks
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;

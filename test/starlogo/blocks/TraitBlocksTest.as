@@ -1,8 +1,6 @@
 package starlogo.blocks
 {
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
-    import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
     import support.assertThrows;
 

@@ -2,7 +2,6 @@ package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
-    import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;

@@ -1,12 +1,10 @@
 package starlogo.intersection
 {
-    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.intersects;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.timeOfImpact;
     import support.MotionVectors;

@@ -3,7 +3,6 @@ package starlogo.solid
     import evaluation.pairs.RandomStructures;
     import evaluation.pairs.SeededRandom;
     import flash.geom.Vector3D;
-    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;

@@ -33,25 +33,25 @@ package starlogo.search
 
         // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
         // model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
-        internal var rows:Vector.<int> = new Vector.<int>();
-        internal var count:int = 0;
-        internal var loadingCount:int = 0;
-        internal var listNumber:int = 0;
+        engine var rows:Vector.<int> = new Vector.<int>();
+        engine var count:int = 0;
+        engine var loadingCount:int = 0;
+        engine var listNumber:int = 0;
 
         // By row: the agent, or null; the shape of its model, null while that is loading; the number of its breed, see BreedNumbers; its own
         // limit to the levels that are visited of its hierarchy, or 0; its extents in the world.
-        internal var agents:Vector.<Agent> = new Vector.<Agent>();
-        internal var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
+        engine var agents:Vector.<Agent> = new Vector.<Agent>();
+        engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
         internal var breeds:Vector.<int> = new Vector.<int>();
         internal var depths:Vector.<int> = new Vector.<int>();
-        internal var extents:Extents = new Extents();
+        engine var extents:Extents = new Extents();
 
         // By row: where the agent is, and of which of its revisions that is; the same of the search before; a search that fails leaves there what
         // it has read.
-        internal var x:Vector.<Number> = new Vector.<Number>();
-        internal var y:Vector.<Number> = new Vector.<Number>();
-        internal var z:Vector.<Number> = new Vector.<Number>();
-        internal var revisions:Vector.<int> = new Vector.<int>();
+        engine var x:Vector.<Number> = new Vector.<Number>();
+        engine var y:Vector.<Number> = new Vector.<Number>();
+        engine var z:Vector.<Number> = new Vector.<Number>();
+        engine var revisions:Vector.<int> = new Vector.<int>();
         internal var lastX:Vector.<Number> = new Vector.<Number>();
         internal var lastY:Vector.<Number> = new Vector.<Number>();
         internal var lastZ:Vector.<Number> = new Vector.<Number>();

@@ -2,8 +2,11 @@ package starlogo.search
 {
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
+    import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
 
     /**
      * An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5).
@@ -90,6 +93,18 @@ package starlogo.search
         override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             strategyOf(table, a, b).findContact(table, a, b, motion, time, out);
+        }
+
+        /** @inheritDoc */
+        override public function depthOf(table:AgentTable, row:int):int
+        {
+            return _hierarchy.depthOf(table, row);
+        }
+
+        /** @inheritDoc */
+        override public function get isExact():Boolean
+        {
+            return _hierarchy.isExact;
         }
 
         /** @inheritDoc */

@@ -123,6 +123,18 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function depthOf(table:AgentTable, row:int):int
+        {
+            return table.depths[row] == 0 ? maxDepth : table.depths[row];
+        }
+
+        /** @inheritDoc */
+        override public function get isExact():Boolean
+        {
+            return exact;
+        }
+
+        /** @inheritDoc */
         override public function resetCounts():void
         {
             super.resetCounts();
@@ -146,11 +158,6 @@ package starlogo.search
                 return !isHierarchy;
             }
             return table.agents[a].number > table.agents[b].number;
-        }
-
-        private function depthOf(table:AgentTable, row:int):int
-        {
-            return table.depths[row] == 0 ? maxDepth : table.depths[row];
         }
     }
 }

@@ -1,7 +1,10 @@
 package starlogo.search
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
     import starlogo.solid.SolidHierarchy;
+
+    use namespace engine;
 
     /**
      * The shape that represents a model in a collider, in the model's space: one object for all agents that have the model.
@@ -11,23 +14,23 @@ package starlogo.search
     public final class ModelShape
     {
         // In place of a kind of structure: the hierarchy.
-        internal static const HIERARCHY:int = 3;
+        engine static const HIERARCHY:int = 3;
 
         // What was asked for: of this model, a kind of BoundingStructure, Agent.ANY_KIND or HIERARCHY.
-        internal var model:String;
-        internal var kind:int;
+        engine var model:String;
+        engine var kind:int;
 
         // The revision of what the GreatLand knows of the model, and whether there has been another since.
-        internal var revision:int;
-        internal var isVoid:Boolean = false;
+        engine var revision:int;
+        engine var isVoid:Boolean = false;
 
         // The structure that represents the model, or the one around its hierarchy; null for a unit sphere.
-        internal var structure:BoundingStructure = null;
-        internal var hierarchy:SolidHierarchy = null;
+        engine var structure:BoundingStructure = null;
+        engine var hierarchy:SolidHierarchy = null;
 
         // Whether it is a sphere and nothing else; whether the structure decides, and has to be placed in the world.
-        internal var isSphere:Boolean = false;
-        internal var decides:Boolean = false;
+        engine var isSphere:Boolean = false;
+        engine var decides:Boolean = false;
 
         // What is tried before the structure, a little wider; or null.
         internal var outer:OuterStructures = null;

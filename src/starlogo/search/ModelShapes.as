@@ -6,8 +6,12 @@ package starlogo.search
 
     use namespace engine;
 
-    /** The shapes of a collider's models. */
-    internal final class ModelShapes
+    /**
+     * The shapes of a collider's models.
+     *
+     * @private
+     */
+    public final class ModelShapes
     {
         private var _greatLand:GreatLand;
         private var _strategy:ShapeStrategy;

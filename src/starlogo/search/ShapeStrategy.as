@@ -111,6 +111,18 @@ package starlogo.search
             throw new IllegalOperationError(this + " does not implement findContact");
         }
 
+        /** How many levels are visited of a row's hierarchy. */
+        public function depthOf(table:AgentTable, row:int):int
+        {
+            throw new IllegalOperationError(this + " has no hierarchies");
+        }
+
+        /** Whether triangles decide between two hierarchies. */
+        public function get isExact():Boolean
+        {
+            return false;
+        }
+
         /** Begins to count the tests of a search. */
         public function resetCounts():void
         {

@@ -5,8 +5,11 @@ package starlogo.search
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
+    import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import support.assertThrows;
+
+    use namespace engine;
 
     /** A table has the agents that are listed, and no others: neither those that have left, nor those of a list that was refused. */
     public class AgentTableTest

@@ -5,8 +5,11 @@ package starlogo.search
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+
+    use namespace engine;
 
     /** What stands for a model stays, the same for all that have it, until that model is another. */
     public class ModelShapesTest

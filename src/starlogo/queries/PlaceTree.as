@@ -1,0 +1,562 @@
+package starlogo.queries
+{
+    /**
+     * A balanced tree of boxes around the places of a table's rows: finds those that are near a place, or nearest to it, however they
+     * are spread (Bentley, "Multidimensional Binary Search Trees", 1975, with boxes around what is on either side).
+     *
+     * <p>The nodes are numbered as in a heap: 1 is the root, the children of node i are 2 i and 2 i + 1. All leaves are on one level, and
+     * those on each level have equal parts of the rows, so that nothing but the boxes has to be kept. Distances are compared as squares, in the
+     * order of arithmetic (x x + y y) + z z, in which that to a box is never more than that to a place in it, to the last bit.</p>
+     *
+     * <p>This file is long because its loops are written out.</p>
+     *
+     * @private
+     */
+    public final class PlaceTree
+    {
+        /** Rows in a leaf, at most. */
+        private static const LEAF_SIZE:int = 8;
+
+        /** Numbers of a box: the least x, y, z, then the greatest. */
+        internal static const PER_BOX:int = 6;
+
+        /** The number of the first leaf; there are as many leaves. */
+        public var firstLeaf:int = 1;
+
+        /** How many rows there are. */
+        public var count:int = 0;
+
+        /** The rows in the order of the leaves, as numbers of the list they were given in. */
+        public var members:Vector.<int> = new Vector.<int>();
+
+        /** The place that a search is about; fields, because V8 makes an object of each Number that it passes. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** The square of the greatest distance that counts. */
+        public var limit:Number = Infinity;
+
+        /** What the last search of several has found, as numbers of the list. */
+        public var found:Vector.<int> = new Vector.<int>();
+
+        /** The squared distances of these. */
+        public var squares:Vector.<Number> = new Vector.<Number>();
+
+        // In the order of the leaves.
+        private var _x:Vector.<Number> = new Vector.<Number>();
+        private var _y:Vector.<Number> = new Vector.<Number>();
+        private var _z:Vector.<Number> = new Vector.<Number>();
+
+        // By number of the list: where it is in the order of the leaves.
+        private var _order:Vector.<int> = new Vector.<int>();
+
+        private var _boxes:Vector.<Number> = new Vector.<Number>();
+
+        // Nodes that are to be visited yet, and their squared distances.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _squares:Vector.<Number> = new Vector.<Number>();
+
+        /** An empty tree. */
+        public function PlaceTree()
+        {
+        }
+
+        /**
+         * Makes the tree anew.
+         *
+         * @param fromX where each row is
+         * @param fromY likewise
+         * @param fromZ likewise
+         * @param rows the list: the rows that count
+         * @param rowCount how many of them
+         */
+        public function build(fromX:Vector.<Number>, fromY:Vector.<Number>, fromZ:Vector.<Number>, rows:Vector.<int>, rowCount:int):void
+        {
+            count = rowCount;
+            firstLeaf = 1;
+            while (firstLeaf * LEAF_SIZE < count)
+            {
+                firstLeaf *= 2;
+            }
+            grow();
+            for (var i:int = 0; i < count; i++)
+            {
+                var row:int = rows[i];
+                members[i] = i;
+                _x[i] = fromX[row];
+                _y[i] = fromY[row];
+                _z[i] = fromZ[row];
+            }
+            divideAll();
+            for (i = 0; i < count; i++)
+            {
+                _order[members[i]] = i;
+            }
+            boundLeaves();
+            boundNodes();
+        }
+
+        /** Where a leaf's rows begin in the order of the leaves; they end where those of the next begin. */
+        public function startOf(leaf:int):int
+        {
+            return (leaf - firstLeaf) * count / firstLeaf;
+        }
+
+        /**
+         * Takes the place of one row anew: the boxes about it grow, so that the tree is right, if not as good as one made anew.
+         *
+         * @param member its number in the list; it is at x, y, z now
+         */
+        public function move(member:int):void
+        {
+            var at:int = _order[member];
+            _x[at] = x;
+            _y[at] = y;
+            _z[at] = z;
+            for (var node:int = leafOf(at); node > 0; node >>= 1)
+            {
+                widen(PER_BOX * node, at);
+            }
+        }
+
+        /**
+         * Finds the row that is nearest to x, y, z, within the limit; of several the one that comes first in the list.
+         *
+         * @param test says which count; null for all
+         * @return its number in the list, or -1
+         */
+        public function findNearest(test:RowTest):int
+        {
+            var nearest:int = -1;
+            var least:Number = limit;
+            var waiting:int = begin();
+            while (waiting > 0)
+            {
+                waiting--;
+                var node:int = _nodes[waiting];
+                if (_squares[waiting] > least)
+                {
+                    continue;
+                }
+                if (node < firstLeaf)
+                {
+                    // the nearer child is the next
+                    var near:int = node << 1;
+                    var far:int = near + 1;
+                    var nearSquare:Number = squareTo(near);
+                    var farSquare:Number = squareTo(far);
+                    if (farSquare < nearSquare)
+                    {
+                        var swapped:Number = nearSquare;
+                        nearSquare = farSquare;
+                        farSquare = swapped;
+                        near++;
+                        far--;
+                    }
+                    _nodes[waiting] = far;
+                    _squares[waiting] = farSquare;
+                    waiting++;
+                    _nodes[waiting] = near;
+                    _squares[waiting] = nearSquare;
+                    waiting++;
+                    continue;
+                }
+                var end:int = startOf(node + 1);
+                for (var at:int = startOf(node); at < end; at++)
+                {
+                    var square:Number = squareAt(at);
+                    if (square > least || (square == least && nearest >= 0 && members[at] > nearest))
+                    {
+                        continue;
+                    }
+                    if (test == null || test.accepts(members[at]))
+                    {
+                        nearest = members[at];
+                        least = square;
+                    }
+                }
+            }
+            return nearest;
+        }
+
+        /**
+         * Finds all rows within the limit of x, y, z: <code>found</code> and <code>squares</code>, in no order.
+         *
+         * @param test says which count; null for all
+         * @return how many
+         */
+        public function findNear(test:RowTest):int
+        {
+            var length:int = 0;
+            var waiting:int = begin();
+            while (waiting > 0)
+            {
+                waiting--;
+                var node:int = _nodes[waiting];
+                if (node < firstLeaf)
+                {
+                    waiting = enter(node, waiting);
+                    continue;
+                }
+                var end:int = startOf(node + 1);
+                for (var at:int = startOf(node); at < end; at++)
+                {
+                    var square:Number = squareAt(at);
+                    if (square <= limit && (test == null || test.accepts(members[at])))
+                    {
+                        found[length] = members[at];
+                        squares[length] = square;
+                        length++;
+                    }
+                }
+            }
+            return length;
+        }
+
+        /**
+         * Counts the rows within the limit of x, y, z.
+         *
+         * @param test says which count; null for all, and then what is near as a whole is not looked at one by one
+         */
+        public function countNear(test:RowTest):int
+        {
+            var near:int = 0;
+            var waiting:int = begin();
+            while (waiting > 0)
+            {
+                waiting--;
+                var node:int = _nodes[waiting];
+                if (test == null && isWithin(node))
+                {
+                    near += countIn(node);
+                    continue;
+                }
+                if (node < firstLeaf)
+                {
+                    waiting = enter(node, waiting);
+                    continue;
+                }
+                var end:int = startOf(node + 1);
+                for (var at:int = startOf(node); at < end; at++)
+                {
+                    if (squareAt(at) <= limit && (test == null || test.accepts(members[at])))
+                    {
+                        near++;
+                    }
+                }
+            }
+            return near;
+        }
+
+        // Puts the root on the stack, if there is one; returns how many nodes wait.
+        private function begin():int
+        {
+            _nodes[0] = 1;
+            _squares[0] = 0;
+            return count > 0 ? 1 : 0;
+        }
+
+        // Puts the children that are within the limit on the stack; returns how many nodes wait.
+        private function enter(node:int, waiting:int):int
+        {
+            var child:int = node << 1;
+            if (squareTo(child) <= limit)
+            {
+                _nodes[waiting] = child;
+                waiting++;
+            }
+            child++;
+            if (squareTo(child) <= limit)
+            {
+                _nodes[waiting] = child;
+                waiting++;
+            }
+            return waiting;
+        }
+
+        private function squareAt(at:int):Number
+        {
+            var toX:Number = _x[at] - x;
+            var toY:Number = _y[at] - y;
+            var toZ:Number = _z[at] - z;
+            return toX * toX + toY * toY + toZ * toZ;
+        }
+
+        // The squared distance to a node's box.
+        private function squareTo(node:int):Number
+        {
+            var box:int = PER_BOX * node;
+            var toX:Number = _boxes[box] - x;
+            if (toX < 0)
+            {
+                toX = x - _boxes[int(box + 3)];
+                if (toX < 0)
+                {
+                    toX = 0;
+                }
+            }
+            var toY:Number = _boxes[int(box + 1)] - y;
+            if (toY < 0)
+            {
+                toY = y - _boxes[int(box + 4)];
+                if (toY < 0)
+                {
+                    toY = 0;
+                }
+            }
+            var toZ:Number = _boxes[int(box + 2)] - z;
+            if (toZ < 0)
+            {
+                toZ = z - _boxes[int(box + 5)];
+                if (toZ < 0)
+                {
+                    toZ = 0;
+                }
+            }
+            return toX * toX + toY * toY + toZ * toZ;
+        }
+
+        // Whether all of a node's box is within the limit.
+        private function isWithin(node:int):Boolean
+        {
+            var box:int = PER_BOX * node;
+            var toX:Number = x - _boxes[box];
+            var toY:Number = y - _boxes[int(box + 1)];
+            var toZ:Number = z - _boxes[int(box + 2)];
+            var beyondX:Number = _boxes[int(box + 3)] - x;
+            var beyondY:Number = _boxes[int(box + 4)] - y;
+            var beyondZ:Number = _boxes[int(box + 5)] - z;
+            if (beyondX > toX)
+            {
+                toX = beyondX;
+            }
+            if (beyondY > toY)
+            {
+                toY = beyondY;
+            }
+            if (beyondZ > toZ)
+            {
+                toZ = beyondZ;
+            }
+            return toX * toX + toY * toY + toZ * toZ <= limit;
+        }
+
+        // How many rows are below a node.
+        private function countIn(node:int):int
+        {
+            var last:int = node;
+            while (node < firstLeaf)
+            {
+                node = node << 1;
+                last = (last << 1) + 1;
+            }
+            return startOf(last + 1) - startOf(node);
+        }
+
+        private function leafOf(at:int):int
+        {
+            return firstLeaf + int(((at + 1) * firstLeaf - 1) / count);
+        }
+
+        private function grow():void
+        {
+            if (members.length < count)
+            {
+                members.length = _order.length = count;
+                found.length = squares.length = count;
+                _x.length = _y.length = _z.length = count;
+            }
+            var numbers:int = 2 * firstLeaf * PER_BOX;
+            if (_boxes.length < numbers)
+            {
+                _boxes.length = numbers;
+            }
+        }
+
+        // Has each node divide its rows in two along the longest side of its part of space, which is written where its box will be.
+        private function divideAll():void
+        {
+            boundRows(1, 0, count);
+            var width:int = 1;
+            for (var node:int = 1; node < firstLeaf; node++)
+            {
+                if (node == 2 * width)
+                {
+                    width = node;
+                }
+                var box:int = PER_BOX * node;
+                var axis:int = longestSide(box);
+                var keys:Vector.<Number> = _x;
+                if (axis > 0)
+                {
+                    keys = axis == 1 ? _y : _z;
+                }
+                var nth:int = node - width;
+                var middle:int = (2 * nth + 1) * count / (2 * width);
+                select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
+                var child:int = 2 * box;
+                for (var i:int = 0; i < PER_BOX; i++)
+                {
+                    _boxes[child + i] = _boxes[child + PER_BOX + i] = _boxes[box + i];
+                }
+                _boxes[child + 3 + axis] = _boxes[child + PER_BOX + axis] = keys[middle];
+            }
+        }
+
+        private function longestSide(box:int):int
+        {
+            var alongX:Number = _boxes[box + 3] - _boxes[box];
+            var alongY:Number = _boxes[box + 4] - _boxes[box + 1];
+            var alongZ:Number = _boxes[box + 5] - _boxes[box + 2];
+            if (alongX >= alongY && alongX >= alongZ)
+            {
+                return 0;
+            }
+            return alongY >= alongZ ? 1 : 2;
+        }
+
+        // Moves rows so that none before the middle has a greater key than it, and none after it a smaller one (Hoare, "Find", 1961).
+        private function select(keys:Vector.<Number>, first:int, last:int, middle:int):void
+        {
+            while (first < last)
+            {
+                var pivot:Number = medianOf(keys[first], keys[(first + last) >> 1], keys[last]);
+                var low:int = first;
+                var high:int = last;
+                while (low <= high)
+                {
+                    while (keys[low] < pivot)
+                    {
+                        low++;
+                    }
+                    while (keys[high] > pivot)
+                    {
+                        high--;
+                    }
+                    if (low <= high)
+                    {
+                        swap(low, high);
+                        low++;
+                        high--;
+                    }
+                }
+                if (middle <= high)
+                {
+                    last = high;
+                }
+                else if (middle >= low)
+                {
+                    first = low;
+                }
+                else
+                {
+                    return;
+                }
+            }
+        }
+
+        private static function medianOf(a:Number, b:Number, c:Number):Number
+        {
+            if (a > b)
+            {
+                var swapped:Number = a;
+                a = b;
+                b = swapped;
+            }
+            if (c < a)
+            {
+                return a;
+            }
+            return c < b ? c : b;
+        }
+
+        private function swap(a:int, b:int):void
+        {
+            var member:int = members[a];
+            members[a] = members[b];
+            members[b] = member;
+            var key:Number = _x[a];
+            _x[a] = _x[b];
+            _x[b] = key;
+            key = _y[a];
+            _y[a] = _y[b];
+            _y[b] = key;
+            key = _z[a];
+            _z[a] = _z[b];
+            _z[b] = key;
+        }
+
+        private function boundLeaves():void
+        {
+            for (var i:int = 0; i < firstLeaf; i++)
+            {
+                boundRows(firstLeaf + i, i * count / firstLeaf, (i + 1) * count / firstLeaf);
+            }
+        }
+
+        private function boundRows(node:int, start:int, end:int):void
+        {
+            var box:int = PER_BOX * node;
+            for (var side:int = 0; side < 3; side++)
+            {
+                _boxes[box + side] = Infinity;
+                _boxes[box + 3 + side] = -Infinity;
+            }
+            for (var at:int = start; at < end; at++)
+            {
+                widen(box, at);
+            }
+        }
+
+        // Makes a box contain the place of a row.
+        private function widen(box:int, at:int):void
+        {
+            var placeX:Number = _x[at];
+            var placeY:Number = _y[at];
+            var placeZ:Number = _z[at];
+            if (placeX < _boxes[box])
+            {
+                _boxes[box] = placeX;
+            }
+            if (placeY < _boxes[int(box + 1)])
+            {
+                _boxes[int(box + 1)] = placeY;
+            }
+            if (placeZ < _boxes[int(box + 2)])
+            {
+                _boxes[int(box + 2)] = placeZ;
+            }
+            if (placeX > _boxes[int(box + 3)])
+            {
+                _boxes[int(box + 3)] = placeX;
+            }
+            if (placeY > _boxes[int(box + 4)])
+            {
+                _boxes[int(box + 4)] = placeY;
+            }
+            if (placeZ > _boxes[int(box + 5)])
+            {
+                _boxes[int(box + 5)] = placeZ;
+            }
+        }
+
+        // Makes each node's box contain those of its children.
+        private function boundNodes():void
+        {
+            for (var box:int = PER_BOX * (firstLeaf - 1); box > 0; box -= PER_BOX)
+            {
+                var child:int = 2 * box;
+                for (var side:int = 0; side < 3; side++)
+                {
+                    _boxes[box + side] = Math.min(_boxes[child + side], _boxes[child + PER_BOX + side]);
+                    _boxes[box + 3 + side] = Math.max(_boxes[child + 3 + side], _boxes[child + PER_BOX + 3 + side]);
+                }
+            }
+        }
+    }
+}

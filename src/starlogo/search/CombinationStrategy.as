@@ -96,6 +96,12 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            return strategyOf(table, a, b).hasExactContact(table, a, b);
+        }
+
+        /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
             return _hierarchy.depthOf(table, row);

@@ -111,6 +111,15 @@ package starlogo.search
             throw new IllegalOperationError(this + " does not implement findContact");
         }
 
+        /**
+         * Whether the contact of two rows that are not both spheres is exact: moved by its depth they just touch. Otherwise it is that of parts of
+         * the two, and others may still overlap.
+         */
+        public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            return false;
+        }
+
         /** How many levels are visited of a row's hierarchy. */
         public function depthOf(table:AgentTable, row:int):int
         {

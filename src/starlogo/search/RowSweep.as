@@ -48,6 +48,23 @@ package starlogo.search
         }
 
         /**
+         * When and how two rows touch for the first time that do not touch at the beginning; as ShapeStrategy.findImpact.
+         */
+        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            if (table.shapes[a].isSphere && table.shapes[b].isSphere)
+            {
+                var time:Number = impactTimeOfSpheres(table, a, b, motion);
+                if (time != RelativeMotion.NEVER)
+                {
+                    findContact(table, a, b, motion, time, out);
+                }
+                return time;
+            }
+            return _strategy.findImpact(table, a, b, motion, out);
+        }
+
+        /**
          * How two rows touch.
          *
          * @param motion as in impactTime

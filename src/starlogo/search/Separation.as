@@ -21,12 +21,15 @@ package starlogo.search
      */
     public final class Separation
     {
-        // The way out is looked for in steps from this share of the larger extent on, each twice as long; contacts less deep keep their normal.
-        private static const FIRST_STEP:Number = 1 / 256;
+        // Contacts less deep than this share of the larger extent keep their normal; the way out is looked for in steps from it on.
+        private static const SHALLOW:Number = 1 / 256;
 
         // How often a normal is improved, and by how much a depth has to be less for it to count.
-        private static const IMPROVEMENTS:int = 3;
-        private static const GAIN:Number = 0.999;
+        private static const IMPROVEMENTS:int = 2;
+        private static const GAIN:Number = 0.95;
+
+        // How narrow the interval is that the way out ends in before it is swept, as a share of the larger extent.
+        private static const NARROW:Number = 1 / 16;
 
         // Halvings, of which 53 leave nothing of a Number.
         private static const MOST_STEPS:int = 60;
@@ -43,18 +46,21 @@ package starlogo.search
         private var _z:Number = 0;
         private var _extent:Number = 0;
 
-        // The direction that is tried.
+        // The direction that is tried; how far along it they touch, how far they do not, and where in between they part.
         private var _alongX:Number = 0;
         private var _alongY:Number = 0;
         private var _alongZ:Number = 0;
-
-        // How far out the two are apart along it, and what the sweep back from there says; beyond which distance it is not of interest.
+        private var _touching:Number = 0;
+        private var _free:Number = 0;
         private var _exit:Number = 0;
-        private var _limit:Number = 0;
+
+        // The sweep back, and the contact in which it ends.
         private var _back:RelativeMotion = new RelativeMotion();
-        private var _backTime:Number = 0;
-        private var _backEnd:Number = 0;
         private var _left:ContactPoint = new ContactPoint();
+
+        // The contact that was given; how the two part along the best normal so far.
+        private var _start:ContactPoint = new ContactPoint();
+        private var _parting:ContactPoint = new ContactPoint();
 
         /**
          * @param strategy decides whether rows touch
@@ -71,12 +77,13 @@ package starlogo.search
          *
          * @param motion of the first row, which ends where it is in the table, relative to the second
          * @param time when they touch
-         * @param out the contact of two parts that touch then: its point stays
+         * @param out the contact of two parts that touch then
          */
         public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             if ((table.shapes[a].isSphere && table.shapes[b].isSphere) || _strategy.hasExactContact(table, a, b))
             {
+                OverlapMiddle.setAlong(table, a, b, out);
                 return;
             }
             var x:Number = table.x[a];
@@ -92,6 +99,10 @@ package starlogo.search
             {
                 findTouch(motion, time, out);
             }
+            displace(0);
+            OverlapMiddle.setAlong(table, a, b, out);
+            OverlapMiddle.keepWithin(table.extents, a, out);
+            OverlapMiddle.keepWithin(table.extents, b, out);
             table.putBack(a, x, y, z, revision);
             _table = null;
         }
@@ -116,7 +127,7 @@ package starlogo.search
         private function findTouch(motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
             out.depth = 0;
-            point(out.normalX, out.normalY, out.normalZ);
+            point(out);
             if (isComing(motion, time) && !touchAt(-Tolerances.SEPARATION / 4 * _extent))
             {
                 out.pointAlong(-motion.x, -motion.y, -motion.z);
@@ -129,177 +140,185 @@ package starlogo.search
             return time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
         }
 
+        // Leaves find a direction first, where triangles decide: they are quick.
         private function findLeast(motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            point(out.normalX, out.normalY, out.normalZ);
-            _limit = Infinity;
-            findExit(out.depth);
-            out.depth = _exit;
-            if (out.depth > FIRST_STEP * _extent)
+            var isDeep:Boolean = isDeepAlong(out);
+            if (isDeep && isComing(motion, time))
             {
-                tryExtents(out);
-                if (isComing(motion, time))
+                _left.pointAlong(-motion.x, -motion.y, -motion.z);
+                isDeep = isDeepAlong(_left);
+            }
+            if (isDeep)
+            {
+                _strategy.leavesDecide = true;
+                findDirection(out);
+                _strategy.leavesDecide = false;
+                if (_strategy.isExact)
                 {
-                    var length:Number = Math.sqrt(motion.x * motion.x + motion.y * motion.y + motion.z * motion.z);
-                    point(-motion.x / length, -motion.y / length, -motion.z / length);
-                    tryExit(0, out);
-                }
-                var left:int = IMPROVEMENTS;
-                while (left > 0 && improve(out))
-                {
-                    left--;
+                    point(out);
+                    goOut(out.depth);
+                    sweepBack(out);
+                    improve(out);
                 }
             }
-            point(out.normalX, out.normalY, out.normalZ);
+            else
+            {
+                sweepBack(out);
+            }
+            if (isDeep)
+            {
+                // the middle between where they part and where the same of the first row is
+                out.x = _left.x - out.depth / 2 * out.normalX;
+                out.y = _left.y - out.depth / 2 * out.normalY;
+                out.z = _left.z - out.depth / 2 * out.normalZ;
+            }
+            point(out);
             _exit = out.depth;
             makeSure();
             out.depth = _exit;
         }
 
-        // That axis along which the extents overlap least.
-        private function tryExtents(out:ContactPoint):void
+        // Whether the two still touch a short way along a contact's normal.
+        private function isDeepAlong(contact:ContactPoint):Boolean
         {
-            var extents:Extents = _table.extents;
+            point(contact);
+            _touching = 0;
+            _free = SHALLOW * _extent;
+            return touchAt(_free);
+        }
+
+        private function findDirection(out:ContactPoint):void
+        {
+            _start.copyFrom(out);
             displace(0);
-            var x:Number = extents.x[_a] - extents.x[_b];
-            var y:Number = extents.y[_a] - extents.y[_b];
-            var z:Number = extents.z[_a] - extents.z[_b];
-            var overlapX:Number = extents.halfX[_a] + extents.halfX[_b] - Math.abs(x);
-            var overlapY:Number = extents.halfY[_a] + extents.halfY[_b] - Math.abs(y);
-            var overlapZ:Number = extents.halfZ[_a] + extents.halfZ[_b] - Math.abs(z);
-            var least:Number = overlapX;
-            point(x < 0 ? -1 : 1, 0, 0);
-            if (overlapY < least)
+            _strategy.findOuterContact(_table, _a, _b, _left);
+            point(_left);
+            goOut(_left.depth);
+            sweepBack(out);
+            _parting.copyFrom(_left);
+            point(_start);
+            if (!tryUpTo(GAIN * out.depth, out))
             {
-                least = overlapY;
-                point(0, y < 0 ? -1 : 1, 0);
+                _left.copyFrom(_parting);
             }
-            if (overlapZ < least)
+            var left:int = IMPROVEMENTS;
+            while (left > 0 && improve(out))
             {
-                least = overlapZ;
-                point(0, 0, z < 0 ? -1 : 1);
+                left--;
             }
-            tryExit(least, out);
         }
 
         // Takes the normal of the surfaces where the two part along the contact's, if that is a shorter way out. Returns whether it is.
         private function improve(out:ContactPoint):Boolean
         {
-            point(out.normalX, out.normalY, out.normalZ);
-            displace(_backEnd);
-            _sweep.findContact(_table, _a, _b, _back, _backTime, _left);
             var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
             if (!(cosine > 0 && cosine < GAIN))
             {
                 return false;
             }
-            point(_left.normalX, _left.normalY, _left.normalZ);
-            return tryExit(cosine * out.depth, out);
+            point(_left);
+            return tryUpTo(cosine * out.depth + Tolerances.SEPARATION * _extent, out);
         }
 
-        // Takes a direction if it is a shorter way out.
-        private function tryExit(guess:Number, out:ContactPoint):Boolean
+        // Takes the direction if the two do not touch at a distance along it. Returns whether it is.
+        private function tryUpTo(distance:Number, out:ContactPoint):Boolean
         {
-            _limit = GAIN * out.depth;
-            if (!findExit(guess))
+            if (touchAt(distance))
             {
                 return false;
+            }
+            _touching = 0;
+            _free = distance;
+            sweepBack(out);
+            return true;
+        }
+
+        // Goes out along the direction until the two do not touch.
+        private function goOut(guess:Number):void
+        {
+            var step:Number = SHALLOW * _extent;
+            _touching = 0;
+            _free = guess + Tolerances.SEPARATION * _extent;
+            while (touchAt(_free) && _free < 1e300)
+            {
+                _touching = _free;
+                _free += step;
+                step *= 2;
+            }
+        }
+
+        // Finds where the two part between where they touch and where they do not, and takes that for the contact's depth.
+        private function sweepBack(out:ContactPoint):void
+        {
+            while (_free - _touching > NARROW * _extent)
+            {
+                halve();
+            }
+            displace(_touching);
+            var way:Number = _touching - _free;
+            _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
+            var time:Number = _sweep.findImpact(_table, _a, _b, _back, _left);
+            if (!(time < 1))
+            {
+                time = 1;
             }
             out.normalX = _alongX;
             out.normalY = _alongY;
             out.normalZ = _alongZ;
-            out.depth = _exit;
-            return true;
+            out.depth = _free + time * way;
         }
 
-        // Finds where the two part, if that is before the limit. They touch at the beginning.
-        private function findExit(guess:Number):Boolean
+        private function halve():void
         {
-            var touching:Number = 0;
-            var step:Number = FIRST_STEP * _extent;
-            var free:Number = guess + Tolerances.SEPARATION * _extent;
-            while (true)
+            var middle:Number = (_touching + _free) / 2;
+            if (touchAt(middle))
             {
-                if (free > _limit)
-                {
-                    free = _limit;
-                }
-                if (!touchAt(free))
-                {
-                    break;
-                }
-                if (free == _limit || !(free < 1e300))
-                {
-                    return false;
-                }
-                touching = free;
-                free += step;
-                step *= 2;
+                _touching = middle;
             }
-            displace(touching);
-            _backEnd = touching;
-            var way:Number = touching - free;
-            _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            _backTime = _sweep.impactTime(_table, _a, _b, _back);
-            if (_backTime > 1)
+            else
             {
-                _backTime = 1;
+                _free = middle;
             }
-            _exit = free + _backTime * way;
-            return true;
         }
 
         // Makes sure that the two are apart a little beyond the exit, and touch a little before it, in spite of rounding.
         private function makeSure():void
         {
             var slack:Number = Tolerances.SEPARATION / 4 * _extent;
-            var touching:Number = 0;
-            var free:Number = _exit + slack;
-            if (touchAt(free))
+            _touching = 0;
+            _free = _exit + slack;
+            if (touchAt(_free))
             {
                 var step:Number = slack;
                 do
                 {
-                    touching = free;
-                    free += step;
+                    _touching = _free;
+                    _free += step;
                     step *= 2;
                 }
-                while (touchAt(free) && free < 1e300);
-            }
-            else if (_exit > slack)
-            {
-                touching = _exit - slack;
-                if (touchAt(touching))
-                {
-                    return;
-                }
-                free = touching;
-                touching = 0;
+                while (touchAt(_free) && _free < 1e300);
             }
             else
             {
-                return;
+                if (_exit <= slack || touchAt(_exit - slack))
+                {
+                    return;
+                }
+                _free = _exit - slack;
             }
-            for (var i:int = 0; i < MOST_STEPS && free - touching > slack; i++)
+            for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
             {
-                var middle:Number = (free + touching) / 2;
-                if (touchAt(middle))
-                {
-                    touching = middle;
-                }
-                else
-                {
-                    free = middle;
-                }
+                halve();
             }
-            _exit = (free + touching) / 2;
+            _exit = (_free + _touching) / 2;
         }
 
-        private function point(x:Number, y:Number, z:Number):void
+        private function point(contact:ContactPoint):void
         {
-            _alongX = x;
-            _alongY = y;
-            _alongZ = z;
+            _alongX = contact.normalX;
+            _alongY = contact.normalY;
+            _alongZ = contact.normalZ;
         }
 
         // Whether the two touch when the first has been moved along the direction.

@@ -1,6 +1,7 @@
 package
 {
     import benchmark.BroadPhaseBenchmark;
+    import benchmark.ContactsBenchmark;
     import benchmark.CrowdBenchmark;
     import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
@@ -23,7 +24,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;

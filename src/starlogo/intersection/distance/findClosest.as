@@ -4,8 +4,8 @@ package starlogo.intersection.distance
     import starlogo.intersection.PairTable;
 
     /**
-     * How far two structures are apart, and between which points: 0 if they touch or overlap, and then both points are one that is in both.
-     * Exact but for rounding, 1e-14 of their sizes and of the distance; allocates nothing.
+     * How far two structures are apart, and between which points: 0 if they overlap, and then both points are one that is in both. Exact but for
+     * rounding, 1e-15 of their sizes and of the distance; what just touches may be as far apart. Symmetric to the last bit; allocates nothing.
      *
      * @param a a Sphere, Capsule or Box; a radius, length or half-extent may be 0
      * @param b likewise, in the same space

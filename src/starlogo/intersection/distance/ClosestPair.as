@@ -1,5 +1,7 @@
 package starlogo.intersection.distance
 {
+    import starlogo.geometry.Placement;
+
     /**
      * How far two shapes are apart, and the two points that are as near to each other: one on each, or, where the shapes touch, twice a point of
      * both. Plain fields, for reuse; also what a kernel starts from.
@@ -98,13 +100,52 @@ package starlogo.intersection.distance
             bZ = z;
         }
 
-        /** Makes it that of shapes that touch in spite of a gap: in the middle of the gap. */
-        public function close():void
+        /**
+         * Says whether the shapes touch, in spite of what rounding has made of the distance: if they do, it is 0, and the point in the middle of
+         * the gap; if not, it is more than 0.
+         */
+        public function settle(areTouching:Boolean):void
         {
-            distance = 0;
-            aX = bX = (aX + bX) / 2;
-            aY = bY = (aY + bY) / 2;
-            aZ = bZ = (aZ + bZ) / 2;
+            if (areTouching)
+            {
+                distance = 0;
+                aX = bX = (aX + bX) / 2;
+                aY = bY = (aY + bY) / 2;
+                aZ = bZ = (aZ + bZ) / 2;
+            }
+            else if (!(distance > 0))
+            {
+                distance = Number.MIN_VALUE;
+            }
+        }
+
+        /** Takes the points to where a placement puts the space that they are in. */
+        public function place(placement:Placement):void
+        {
+            var size:Number = placement.size;
+            var x:Number = aX * size;
+            var y:Number = aY * size;
+            var z:Number = aZ * size;
+            aX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            aY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            aZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+            x = bX * size;
+            y = bY * size;
+            z = bZ * size;
+            bX = placement.r00 * x + placement.r01 * y + placement.r02 * z + placement.x;
+            bY = placement.r10 * x + placement.r11 * y + placement.r12 * z + placement.y;
+            bZ = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
+        }
+
+        /** Takes over the points of another. */
+        public function copyPoints(other:ClosestPair):void
+        {
+            aX = other.aX;
+            aY = other.aY;
+            aZ = other.aZ;
+            bX = other.bX;
+            bY = other.bY;
+            bZ = other.bZ;
         }
     }
 }

@@ -37,7 +37,7 @@ package starlogo.geometry
         public static const SINGLE_PRECISION:Number = 1e-5;
 
         /**
-         * How far apart shapes may be, as a fraction of the coordinates of where they are, and still touch: see touchingMargin. Below
+         * How far apart shapes may be, as a fraction of the coordinates of where they are, and still touch: see touchingGap. Below
          * 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
          * Larger: far out, shapes with a gap between them collide.
          */

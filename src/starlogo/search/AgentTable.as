@@ -7,7 +7,7 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.touchingMargin;
+    import starlogo.geometry.touchingGap;
 
     use namespace engine;
 
@@ -213,7 +213,8 @@ package starlogo.search
         {
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
-            var margin:Number = touchingMargin(x[row], y[row], z[row]);
+            // its part of the gap
+            var margin:Number = touchingGap(x[row], y[row], z[row], 0, 0, 0);
             shape.structure.place(placement, _placed[row]);
             _placed[row].widen(margin);
             if (shape.outer != null)

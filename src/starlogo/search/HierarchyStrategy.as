@@ -2,11 +2,13 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SweptHierarchyTraversal;
 
     use namespace engine;
@@ -28,6 +30,7 @@ package starlogo.search
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
         private var _turned:RelativeMotion = new RelativeMotion();
+        private var _memberPlacement:Placement = new Placement();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
@@ -59,11 +62,63 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var agents:Vector.<Agent> = table.agents;
+            var rowAt:Vector.<int> = bins.rowAt;
+            var row:int = rowAt[place];
+            var hierarchy:SolidHierarchy = shapes[row].hierarchy;
+            if (hierarchy == null)
+            {
+                return super.keepTouching(table, bins, place, others, count);
+            }
+            var number:int = agents[row].number;
+            var placement:Placement = table.placementOf(row, _memberPlacement);
+            var depth:int = depthOf(table, row);
+            var isDecided:Boolean = exact;
+            var kept:int = 0;
+            count = keepNear(table.extents, bins, place, others, count);
+            for (var i:int = 0; i < count; i++)
+            {
+                var otherRow:int = rowAt[others[i]];
+                var other:SolidHierarchy = shapes[otherRow].hierarchy;
+                var isTouching:Boolean = false;
+                if (other == null)
+                {
+                    isTouching = areTouching(table, row, otherRow);
+                }
+                else
+                {
+                    counts.hierarchyTests++;
+                    var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
+                    var otherDepth:int = depthOf(table, otherRow);
+                    if (agents[otherRow].number > number)
+                    {
+                        isTouching = _traversal.hierarchiesOverlap(hierarchy, placement, depth, other, otherPlacement, otherDepth, isDecided);
+                    }
+                    else
+                    {
+                        isTouching = _traversal.hierarchiesOverlap(other, otherPlacement, otherDepth, hierarchy, placement, depth, isDecided);
+                    }
+                }
+                if (isTouching)
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             if (isSecondFirst(table, a, b))
             {
-                return areTouching(table, b, a);
+                var first:int = b;
+                b = a;
+                a = first;
             }
             counts.hierarchyTests++;
             var shapeA:ModelShape = table.shapes[a];

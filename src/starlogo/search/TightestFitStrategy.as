@@ -134,8 +134,12 @@ package starlogo.search
                 }
                 else if (isSphere && shapes[otherRow].isSphere)
                 {
+                    // their circles on the ground are as wide as they are
                     sphereTests++;
-                    if (!areSpheresTouching(table, row, otherRow))
+                    var x:Number = bins.x[other] - bins.x[place];
+                    var y:Number = bins.y[other] - bins.y[place];
+                    reach = bins.radius[other] + bins.radius[place];
+                    if (x * x + y * y + distance * distance > reach * reach && !areSpheresTouching(table, row, otherRow))
                     {
                         continue;
                     }

@@ -6,7 +6,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.touchingMargin;
+    import starlogo.geometry.touchingGap;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
@@ -19,7 +19,7 @@ package starlogo.queries
 
     /**
      * Finds how far two rows of a table are apart, as a collider sees them: 0 where its strategy says that they touch, more everywhere else. The
-     * shapes count as wide as they are for touching (touchingMargin): by what the rounding of places comes to.
+     * shapes count as wide as they are for touching (touchingGap): by what the rounding of places comes to.
      *
      * @private
      */
@@ -99,7 +99,7 @@ package starlogo.queries
             sphere.center.x = table.extents.x[row];
             sphere.center.y = table.extents.y[row];
             sphere.center.z = table.extents.z[row];
-            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING + touchingMargin(table.x[row], table.y[row], table.z[row]);
+            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING + touchingGap(table.x[row], table.y[row], table.z[row], 0, 0, 0);
             return sphere;
         }
     }

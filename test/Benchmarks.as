@@ -2,6 +2,7 @@ package
 {
     import benchmark.BroadPhaseBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
     import benchmark.HandlersBenchmark;
@@ -24,7 +25,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

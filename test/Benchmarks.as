@@ -3,6 +3,7 @@ package
     import benchmark.BroadPhaseBenchmark;
     import benchmark.ContactsBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
     import benchmark.HandlersBenchmark;
@@ -25,7 +26,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

@@ -214,6 +214,12 @@ package starlogo.search
             return !boxFacesOnly || table.shapes[a].structure.kind != BoundingStructure.BOX || table.shapes[b].structure.kind != BoundingStructure.BOX;
         }
 
+        /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return boxFacesOnly;
+        }
+
         private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var outerA:OuterStructures = table.outer[a];

@@ -29,7 +29,7 @@ package support
         public function AskedDistance(greatLand:GreatLand, strategy:ShapeStrategy)
         {
             _strategy = strategy;
-            _distances = new RowDistances(strategy);
+            _distances = new RowDistances();
             _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), null);
             closest = _distances.closest;
         }
@@ -39,7 +39,7 @@ package support
         {
             _table.readPair(a, b);
             areTouching = _strategy.areTouching(_table, 0, 1);
-            _distances.find(_table, 0, 1, true);
+            _distances.find(_strategy, _table, 0, 1, true);
             _table.endPair();
             return closest.distance;
         }

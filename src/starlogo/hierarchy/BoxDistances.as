@@ -72,7 +72,8 @@ package starlogo.hierarchy
         /**
          * @inheritDoc
          *
-         * <p>In this order: from the middle of a's box to that of b's; the gaps along a's axes; those along b's.</p>
+         * <p>In this order: from the middle of a's box to that of b's; the gaps along a's axes; those along b's; that along the line between the closest
+         * points so far.</p>
          */
         override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
         {
@@ -134,6 +135,30 @@ package starlogo.hierarchy
                 squaredInB += gap * gap;
             }
             var least:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
+
+            // along the line between the closest points so far: what is not nearer is mostly not so along that
+            var toX:Number = directionX;
+            var toY:Number = directionY;
+            var toZ:Number = directionZ;
+            var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
+            if (length > 0)
+            {
+                var reachX:Number = toX * _m00 + toY * _m10 + toZ * _m20;
+                var reachY:Number = toX * _m01 + toY * _m11 + toZ * _m21;
+                var reachZ:Number = toX * _m02 + toY * _m12 + toZ * _m22;
+                reachX = reachX < 0 ? -reachX : reachX;
+                reachY = reachY < 0 ? -reachY : reachY;
+                reachZ = reachZ < 0 ? -reachZ : reachZ;
+                gap = x * toX + y * toY + z * toZ - reachX * bX - reachY * bY - reachZ * bZ;
+                toX = toX < 0 ? -toX : toX;
+                toY = toY < 0 ? -toY : toY;
+                toZ = toZ < 0 ? -toZ : toZ;
+                gap = (gap - halfX * toX - halfY * toY - halfZ * toZ) / length;
+                if (gap > least)
+                {
+                    least = gap;
+                }
+            }
             least -= SLACK * (least + reach) + pose.gap;
             if (least > bound)
             {

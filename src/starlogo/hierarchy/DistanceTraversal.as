@@ -38,6 +38,15 @@ package starlogo.hierarchy
         /** What all below the pair under way is apart, at least; before estimate, that of the pair above. */
         protected var bound:Number;
 
+        /** From the first model's point to the second's of the least distance so far. */
+        protected var directionX:Number;
+
+        /** @copy #directionX */
+        protected var directionY:Number;
+
+        /** @copy #directionX */
+        protected var directionZ:Number;
+
         /** How far the last pair measured is apart, or a little less. */
         protected var measured:Number;
 
@@ -85,6 +94,7 @@ package starlogo.hierarchy
             _pair.begin();
             begin();
             _count = 0;
+            directionX = directionY = directionZ = 0;
             bound = 0;
             push(a, b, a, b);
             while (_count > 0 && least > 0)
@@ -111,6 +121,9 @@ package starlogo.hierarchy
                 {
                     leaves.add(a, b);
                     least = leaves.least;
+                    directionX = leaves.x;
+                    directionY = leaves.y;
+                    directionZ = leaves.z;
                 }
                 else
                 {
@@ -120,6 +133,9 @@ package starlogo.hierarchy
                         least = bound;
                         _nearestA = decidingA;
                         _nearestB = decidingB;
+                        directionX = _points.bX - _points.aX;
+                        directionY = _points.bY - _points.aY;
+                        directionZ = _points.bZ - _points.aZ;
                     }
                 }
             }

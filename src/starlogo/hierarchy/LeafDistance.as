@@ -10,6 +10,15 @@ package starlogo.hierarchy
         /** The least distance of the pairs of leaves that were added, in the space of the first model. */
         public var least:Number = Infinity;
 
+        /** From the first model's point to the second's of the least distance. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
         /** For subclasses only. */
         public function LeafDistance()
         {

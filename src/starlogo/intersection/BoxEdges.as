@@ -13,8 +13,22 @@ package starlogo.intersection
      */
     internal final class BoxEdges extends SegmentBox
     {
+        // By how much nearer, as a fraction of box or distance, is not nearer.
+        private static const NEARER:Number = 1e-15;
+
+        // The edges: the axis that each is along, and its two corners, all times 3.
+        private static const EDGES:Vector.<int> = new <int>[
+                0, 0, 3, 0, 6, 9, 0, 12, 15, 0, 18, 21,
+                3, 0, 6, 3, 3, 9, 3, 12, 18, 3, 15, 21,
+                6, 0, 12, 6, 3, 15, 6, 6, 18, 6, 9, 21];
+
         /** The square of the least distance. */
         public var squared:Number;
+
+        // The middle of the box, from the other box's middle.
+        private var _middleX:Number;
+        private var _middleY:Number;
+        private var _middleZ:Number;
 
         // The point of the edges, from the other box's middle, and from the other's closest point to it.
         private var _pointX:Number;
@@ -48,17 +62,32 @@ package starlogo.intersection
             scaleHalves(a);
             squared = Infinity;
             findCorners(a.center, b);
-            for (var axis:int = 0; axis < 3; axis++)
+            for (var i:int = 0; i < 36 && squared > 0; i += 3)
             {
-                var bit:int = 1 << axis;
-                for (var corner:int = 0; corner < 8; corner++)
-                {
-                    if ((corner & bit) == 0 && squared > 0)
-                    {
-                        tryEdge(3 * axis, 3 * corner, 3 * (corner | bit));
-                    }
-                }
+                tryEdge(EDGES[i], EDGES[int(i + 1)], EDGES[int(i + 2)]);
             }
+        }
+
+        /**
+         * Whether no other point of the box is nearer: all of it is beyond the plane through that of the edges at right angles to the line between
+         * the closest points.
+         */
+        public function isLeast():Boolean
+        {
+            var x:Number = _fromOtherX;
+            var y:Number = _fromOtherY;
+            var z:Number = _fromOtherZ;
+            var halves:Vector.<Number> = _halves;
+            var reachX:Number = x * halves[0] + y * halves[1] + z * halves[2];
+            var reachY:Number = x * halves[3] + y * halves[4] + z * halves[5];
+            var reachZ:Number = x * halves[6] + y * halves[7] + z * halves[8];
+            reachX = reachX < 0 ? -reachX : reachX;
+            reachY = reachY < 0 ? -reachY : reachY;
+            reachZ = reachZ < 0 ? -reachZ : reachZ;
+            var reach:Number = reachX + reachY + reachZ;
+            // from the point to the middle, which is no farther along the line than the box reaches
+            var along:Number = x * (_middleX - _pointX) + y * (_middleY - _pointY) + z * (_middleZ - _pointZ);
+            return reach - along <= NEARER * (reach + squared);
         }
 
         /**
@@ -125,6 +154,9 @@ package starlogo.intersection
             var middleY:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
             axis = b.axisZ;
             var middleZ:Number = axis.x * toX + axis.y * toY + axis.z * toZ;
+            _middleX = middleX;
+            _middleY = middleY;
+            _middleZ = middleZ;
             for (var corner:int = 0; corner < 8; corner++)
             {
                 var signX:int = ((corner & 1) << 1) - 1;

@@ -65,15 +65,16 @@ package starlogo.intersection
             _edgesA ||= new BoxEdges();
             _edgesB ||= new BoxEdges();
             _edgesA.findNearest(boxA, boxB);
-            _edgesB.findNearest(boxB, boxA);
-            if (_edgesA.squared <= _edgesB.squared)
+            if (_edgesA.squared > 0 && !_edgesA.isLeast())
             {
-                _edgesA.write(boxB, false, out);
+                _edgesB.findNearest(boxB, boxA);
+                if (_edgesB.squared < _edgesA.squared)
+                {
+                    _edgesB.write(boxA, true, out);
+                    return;
+                }
             }
-            else
-            {
-                _edgesB.write(boxA, true, out);
-            }
+            _edgesA.write(boxB, false, out);
         }
 
         /**

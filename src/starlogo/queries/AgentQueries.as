@@ -3,6 +3,7 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.intersection.distance.ClosestPair;
 
     /**
      * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
@@ -26,6 +27,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _places:PlaceQuestions;
         private var _touches:TouchQuestions;
+        private var _distances:DistanceQuestions;
 
         /**
          * Questions about no agents yet.
@@ -41,6 +43,7 @@ package starlogo.queries
             var answers:Answers = new Answers(_seen);
             _places = new PlaceQuestions(_seen, rows, answers);
             _touches = new TouchQuestions(_seen, rows, answers);
+            _distances = new DistanceQuestions(_seen);
         }
 
         /**
@@ -194,6 +197,44 @@ package starlogo.queries
         public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             return _touches.overlapping(structure, filter, out);
+        }
+
+        /**
+         * How far two agents are apart, between their surfaces as the collision system sees them: 0 if they touch, and only then.
+         *
+         * <p>A tree is the nodes at which a test of it ends; in exact mode, where both have triangles, these count. Greater depths never give less,
+         * and exact mode never less than any other but the BinCollider. The first agent is where it is now, the second where and how it was in the
+         * last update, or at its last <code>moved()</code>; if it is not in the list, it is where it is now too. As both are now,
+         * <code>distance(b, a)</code> is the same number.</p>
+         *
+         * <p>Exact but for rounding: 1e-12 of the agents' sizes, and of the coordinates what Numbers leave. It takes a tenth to one microsecond
+         * for structures, some ten for trees at depth 5 and hundreds in exact mode. Allocates nothing.</p>
+         *
+         * @param a the one
+         * @param b another one
+         * @param pointA takes the point of the first that is nearest to the second, in the world; or null. Of several, one. Where the two touch, a
+         *     point of both: in their overlap, or on the inner one of two of which one is inside of the other
+         * @param pointB takes that of the second; where the two touch, the same point
+         * @return in patches; Infinity while the model of one is loading, and then no point is written
+         * @throws ArgumentError if an agent is null, or both are one, or a model is unknown or lacks what the collision system needs
+         */
+        public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
+        {
+            _distances.find(a, b, pointA != null || pointB != null);
+            var closest:ClosestPair = _distances.closest;
+            if (pointA != null && closest.distance < Infinity)
+            {
+                pointA.x = closest.aX;
+                pointA.y = closest.aY;
+                pointA.z = closest.aZ;
+            }
+            if (pointB != null && closest.distance < Infinity)
+            {
+                pointB.x = closest.bX;
+                pointB.y = closest.bY;
+                pointB.z = closest.bZ;
+            }
+            return closest.distance;
         }
     }
 }

@@ -2,7 +2,7 @@ package starlogo.queries
 {
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.touchingMargin;
+    import starlogo.geometry.touchingGap;
     import starlogo.search.AgentTable;
 
     use namespace engine;
@@ -151,7 +151,7 @@ package starlogo.queries
         public function setBoxTo(extents:Vector.<Number>):void
         {
             var slack:Number = SLACK * (extents[1] - extents[0] + extents[3] - extents[2] + extents[5] - extents[4])
-                + MARGINS * touchingMargin(extents[0], extents[2], extents[4]);
+                + MARGINS * touchingGap(extents[0], extents[2], extents[4], 0, 0, 0);
             minX = extents[0] - slack;
             maxX = extents[1] + slack;
             minY = extents[2] - slack;
@@ -170,7 +170,7 @@ package starlogo.queries
             var halfX:Number = extents.halfX[row];
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
-            var slack:Number = SLACK * (halfX + halfY + halfZ) + MARGINS * touchingMargin(atX, atY, atZ);
+            var slack:Number = SLACK * (halfX + halfY + halfZ) + MARGINS * touchingGap(atX, atY, atZ, 0, 0, 0);
             if (_isRound)
             {
                 halfX = halfY = extents.radius[row];
@@ -223,7 +223,7 @@ package starlogo.queries
         /** Begins a search along the ray: <code>nextOnRay()</code> then finds one row after the other. */
         public function beginRay():void
         {
-            _slack = MARGINS * touchingMargin(x, y, z);
+            _slack = MARGINS * touchingGap(x, y, z, 0, 0, 0);
             _at = _end = 0;
             _waiting = begin();
         }

@@ -6,7 +6,7 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.touchingMargin;
+    import starlogo.geometry.touchingGap;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
@@ -19,7 +19,7 @@ package starlogo.queries
 
     /**
      * Finds how far two rows of a table are apart, as a collider sees them: 0 where its strategy says that they touch, more everywhere else. The
-     * shapes count as wide as they are for touching (touchingMargin): by what the rounding of places comes to.
+     * shapes count as wide as they are for touching (touchingGap): by what the rounding of places comes to.
      *
      * @private
      */
@@ -28,46 +28,43 @@ package starlogo.queries
         /** The distance of the rows that were asked about last, and their closest points, in the world. */
         public var closest:ClosestPair = new ClosestPair();
 
-        private var _strategy:ShapeStrategy;
         private var _hierarchies:HierarchyDistances = new HierarchyDistances();
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
-        /**
-         * @param strategy says whether rows touch
-         */
-        public function RowDistances(strategy:ShapeStrategy)
+        /** Nothing found yet. */
+        public function RowDistances()
         {
-            _strategy = strategy;
         }
 
         /**
          * Finds how far two rows are apart: <code>closest</code>.
          *
+         * @param strategy says whether rows touch
          * @param table has both, with shapes
          * @param withPoints whether the points are needed too
          */
-        public function find(table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        public function find(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            var areTouching:Boolean = _strategy.areTouching(table, a, b);
+            var areTouching:Boolean = strategy.areTouching(table, a, b);
             if (areTouching && !withPoints)
             {
                 closest.distance = 0;
             }
             else if (HierarchyStrategy.isSecondFirst(table, a, b))
             {
-                measure(table, b, a, areTouching);
+                measure(strategy, table, b, a, areTouching);
                 closest.turn();
             }
             else
             {
-                measure(table, a, b, areTouching);
+                measure(strategy, table, a, b, areTouching);
             }
         }
 
-        private function measure(table:AgentTable, a:int, b:int, areTouching:Boolean):void
+        private function measure(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, areTouching:Boolean):void
         {
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
@@ -81,12 +78,12 @@ package starlogo.queries
             var placementB:Placement = table.placementOf(b, _placementB);
             if (shapeB.hierarchy == null)
             {
-                _hierarchies.toStructure(shapeA.hierarchy, placementA, _strategy.depthOf(table, a), shapeB.structure, placementB, areTouching,
+                _hierarchies.toStructure(shapeA.hierarchy, placementA, strategy.depthOf(table, a), shapeB.structure, placementB, areTouching,
                         closest);
                 return;
             }
-            _hierarchies.betweenHierarchies(shapeA.hierarchy, placementA, _strategy.depthOf(table, a), shapeB.hierarchy, placementB,
-                    _strategy.depthOf(table, b), _strategy.isExact, areTouching, closest);
+            _hierarchies.betweenHierarchies(shapeA.hierarchy, placementA, strategy.depthOf(table, a), shapeB.hierarchy, placementB,
+                    strategy.depthOf(table, b), strategy.isExact, areTouching, closest);
         }
 
         /**
@@ -103,7 +100,7 @@ package starlogo.queries
             sphere.center.x = table.extents.x[row];
             sphere.center.y = table.extents.y[row];
             sphere.center.z = table.extents.z[row];
-            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING + touchingMargin(table.x[row], table.y[row], table.z[row]);
+            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING + touchingGap(table.x[row], table.y[row], table.z[row], 0, 0, 0);
             return sphere;
         }
     }

@@ -37,6 +37,9 @@ package starlogo.queries
         /** Counts questions under way whose filters are being asked: the list may not change. */
         public var asking:int = 0;
 
+        // For two agents as they are now; made when it is needed.
+        private var _pair:AgentTable = null;
+
         private var _source:Object;
         private var _system:Object;
         private var _places:PlaceTree = new PlaceTree();
@@ -85,6 +88,7 @@ package starlogo.queries
             if (collider !== _system)
             {
                 next = tableFor(collider);
+                _pair = null;
             }
             next.check(agents);
             next.read(agents);
@@ -197,6 +201,13 @@ package starlogo.queries
             {
                 table.endGuest();
             }
+        }
+
+        /** A table of two agents, which is filled and emptied in a question. */
+        public function get pairTable():AgentTable
+        {
+            _pair ||= tableFor(Collider(_system));
+            return _pair;
         }
 
         private function numberMembers(of:AgentTable):void

@@ -7,7 +7,7 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.touchingMargin;
+    import starlogo.geometry.touchingGap;
 
     use namespace engine;
 
@@ -30,6 +30,11 @@ package starlogo.search
         // In place of a revision: for an agent that has no motion, less than any jump's; and for what has to be computed again.
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
+
+        // In place of an agent's revision: for a row that is somewhere else for a while.
+        private static const DISPLACED:int = -3;
+
+        private static const ROTATION_SIZE:int = 9;
 
         // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
         // model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
@@ -76,9 +81,7 @@ package starlogo.search
         private var _offsetX:Vector.<Number> = new Vector.<Number>();
         private var _offsetY:Vector.<Number> = new Vector.<Number>();
         private var _offsetZ:Vector.<Number> = new Vector.<Number>();
-        private var _headings:Vector.<Number> = new Vector.<Number>();
-        private var _pitches:Vector.<Number> = new Vector.<Number>();
-        private var _rolls:Vector.<Number> = new Vector.<Number>();
+        private var _rotations:Vector.<Number> = new Vector.<Number>();
         private var _sizes:Vector.<Number> = new Vector.<Number>();
 
         // By row: the number of the last list that had the agent.
@@ -314,7 +317,7 @@ package starlogo.search
             scratch.y = y[row];
             scratch.z = z[row];
             scratch.size = _sizes[row];
-            scratch.setRotation(_headings[row], _pitches[row], _rolls[row]);
+            scratch.readRotation(_rotations, ROTATION_SIZE * row);
             return scratch;
         }
 
@@ -328,12 +331,32 @@ package starlogo.search
             return _placed[row];
         }
 
+        /** Puts a row somewhere else, so that questions can be asked about it there, until <code>putBack()</code>. */
+        public function displace(row:int, toX:Number, toY:Number, toZ:Number):void
+        {
+            putBack(row, toX, toY, toZ, DISPLACED);
+        }
+
+        /** Puts a row back to where it was, with the revision that it had. */
+        public function putBack(row:int, toX:Number, toY:Number, toZ:Number, revision:int):void
+        {
+            x[row] = toX;
+            y[row] = toY;
+            z[row] = toZ;
+            extents.x[row] = toX + _offsetX[row];
+            extents.y[row] = toY + _offsetY[row];
+            extents.z[row] = toZ + _offsetZ[row];
+            revisions[row] = revision;
+            placedRevisions[row] = STALE;
+        }
+
         /** Puts the structure of a row where its agent is. Not before a test asks for it: of thousands of agents few have others near them. */
         public function place(row:int):void
         {
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
-            var margin:Number = touchingMargin(x[row], y[row], z[row]);
+            // its part of the gap
+            var margin:Number = touchingGap(x[row], y[row], z[row], 0, 0, 0);
             shape.structure.place(placement, _placed[row]);
             _placed[row].widen(margin);
             if (shape.outer != null)
@@ -534,7 +557,7 @@ package starlogo.search
             agents.length = shapes.length = boxes.length = _placed.length = outer.length = length;
             x.length = y.length = z.length = lastX.length = lastY.length = lastZ.length = length;
             _offsetX.length = _offsetY.length = _offsetZ.length = length;
-            _headings.length = _pitches.length = _rolls.length = _sizes.length = length;
+            _sizes.length = length;
             revisions.length = _lastRevisions.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
             breeds.length = depths.length = _lists.length = length;
             extents.grow(length);
@@ -655,13 +678,24 @@ package starlogo.search
             extents.halfY[row] = halfY;
             extents.halfZ[row] = found[5];
             extents.radius[row] = radius;
-            _headings[row] = placement.heading;
-            _pitches[row] = placement.pitch;
-            _rolls[row] = placement.roll;
+            if (shape.structure != null)
+            {
+                keepRotation(row);
+            }
             _sizes[row] = placement.size;
             depths[row] = agent.depthLimit;
             placedRevisions[row] = STALE;
             _extentsRevisions[row] = placement.extentsRevision;
+        }
+
+        // Unit spheres have none.
+        private function keepRotation(row:int):void
+        {
+            if (_rotations.length <= ROTATION_SIZE * row)
+            {
+                _rotations.length = ROTATION_SIZE * agents.length;
+            }
+            agents[row].worldPlacement().writeRotation(_rotations, ROTATION_SIZE * row);
         }
     }
 }

@@ -27,6 +27,12 @@ package starlogo.solid
         private var _corners:Vector.<Number> = new Vector.<Number>();
         private var _cornersOf:HierarchyNode;
 
+        // From the first model's point to the second's of the nearest pair; up to where along that a triangle of the first is not nearer.
+        private var _alongX:Number;
+        private var _alongY:Number;
+        private var _alongZ:Number;
+        private var _begin:Number;
+
         /**
          * @param pose where the second model is in the space of the first, whenever two are asked about
          */
@@ -60,6 +66,9 @@ package starlogo.solid
                 addTriangle(a, corners, at);
             }
             least = Math.sqrt(nearest.squared);
+            x = nearest.points.bX - nearest.points.aX;
+            y = nearest.points.bY - nearest.points.aY;
+            z = nearest.points.bZ - nearest.points.aZ;
         }
 
         // A triangle of the second model with each of a leaf of the first.
@@ -109,6 +118,7 @@ package starlogo.solid
             {
                 return;
             }
+            turnTo(corners, at);
             var extents:Vector.<Number> = _solidA.extents;
             var end:int = a.end;
             for (var i:int = a.first; i < end; i++)
@@ -142,13 +152,46 @@ package starlogo.solid
                 {
                     squared += gap * gap;
                 }
-                if (squared < limit)
+                if (squared < limit && !isBeyond(_solidA.corners, 9 * i))
                 {
                     triangleTests++;
                     nearest.add(_solidA.corners, 9 * i, corners, at);
-                    limit = nearest.squared;
+                    if (nearest.squared < limit)
+                    {
+                        limit = nearest.squared;
+                        turnTo(corners, at);
+                    }
                 }
             }
+        }
+
+        // Measures a triangle of the second model along the line between the nearest points so far.
+        private function turnTo(corners:Vector.<Number>, at:int):void
+        {
+            var alongX:Number = nearest.points.bX - nearest.points.aX;
+            var alongY:Number = nearest.points.bY - nearest.points.aY;
+            var alongZ:Number = nearest.points.bZ - nearest.points.aZ;
+            var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
+            var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
+            var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];
+            p = p < q ? p : q;
+            // the nearest pair is as far apart along it as it is long
+            _begin = (p < r ? p : r) - nearest.squared;
+            _alongX = alongX;
+            _alongY = alongY;
+            _alongZ = alongZ;
+        }
+
+        // Whether a triangle of the first model is not nearer to that one along the line than the nearest pair is.
+        private function isBeyond(corners:Vector.<Number>, at:int):Boolean
+        {
+            var alongX:Number = _alongX;
+            var alongY:Number = _alongY;
+            var alongZ:Number = _alongZ;
+            var begin:Number = _begin;
+            return alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)] <= begin
+                && alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)] <= begin
+                && alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)] <= begin;
         }
     }
 }

@@ -24,8 +24,8 @@ package starlogo.queries
     /** What holds for questions beside their answers: what they change, refuse and follow; and a number for many answers. */
     public class QueriesPropertiesTest
     {
-        private static const FOUND:int = 28903;
-        private static const HASH:String = "e3686d74";
+        private static const FOUND:int = 28901;
+        private static const HASH:String = "4476285c";
 
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;

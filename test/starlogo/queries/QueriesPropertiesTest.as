@@ -92,12 +92,17 @@ package starlogo.queries
             {
                 _queries = new AgentQueries(EachCollider.make(name, _greatLand));
                 _queries.update(_agents);
-                for each (var agent:Agent in _agents)
+                var lists:Array = [];
+                for (var i:int = 0; i < _agents.length; i++)
                 {
-                    for each (var other:Agent in _queries.touching(agent))
+                    lists[i] = _queries.touching(_agents[i]);
+                    touches += lists[i].length;
+                }
+                for (i = 0; i < _agents.length; i++)
+                {
+                    for each (var other:Agent in lists[i])
                     {
-                        assertTrue(name + ": " + other + " touches " + agent, _queries.touching(other).indexOf(agent) >= 0);
-                        touches++;
+                        assertTrue(name + ": " + other + " touches " + _agents[i], lists[_agents.indexOf(other)].indexOf(_agents[i]) >= 0);
                     }
                 }
             }

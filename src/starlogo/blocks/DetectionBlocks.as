@@ -6,7 +6,7 @@ package starlogo.blocks
     import starlogo.queries.AgentQueries;
 
     /**
-     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?". The agent that asks is never
+     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "distance to". The agent that asks is never
      * in an answer. It is where it is; the others are where they were when the frame began, or when <code>moved()</code> told of them.
      */
     public class DetectionBlocks
@@ -148,6 +148,24 @@ package starlogo.blocks
             var isTouching:Boolean = subject is String ? _touched.length > 0 : _touched.indexOf(subject as Agent) >= 0;
             _touched.length = 0;
             return isTouching;
+        }
+
+        /**
+         * The block "distance to": how far the surfaces of the agent and another are apart, as the collision system sees them; 0 if they touch.
+         *
+         * @param agent asks
+         * @param other another agent
+         * @return patches; Infinity while the model of one is loading
+         * @throws BlockError if something is missing, or both are one
+         */
+        public function distanceTo(agent:Agent, other:Agent):Number
+        {
+            check("distance to", agent, Collision.ANY_BREED);
+            if (other == null || other === agent)
+            {
+                throw new BlockError("distance to", "needs another agent, but got " + (other == null ? "nothing" : "the same") + ".");
+            }
+            return queries.distance(agent, other);
         }
 
         private function filterFor(breed:String, accepts:Function = null):AgentFilter

@@ -58,6 +58,8 @@ package starlogo.blocks
             // on a corner of the cube there is no sphere
             _turtle.moveTo(0, 0.9, 0);
             assertTrue(_blocks.isTouching(_turtle, _agents[1]));
+            assertEquals(0, _blocks.distanceTo(_turtle, _agents[1]));
+            assertEquals(2, Math.round(_blocks.distanceTo(_turtle, _agents[2]) * 1e9) / 1e9);
             _collisions.useCollisionSystem(CollisionBlocks.UNIT_SPHERES);
             _blocks.update();
             assertFalse(_blocks.isTouching(_turtle, _agents[1]));
@@ -92,6 +94,8 @@ package starlogo.blocks
             assertThrows(BlockError, /"count with" does not know the trait "colour"/, _blocks.countWith, _turtle, "wolves", "colour", 1);
             assertThrows(BlockError, /"nearest with" does not know the trait nothing/, _blocks.nearestWith, _turtle, "wolves", null, 1);
             assertThrows(BlockError, /"touching\?" needs an agent or a breed, but got nothing/, _blocks.isTouching, _turtle, null);
+            assertThrows(BlockError, /"distance to" needs another agent, but got nothing/, _blocks.distanceTo, _turtle, null);
+            assertThrows(BlockError, /"distance to" needs another agent, but got the same/, _blocks.distanceTo, _turtle, _turtle);
             assertThrows(ArgumentError, /blocks are needed/, function():void
                 {
                     new DetectionBlocks(null);

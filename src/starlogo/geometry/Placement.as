@@ -111,8 +111,8 @@ package starlogo.geometry
             this.pitch = pitch;
             this.roll = roll;
             isIdentity = heading == 0 && pitch == 0 && roll == 0;
-            var cosHeading:Number = cosine(heading);
-            var sinHeading:Number = sine(heading);
+            var cosHeading:Number = Trigonometry.cosine(heading);
+            var sinHeading:Number = Trigonometry.sine(heading);
             if (pitch == 0 && roll == 0)
             {
                 r00 = cosHeading;
@@ -123,10 +123,10 @@ package starlogo.geometry
                 r22 = 1;
                 return;
             }
-            var cosPitch:Number = cosine(pitch);
-            var sinPitch:Number = sine(pitch);
-            var cosRoll:Number = cosine(roll);
-            var sinRoll:Number = sine(roll);
+            var cosPitch:Number = Trigonometry.cosine(pitch);
+            var sinPitch:Number = Trigonometry.sine(pitch);
+            var cosRoll:Number = Trigonometry.cosine(roll);
+            var sinRoll:Number = Trigonometry.sine(roll);
             r00 = cosHeading * cosPitch;
             r01 = cosHeading * sinPitch * sinRoll - sinHeading * cosRoll;
             r02 = cosHeading * sinPitch * cosRoll + sinHeading * sinRoll;
@@ -280,39 +280,13 @@ package starlogo.geometry
 
         private function findAngles():void
         {
-            var degrees:Number = 180 / Math.PI;
             var level:Number = Math.sqrt(r00 * r00 + r10 * r10);
-            heading = Math.atan2(r10, r00) * degrees;
-            pitch = Math.atan2(-r20, level) * degrees;
+            heading = Trigonometry.arctangent(r10, r00);
+            pitch = Trigonometry.arctangent(-r20, level);
             // of what is left without the heading: right even where the heading is arbitrary
             var cosHeading:Number = level == 0 ? 1 : r00 / level;
             var sinHeading:Number = level == 0 ? 0 : r10 / level;
-            roll = Math.atan2(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01) * degrees;
-        }
-
-        // The remainder first: it keeps large angles as precise as small ones, and makes quarter turns exact.
-        private static function sine(degrees:Number):Number
-        {
-            var angle:Number = degrees % 360;
-            if (angle % 180 == 0)
-            {
-                return 0;
-            }
-            if (angle % 90 == 0)
-            {
-                return angle == 90 || angle == -270 ? 1 : -1;
-            }
-            return Math.sin(angle * (Math.PI / 180));
-        }
-
-        private static function cosine(degrees:Number):Number
-        {
-            var angle:Number = degrees % 360;
-            if (angle % 90 == 0)
-            {
-                return angle == 0 ? 1 : (angle == 180 || angle == -180 ? -1 : 0);
-            }
-            return Math.cos(angle * (Math.PI / 180));
+            roll = Trigonometry.arctangent(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01);
         }
     }
 }

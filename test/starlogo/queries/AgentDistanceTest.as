@@ -19,8 +19,8 @@ package starlogo.queries
     /** AgentQueries.distance: of when the agents are, what is refused, and the same on every machine. */
     public class AgentDistanceTest
     {
-        // of all distances, to a billionth: sines of headings are not the same to the last bit on all machines
-        private static const GOLDEN:String = "ca43b98";
+        // of the bits of all distances
+        private static const GOLDEN:String = "d9a14da4";
 
         private static var sGreatLand:GreatLand;
         private static var sNames:Array;
@@ -175,7 +175,7 @@ package starlogo.queries
                 queries.update(agents);
                 for (var i:int = 1; i < agents.length; i++)
                 {
-                    bytes.writeDouble(Math.round(1e9 * queries.distance(agents[i - 1], agents[i])));
+                    bytes.writeDouble(queries.distance(agents[i - 1], agents[i]));
                 }
             }
             bytes.position = 0;

@@ -198,8 +198,10 @@ export class Program {
 		const type = this.signatures.get(this.#unit.qname);
 		const member = type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
 		return (member?.parameters ?? []).flatMap((parameter) => {
-			if (/^Vector\.<(Number|int|uint)>$/.test(parameter.type) && parameter.name !== "out") {
-				return [`${parameter.name} = ${this.#helper("numbers")}(${parameter.name});`];
+			const element = /^Vector\.<(Number|int|uint)>$/.exec(parameter.type)?.[1];
+			if (element && parameter.name !== "out") {
+				const taken = element === "Number" ? `${this.#helper("numbers")}(` : `${this.#helper("integers")}("${parameter.name}", "${element}", `;
+				return [`${parameter.name} = ${taken}${parameter.name});`];
 			}
 			return parameter.type === "ByteArray" ? [`${parameter.name} = ${this.#reference("flash.utils.ByteArray")}.from(${parameter.name});`] : [];
 		});

@@ -1,6 +1,7 @@
 package
 {
     import benchmark.BroadPhaseBenchmark;
+    import benchmark.ContactsBenchmark;
     import benchmark.CrowdBenchmark;
     import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
@@ -24,7 +25,7 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
                 HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;

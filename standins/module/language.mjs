@@ -23,6 +23,25 @@ export function $numbers(list) {
 	return ArrayBuffer.isView(list) ? Array.from(list) : list;
 }
 
+const INTEGERS = { int: [-2147483648, 2147483647], uint: [0, 4294967295] };
+
+/**
+ * The same, of integers.
+ *
+ * @throws ArgumentError if one is nothing that such a Vector could have: it would be used as an index
+ */
+export function $integers(name, type, list) {
+	const array = $numbers(list);
+	const [least, most] = INTEGERS[type];
+	for (let i = 0; i < (array?.length ?? 0); i++) {
+		const value = array[i];
+		if (!(Number.isInteger(value) && value >= least && value <= most)) {
+			throw new ArgumentError(`${name}[${i}] must be an integer from ${least} to ${most}, not ${typeof value === "string" ? `"${value}"` : String(value)}`);
+		}
+	}
+	return array;
+}
+
 /** What a `for each` goes over: the elements of an array, the values of an object, nothing of null. */
 export function $values(list) {
 	if (Array.isArray(list)) return list;

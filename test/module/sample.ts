@@ -261,6 +261,9 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
+		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
+		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
+		() => new Model("broken", [0, 0, 0], [0, 0, 1]),
 	];
 	for (const attempt of attempts) {
 		try {

@@ -83,7 +83,7 @@ package starlogo.queries
             var count:int = places.findNear(_rows.of(filter));
             if (degrees < 360)
             {
-                count = keepInCone(agent.worldPlacement(), places, count, degrees * (Math.PI / 360) + ANGLE_ROUNDING);
+                count = keepInCone(agent.worldPlacement(), places, count, degrees / 2 + ANGLE_ROUNDING);
             }
             return _answers.list(places.found, places.squares, count, filter, out);
         }

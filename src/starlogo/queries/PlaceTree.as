@@ -1,5 +1,7 @@
 package starlogo.queries
 {
+    import starlogo.geometry.Trigonometry;
+
     /**
      * A balanced tree of boxes around the places of a table's rows: finds those that are near a place, or nearest to it, however they
      * are spread (Bentley, "Multidimensional Binary Search Trees", 1975, with boxes around what is on either side).
@@ -138,7 +140,7 @@ package starlogo.queries
          * @param directionX of length 1
          * @param directionY likewise
          * @param directionZ likewise
-         * @return radians, 0 for a row that is at x, y, z
+         * @return degrees, 0 for a row that is at x, y, z
          */
         public function angleTo(member:int, directionX:Number, directionY:Number, directionZ:Number):Number
         {
@@ -156,7 +158,7 @@ package starlogo.queries
                 // which may be -0, and that has an angle
                 return 0;
             }
-            return Math.atan2(across, along);
+            return Trigonometry.arctangent(across, along);
         }
 
         /**

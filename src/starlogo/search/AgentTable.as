@@ -31,6 +31,9 @@ package starlogo.search
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
 
+        // In place of an agent's revision: for a row that is somewhere else for a while.
+        private static const DISPLACED:int = -3;
+
         private static const ROTATION_SIZE:int = 9;
 
         // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
@@ -326,6 +329,25 @@ package starlogo.search
                 place(row);
             }
             return _placed[row];
+        }
+
+        /** Puts a row somewhere else, so that questions can be asked about it there, until <code>putBack()</code>. */
+        public function displace(row:int, toX:Number, toY:Number, toZ:Number):void
+        {
+            putBack(row, toX, toY, toZ, DISPLACED);
+        }
+
+        /** Puts a row back to where it was, with the revision that it had. */
+        public function putBack(row:int, toX:Number, toY:Number, toZ:Number, revision:int):void
+        {
+            x[row] = toX;
+            y[row] = toY;
+            z[row] = toZ;
+            extents.x[row] = toX + _offsetX[row];
+            extents.y[row] = toY + _offsetY[row];
+            extents.z[row] = toZ + _offsetZ[row];
+            revisions[row] = revision;
+            placedRevisions[row] = STALE;
         }
 
         /** Puts the structure of a row where its agent is. Not before a test asks for it: of thousands of agents few have others near them. */

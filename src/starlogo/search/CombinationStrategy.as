@@ -105,6 +105,30 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            return strategyOf(table, a, b).findImpact(table, a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function set leavesDecide(value:Boolean):void
+        {
+            _hierarchy.leavesDecide = value;
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            strategyOf(table, a, b).findOuterContact(table, a, b, out);
+        }
+
+        /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            return strategyOf(table, a, b).hasExactContact(table, a, b);
+        }
+
+        /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
             return _hierarchy.depthOf(table, row);

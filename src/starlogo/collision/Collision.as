@@ -248,26 +248,32 @@ package starlogo.collision
         // An agent that is null is left to the collision system, which refuses it.
         private function applyFilter(agents:Vector.<Agent>):void
         {
-            var admitted:int = 0;
             _isUpdating = true;
             try
             {
-                for (var i:int = 0; i < agents.length; i++)
-                {
-                    var agent:Agent = agents[i];
-                    _takePart[i] = agent == null || filter.admits(agent);
-                    if (_takePart[i])
-                    {
-                        _admitted[admitted] = agent;
-                        admitted++;
-                    }
-                }
+                admit(agents);
             }
             finally
             {
                 _isUpdating = false;
-                _admitted.length = admitted;
             }
+        }
+
+        private function admit(agents:Vector.<Agent>):void
+        {
+            var admitted:int = 0;
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                var agent:Agent = agents[i];
+                var takesPart:Boolean = agent == null || filter.admits(agent);
+                _takePart[i] = takesPart;
+                if (takesPart)
+                {
+                    _admitted[admitted] = agent;
+                    admitted++;
+                }
+            }
+            _admitted.length = admitted;
         }
 
         private function addHandler(kind:int, breed:String, otherBreed:String, handler:Function):void

@@ -86,25 +86,31 @@ package starlogo.queries
             }
             var asked:Vector.<Agent> = _asked[_seen.asking];
             write(members, first, count, asked);
-            var kept:int = 0;
             _seen.asking++;
             try
             {
-                for (var i:int = 0; i < asked.length && kept < most; i++)
-                {
-                    if (accepts(asked[i]))
-                    {
-                        asked[kept] = asked[i];
-                        kept++;
-                    }
-                }
+                ask(asked, accepts, most);
             }
             finally
             {
                 _seen.asking--;
             }
-            asked.length = kept;
             return asked;
+        }
+
+        // Leaves the accepted ones.
+        private static function ask(asked:Vector.<Agent>, accepts:Function, most:int):void
+        {
+            var kept:int = 0;
+            for (var i:int = 0; i < asked.length && kept < most; i++)
+            {
+                if (accepts(asked[i]))
+                {
+                    asked[kept] = asked[i];
+                    kept++;
+                }
+            }
+            asked.length = kept;
         }
 
         private function write(members:Vector.<int>, first:int, count:int, out:Vector.<Agent>):void

@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, peers, queries, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, peers, queries, fits
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
@@ -169,6 +169,47 @@ async function exact() {
 	print(`Dragons, exact, microseconds a pair (${same} of ${pairs.length} verdicts the same: three-mesh-bvh knows no inside)`, ["", "pairs", "engine", "three-mesh-bvh", "times"], rows);
 }
 
+/** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh. */
+async function distances() {
+	const three = await import(pathToFileURL(tools.resolve("three")));
+	const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
+	const { AgentQueries, Vector3D } = engine;
+	const models = [new ObjModel("bear", asset("bear.obj")), new ColladaModel("dragon", asset("dragon.dae"))];
+	const rows = models.flatMap((model) => [1.5, 20].map((spread) => {
+		greatLand.addModel(model);
+		const geometry = new three.BufferGeometry();
+		geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(model.vertices), 3));
+		geometry.setIndex(new three.BufferAttribute(new Uint32Array(model.triangles), 1));
+		const bvh = new MeshBVH(geometry);
+		geometry.boundsTree = bvh;
+		const exactly = new HierarchicalCollider(greatLand);
+		exactly.exact = true;
+		const random = randomNumbers(11);
+		const pairs = Array.from({ length: 300 }, () => {
+			const a = new Agent(model.name);
+			const b = new Agent(model.name);
+			[b.heading, b.pitch, b.roll] = [360 * random(), 360 * random(), 360 * random()];
+			b.moveTo(spread * (2 * random() - 1), spread * (2 * random() - 1), spread * (2 * random() - 1));
+			return { a, b, matrix: new three.Matrix4().fromArray(b.transform.rawData) };
+		}).filter(({ a, b }) => !exactly.areColliding(a, b)).slice(0, 12);
+		const [point, pointB] = [new Vector3D(), new Vector3D()];
+		const target = [{}, {}];
+		const ask = (queries) => ({ run: () => pairs.forEach(({ a, b }) => queries.distance(a, b, point, pointB)) });
+		const [trees, own, other] = measure([
+			ask(new AgentQueries(new HierarchicalCollider(greatLand))),
+			ask(new AgentQueries(exactly)),
+			{ run: () => pairs.forEach(({ matrix }) => bvh.closestPointToGeometry(geometry, matrix, ...target)) },
+		], 2);
+		const queries = new AgentQueries(exactly);
+		const worst = Math.max(...pairs.map(({ a, b, matrix }) => {
+			const distance = queries.distance(a, b);
+			return Math.abs(distance - bvh.closestPointToGeometry(geometry, matrix, ...target).distance) / (1 + distance);
+		}));
+		return [`${model.name}s up to ${spread} away`, ...[trees, own, other].map((ms) => 1000 * ms / pairs.length), other / own, worst];
+	}));
+	print("Distances, microseconds a pair", ["", "at depth 5", "exact", "three-mesh-bvh", "times", "apart at most"], rows);
+}
+
 /** Spheres that move, all at once: who touches whom. */
 async function peers() {
 	const rapier = await import(pathToFileURL(tools.resolve("@dimforge/rapier3d-compat")));
@@ -289,4 +330,4 @@ function fits() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -14,8 +14,9 @@ package starlogo.intersection.ray
      */
     public final class Ray
     {
-        // two to the power of 600
-        private static const LARGE:Number = 4.149515568880993e180;
+        // two to the power of 400, beyond which squares are not to be had, and to that of 600
+        private static const LARGE:Number = 2.582249878086909e120;
+        private static const SCALE:Number = 4.149515568880993e180;
 
         /** A point of the line. */
         public var x:Number = 0;
@@ -112,11 +113,11 @@ package starlogo.intersection.ray
             var scale:Number = 1;
             if (largest > LARGE)
             {
-                scale = 1 / LARGE;
+                scale = 1 / SCALE;
             }
             else if (largest < 1 / LARGE)
             {
-                scale = LARGE;
+                scale = SCALE;
             }
             var toX:Number = direction.x * scale;
             var toY:Number = direction.y * scale;

@@ -2,11 +2,10 @@ package starlogo.intersection.ray
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
-    import starlogo.geometry.Tolerances;
 
     /**
      * Narrows a ray to what is inside of a box: between its three pairs of faces (Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986).
-     * Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
+     * Its surface counts. Allocates nothing.
      *
      * @param ray in the space of the box; its part is narrowed, and its normal set if it enters
      * @param box half-extents may be 0
@@ -26,21 +25,21 @@ package starlogo.intersection.ray
         var along:Number = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
         var entered:Vector3D = null;
         var speed:Number = 0;
-        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfX * Tolerances.TOUCHING))
+        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfX))
         {
             entered = axis;
             speed = along;
         }
         axis = box.axisY;
         along = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfY * Tolerances.TOUCHING))
+        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfY))
         {
             entered = axis;
             speed = along;
         }
         axis = box.axisZ;
         along = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfZ * Tolerances.TOUCHING))
+        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfZ))
         {
             entered = axis;
             speed = along;

@@ -5,8 +5,8 @@ package starlogo.intersection.ray
     import starlogo.geometry.Tolerances;
 
     /**
-     * Narrows a ray to what is inside of a capsule: two balls, and what is between them of a cylinder about the segment. Touching counts, to
-     * within Tolerances.TOUCHING. Allocates nothing.
+     * Narrows a ray to what is inside of a capsule: two balls, and what is between them of a cylinder about the segment. Its surface
+     * counts. Allocates nothing.
      *
      * <p>The arithmetic, in this order: the balls; line and segment across the segment, where the cylinder is a circle; where the line enters
      * and leaves it, between the ends of the segment; the normal, from the nearest point of the segment.</p>
@@ -21,7 +21,7 @@ package starlogo.intersection.ray
     {
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
-        var radius:Number = capsule.radius * Tolerances.TOUCHING;
+        var radius:Number = capsule.radius;
         ray.near = Infinity;
         ray.far = -Infinity;
         ray.radius = radius;

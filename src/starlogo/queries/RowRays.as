@@ -40,7 +40,7 @@ package starlogo.queries
         /** @copy #normalX */
         public var normalZ:Number = 0;
 
-        /** How far the ray goes, in patches; what is just as far counts. */
+        /** How far the ray goes, in patches; what is just as far counts. May be made smaller between rows. */
         public var limit:Number = Infinity;
 
         /** Where the ray begins, in the world, and its direction. */
@@ -54,43 +54,27 @@ package starlogo.queries
         private var _placement:Placement = new Placement();
         private var _ball:Sphere = new Sphere(new Vector3D(), 1);
 
-        /**
-         * @param table has the rows
-         * @param strategy of the table
-         */
-        public function RowRays(table:AgentTable, strategy:ShapeStrategy)
+        /** No ray yet. */
+        public function RowRays()
         {
-            _table = table;
-            _strategy = strategy;
         }
 
         /**
-         * Begins with a ray.
+         * Begins with the rows of a table.
          *
-         * @param origin in the world
-         * @param direction of any length
-         * @param maxDistance how far it goes, in patches
-         * @throws ArgumentError if one is null or not finite, or the direction is 0
-         * @throws RangeError if maxDistance is negative or not a number
+         * @param table has the rows
+         * @param strategy says what they are
+         * @param maxDistance how far the ray goes, in patches
+         * @throws RangeError if it is negative or not a number
          */
-        public function begin(origin:Vector3D, direction:Vector3D, maxDistance:Number):void
+        public function begin(table:AgentTable, strategy:ShapeStrategy, maxDistance:Number):void
         {
-            if (origin == null || direction == null)
-            {
-                throw new ArgumentError("a ray's origin and direction must not be null");
-            }
-            if (!isFinite(origin.x) || !isFinite(origin.y) || !isFinite(origin.z))
-            {
-                throw new ArgumentError("a ray's origin must be finite: " + origin);
-            }
             if (!(maxDistance >= 0))
             {
                 throw new RangeError("maxDistance must not be negative: " + maxDistance);
             }
-            ray.setDirection(direction);
-            ray.x = origin.x;
-            ray.y = origin.y;
-            ray.z = origin.z;
+            _table = table;
+            _strategy = strategy;
             limit = maxDistance;
         }
 

@@ -133,7 +133,7 @@ package starlogo.solid
                 }
                 isFromInside &&= i % 5 != 1 && i % 5 != 3;
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
-                aim(ray, origin, direction);
+                ray.aim(origin, direction);
                 triangles.begin(ray, hierarchy.rays.reach);
                 hierarchy.rays.find(ray, solid.corners, triangles);
                 if (!(triangles.triangle >= 0 && triangles.at <= direction.length + 1e-12))
@@ -215,10 +215,10 @@ package starlogo.solid
             var ray:Ray = new Ray();
             // one alone, and none that has an area
             var one:SolidHierarchy = hierarchyOf(new Model("one", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0], new <uint>[0, 1, 2]), BoundingStructure.BOX);
-            aim(ray, new Vector3D(one.vertices[0], one.vertices[1], -2), new Vector3D(0, 0, 1));
+            ray.aim(new Vector3D(one.vertices[0], one.vertices[1], -2), new Vector3D(0, 0, 1));
             assertEquals("through its corner", 2, distanceAt(one, 1, true, ray));
             var line:SolidHierarchy = hierarchyOf(new Model("line", new <Number>[0, 0, 0, 1, 0, 0, 2, 0, 0], new <uint>[0, 1, 2]), BoundingStructure.BOX);
-            aim(ray, new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
+            ray.aim(new Vector3D(0.1, 0, -2), new Vector3D(0, 0, 1));
             distanceAt(line, 1, true, ray);
             // many in one place, which no division tells apart
             var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 1];
@@ -228,9 +228,9 @@ package starlogo.solid
                 triangles.push(0, 1, 2);
             }
             var pile:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles), BoundingStructure.BOX);
-            aim(ray, new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, 1));
+            ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, 1));
             assertTrue(distanceAt(pile, 1, true, ray) < 3);
-            aim(ray, new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
+            ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
             assertEquals(Infinity, distanceAt(pile, 1, true, ray));
         }
 
@@ -340,7 +340,7 @@ package starlogo.solid
             var origin:Vector3D = _structures.position(_random.pick([0.5, 2]));
             var target:Vector3D = _structures.position(0.6);
             target.z += 0.5;
-            aim(ray, origin, target.subtract(origin));
+            ray.aim(origin, target.subtract(origin));
             return ray;
         }
 
@@ -349,18 +349,8 @@ package starlogo.solid
             var ray:Ray = new Ray();
             var at:int = 3 * _random.integer(0, model.vertices.length / 3 - 1);
             var origin:Vector3D = _structures.position(2);
-            aim(ray, origin, new Vector3D(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2]).subtract(origin));
+            ray.aim(origin, new Vector3D(model.vertices[at], model.vertices[at + 1], model.vertices[at + 2]).subtract(origin));
             return ray;
-        }
-
-        private static function aim(ray:Ray, origin:Vector3D, direction:Vector3D):void
-        {
-            ray.x = origin.x;
-            ray.y = origin.y;
-            ray.z = origin.z;
-            ray.setDirection(direction);
-            ray.from = 0;
-            ray.to = Infinity;
         }
 
         private static function directionOf(ray:Ray):Vector3D

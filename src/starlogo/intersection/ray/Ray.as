@@ -100,9 +100,17 @@ package starlogo.intersection.ray
             return x * x + y * y + z * z < Infinity;
         }
 
-        /** Sets a direction of any length. @throws ArgumentError if it has none, or a component is not finite */
-        public function setDirection(direction:Vector3D):void
+        /** Makes it the ray from a point in a direction of any length. @throws ArgumentError if one is null or not finite, or the direction is 0 */
+        public function aim(origin:Vector3D, direction:Vector3D):void
         {
+            if (origin == null || direction == null)
+            {
+                throw new ArgumentError("a ray needs an origin and a direction, not " + origin + " and " + direction);
+            }
+            if (!(Math.abs(origin.x) + Math.abs(origin.y) + Math.abs(origin.z) < Infinity))
+            {
+                throw new ArgumentError("a ray's origin must be finite: " + origin);
+            }
             var largest:Number = Math.max(Math.abs(direction.x), Math.abs(direction.y));
             largest = Math.max(largest, Math.abs(direction.z));
             if (!(largest > 0 && largest < Infinity))
@@ -126,6 +134,12 @@ package starlogo.intersection.ray
             directionX = toX / length;
             directionY = toY / length;
             directionZ = toZ / length;
+            x = origin.x;
+            y = origin.y;
+            z = origin.z;
+            from = 0;
+            to = Infinity;
+            faceBack();
         }
 
         /** Turns the normal against the ray: for where it begins inside of a shape. */

@@ -137,12 +137,12 @@ package starlogo.intersection.ray
             var ray:Ray = rayOf(new Vector3D(), new Vector3D(0, 3, 0));
             for each (var direction:Vector3D in [new Vector3D(), new Vector3D(NaN, 0, 1), new Vector3D(0, Infinity, 1), new Vector3D(1, 0, NaN)])
             {
-                assertThrows(ArgumentError, /needs a direction/, ray.setDirection, direction);
+                assertThrows(ArgumentError, /needs a direction/, ray.aim, new Vector3D(), direction);
             }
             assertEquals("as it was", 1, ray.directionY);
             for each (var length:Number in [5e-324, 1e-310, 1e-160, 1, 1e160, 1.7e308])
             {
-                ray.setDirection(new Vector3D(length, -length, 0));
+                ray.aim(new Vector3D(), new Vector3D(length, -length, 0));
                 assertTrue("length " + length, Math.abs(ray.directionX - Math.SQRT1_2) < 1e-15 && Math.abs(ray.directionY + Math.SQRT1_2) < 1e-15);
                 assertEquals(0, ray.directionZ);
             }
@@ -198,11 +198,7 @@ package starlogo.intersection.ray
         private static function rayOf(origin:Vector3D, direction:Vector3D):Ray
         {
             var ray:Ray = new Ray();
-            ray.x = origin.x;
-            ray.y = origin.y;
-            ray.z = origin.z;
-            ray.setDirection(direction);
-            ray.faceBack();
+            ray.aim(origin, direction);
             return ray;
         }
     }

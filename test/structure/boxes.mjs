@@ -14,7 +14,7 @@ import { fileURLToPath } from 'node:url';
 
 /** Packages and classes whose functions run every frame. */
 const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'starlogo.collision', 'starlogo.geometry.Placement',
-	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.search', 'starlogo.solid'];
+	'starlogo.handlers', 'starlogo.hierarchy', 'starlogo.intersection', 'starlogo.queries', 'starlogo.search', 'starlogo.solid'];
 
 /** Classes of those packages that do not, and why. */
 const COLD = {

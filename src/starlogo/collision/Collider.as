@@ -28,6 +28,12 @@ package starlogo.collision
      */
     public class Collider implements ContactSystem
     {
+        /** @private What questions need, to see agents as this collider does. */
+        engine var greatLand:GreatLand;
+
+        /** @private Likewise. */
+        engine var strategy:ShapeStrategy;
+
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _contactPoint:ContactPoint = new ContactPoint();
@@ -42,6 +48,8 @@ package starlogo.collision
         public function Collider(greatLand:GreatLand, strategy:ShapeStrategy)
         {
             _search = new CollisionSearch(greatLand, strategy);
+            this.greatLand = greatLand;
+            this.strategy = strategy;
         }
 
         /** @inheritDoc */

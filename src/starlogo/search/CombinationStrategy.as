@@ -108,6 +108,12 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return _tightestFit.isRound;
+        }
+
+        /** @inheritDoc */
         override public function resetCounts():void
         {
             _hierarchy.resetCounts();

@@ -149,8 +149,11 @@ package starlogo.search
             counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The hierarchy is first; of two, that of the agent with the lower id. So rounding is the same in either order.
-        private static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
+        /**
+         * Whether the second of two rows is taken for the first: the hierarchy is, and of two shapes alike that of the agent with the lower number.
+         * So rounding is the same in either order.
+         */
+        public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
             var isHierarchy:Boolean = table.shapes[a].hierarchy != null;
             if (isHierarchy != (table.shapes[b].hierarchy != null))

@@ -123,6 +123,12 @@ package starlogo.search
             return false;
         }
 
+        /** Whether two boxes may touch, by the tests that are made, whose extents along x and y do not overlap, but circles around these do. */
+        public function get isRound():Boolean
+        {
+            return false;
+        }
+
         /** Begins to count the tests of a search. */
         public function resetCounts():void
         {

@@ -200,6 +200,12 @@ package starlogo.search
                     motion.startZ + time * motion.z, out);
         }
 
+        /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return boxFacesOnly;
+        }
+
         private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var outerA:OuterStructures = table.outer[a];

@@ -1,0 +1,182 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+
+    /**
+     * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
+     * sizes, tightest fits, trees or triangles.
+     *
+     * <p>Agents are those of the last <code>update()</code>, where and how they were then, or at their last <code>moved()</code>; but an agent
+     * that asks is where it is now, and it need not be in the list. It is never in an answer to its own question. Nothing of a Collision or of a
+     * collision system changes by asking.</p>
+     *
+     * <p>Every list is sorted by distance, those that are equally far by their order in the list of agents, and it is complete, however long. The
+     * distance of two agents is that of their places, <code>(x, y, z)</code>; a border belongs to what it encloses. With <code>out</code> given
+     * nothing is allocated. An agent whose model is loading has a place, and touches nothing.</p>
+     *
+     * <p>An agent's breed and what a filter's <code>accepts</code> looks at are of the moment of the question.</p>
+     *
+     * <p>The cost of an update is a few tenths of a microsecond for each agent; the first question after it makes a tree of the places, or of the
+     * extents. A question takes time in proportion to the logarithm of the number of agents, and to its answer.</p>
+     */
+    public class AgentQueries
+    {
+        private var _seen:SeenAgents;
+        private var _places:PlaceQuestions;
+        private var _touches:TouchQuestions;
+
+        /**
+         * Questions about no agents yet.
+         *
+         * @param collisionOrSystem a Collision, whose collision system says what agents look like: when it is exchanged, questions follow at the
+         *     next update; or one of the engine's collision systems
+         * @throws ArgumentError if it is neither, or the Collision has a system that is not one of the engine's
+         */
+        public function AgentQueries(collisionOrSystem:Object)
+        {
+            _seen = new SeenAgents(collisionOrSystem);
+            var rows:FilteredRows = new FilteredRows(_seen);
+            var answers:Answers = new Answers(_seen);
+            _places = new PlaceQuestions(_seen, rows, answers);
+            _touches = new TouchQuestions(_seen, rows, answers);
+        }
+
+        /**
+         * Takes the agents that questions are about, as they are now.
+         *
+         * @param agents the list; it may change afterwards, without consequence
+         * @throws ArgumentError if the list or an agent is null, an agent is listed twice, or a model is unknown or lacks what the
+         *     collision system needs; or if a Collision's system is not one of the engine's; questions are then about what they were before
+         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
+         */
+        public function update(agents:Vector.<Agent>):void
+        {
+            _seen.update(agents);
+        }
+
+        /**
+         * Takes one agent anew, as it is now.
+         *
+         * @param agent one of the last update's list
+         * @throws ArgumentError if it is null or not in that list, or its model is unknown or lacks what the collision system needs; it is then
+         *     seen as before
+         */
+        public function moved(agent:Agent):void
+        {
+            _seen.moved(agent);
+        }
+
+        /**
+         * Lists the agents that are near an agent.
+         *
+         * @param agent in the middle
+         * @param radius the greatest distance, not negative; may be Infinity
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if the radius is negative or not a number
+         */
+        public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _places.near(agent, radius, filter, out);
+        }
+
+        /**
+         * Counts the agents that are near an agent; parameters and errors as in <code>near()</code>.
+         *
+         * @param agent in the middle
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         */
+        public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
+        {
+            return _places.countNear(agent, radius, filter);
+        }
+
+        /**
+         * The agent that is nearest to an agent: the first of those that <code>near()</code> lists, found without listing them.
+         *
+         * @param agent to which
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @return null if there is none
+         */
+        public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
+        {
+            return _places.nearest(agent, radius, filter);
+        }
+
+        /**
+         * Lists the agents that are near a point; else as <code>near()</code>.
+         *
+         * @param point in the world, finite
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         */
+        public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _places.nearPoint(point, radius, filter, out);
+        }
+
+        /**
+         * Counts the agents that are near a point; else as <code>near()</code>.
+         *
+         * @param point in the world, finite
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         */
+        public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
+        {
+            return _places.countNearPoint(point, radius, filter);
+        }
+
+        /**
+         * The agent that is nearest to a point; else as <code>nearest()</code>.
+         *
+         * @param point in the world, finite
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @return null if there is none
+         */
+        public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
+        {
+            return _places.nearestToPoint(point, radius, filter);
+        }
+
+        /**
+         * Lists the agents in a cone in front of an agent: about the x axis of its rotation, pitch included. Agents at its very place are in
+         * every cone.
+         *
+         * @param agent at the cone's tip
+         * @param radius the greatest distance
+         * @param degrees the angle of the cone's opening, half of it to either side, not negative; from 360 on the answer is that of near()
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if the radius or the angle is negative or not a number
+         */
+        public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _places.inCone(agent, radius, degrees, filter, out);
+        }
+
+        /**
+         * Lists the agents that touch an agent: those that the collision system's findCollisions pairs it with if all stand where they are.
+         *
+         * @param agent which; its shape is of now too
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         */
+        public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _touches.touching(agent, filter, out);
+        }
+    }
+}

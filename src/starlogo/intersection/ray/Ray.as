@@ -168,10 +168,9 @@ package starlogo.intersection.ray
                 }
                 return false;
             }
-            var first:Number = (along > 0 ? -half : half) - at;
-            var last:Number = (along > 0 ? half : -half) - at;
-            first /= along;
-            last /= along;
+            var reach:Number = along > 0 ? half : -half;
+            var first:Number = (-reach - at) / along;
+            var last:Number = (reach - at) / along;
             if (last < far)
             {
                 far = last;

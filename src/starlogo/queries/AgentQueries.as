@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
 
     /**
      * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
@@ -179,6 +180,22 @@ package starlogo.queries
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             return _touches.touching(agent, filter, out);
+        }
+
+        /**
+         * Lists the agents that overlap a structure or touch it, each as the collision system sees it; in exact mode their triangles decide, and
+         * whether the structure is inside of a closed model. Sorted by the distance of their places from the middle of the structure.
+         *
+         * @param structure a Sphere, Box or Capsule in the world
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the structure is null or of another kind
+         * @throws RangeError if it is not finite
+         */
+        public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _touches.overlapping(structure, filter, out);
         }
 
         /**

@@ -44,20 +44,13 @@ package starlogo.queries
                 write(members, 0, count, listed);
                 return listed;
             }
-            var asked:Vector.<Agent> = begin(members, 0, count);
-            try
+            var accepted:Vector.<Agent> = keepAccepted(members, 0, count, filter.accepts, int.MAX_VALUE);
+            listed.length = accepted.length;
+            for (var i:int = 0; i < accepted.length; i++)
             {
-                count = keepAccepted(asked, filter.accepts);
-                for (var i:int = 0; i < count; i++)
-                {
-                    listed[i] = asked[i];
-                }
-                listed.length = count;
+                listed[i] = accepted[i];
             }
-            finally
-            {
-                end(asked);
-            }
+            accepted.length = 0;
             return listed;
         }
 
@@ -65,16 +58,7 @@ package starlogo.queries
         public function countAccepted(members:Vector.<int>, squares:Vector.<Number>, count:int, accepts:Function):int
         {
             _order.sort(members, squares, count);
-            var asked:Vector.<Agent> = begin(members, 0, count);
-            try
-            {
-                return keepAccepted(asked, accepts);
-            }
-            finally
-            {
-                end(asked);
-            }
-            return 0;
+            return keepAccepted(members, 0, count, accepts, int.MAX_VALUE).length;
         }
 
         /**
@@ -89,39 +73,12 @@ package starlogo.queries
         public function firstAccepted(members:Vector.<int>, squares:Vector.<Number>, first:int, count:int, accepts:Function):Agent
         {
             _order.sort(members, squares, count);
-            var asked:Vector.<Agent> = begin(members, first, count);
-            try
-            {
-                for (var i:int = 0; i < asked.length; i++)
-                {
-                    if (accepts(asked[i]))
-                    {
-                        return asked[i];
-                    }
-                }
-            }
-            finally
-            {
-                end(asked);
-            }
-            return null;
+            var accepted:Vector.<Agent> = keepAccepted(members, first, count, accepts, 1);
+            return accepted.length > 0 ? accepted[0] : null;
         }
 
-        private static function keepAccepted(asked:Vector.<Agent>, accepts:Function):int
-        {
-            var kept:int = 0;
-            for (var i:int = 0; i < asked.length; i++)
-            {
-                if (accepts(asked[i]))
-                {
-                    asked[kept] = asked[i];
-                    kept++;
-                }
-            }
-            return kept;
-        }
-
-        private function begin(members:Vector.<int>, first:int, count:int):Vector.<Agent>
+        // Asks until so many are accepted; the list is overwritten by the next call.
+        private function keepAccepted(members:Vector.<int>, first:int, count:int, accepts:Function, most:int):Vector.<Agent>
         {
             if (_seen.asking == _asked.length)
             {
@@ -129,14 +86,25 @@ package starlogo.queries
             }
             var asked:Vector.<Agent> = _asked[_seen.asking];
             write(members, first, count, asked);
+            var kept:int = 0;
             _seen.asking++;
+            try
+            {
+                for (var i:int = 0; i < asked.length && kept < most; i++)
+                {
+                    if (accepts(asked[i]))
+                    {
+                        asked[kept] = asked[i];
+                        kept++;
+                    }
+                }
+            }
+            finally
+            {
+                _seen.asking--;
+            }
+            asked.length = kept;
             return asked;
-        }
-
-        private function end(asked:Vector.<Agent>):void
-        {
-            asked.length = 0;
-            _seen.asking--;
         }
 
         private function write(members:Vector.<int>, first:int, count:int, out:Vector.<Agent>):void

@@ -147,6 +147,19 @@ package starlogo.queries
             }
         }
 
+        /** Makes the box that a search is about those of extents as BoundingStructure.extentsInto writes them, wider by what rounding comes to. */
+        public function setBoxTo(extents:Vector.<Number>):void
+        {
+            var slack:Number = SLACK * (extents[1] - extents[0] + extents[3] - extents[2] + extents[5] - extents[4])
+                + MARGINS * touchingMargin(extents[0], extents[2], extents[4]);
+            minX = extents[0] - slack;
+            maxX = extents[1] + slack;
+            minY = extents[2] - slack;
+            maxY = extents[3] + slack;
+            minZ = extents[4] - slack;
+            maxZ = extents[5] + slack;
+        }
+
         /** Makes the box that a search is about the extents of a row, wider by what rounding comes to. */
         public function setBox(row:int):void
         {

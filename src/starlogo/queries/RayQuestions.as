@@ -78,7 +78,7 @@ package starlogo.queries
             list(_rows.of(filter), hits);
             if (filter != null && filter.accepts != null)
             {
-                keepAccepted(hits, filter.accepts);
+                setLength(hits, keepAccepted(hits, filter.accepts, int.MAX_VALUE));
             }
             return hits;
         }
@@ -276,36 +276,25 @@ package starlogo.queries
             }
             var hits:Vector.<RayHit> = _asked[_seen.asking];
             list(_rows.of(filter), hits);
-            var accepts:Function = filter.accepts;
-            _seen.asking++;
-            try
+            var isAccepted:Boolean = keepAccepted(hits, filter.accepts, 1) > 0;
+            if (isAccepted)
             {
-                for (var i:int = 0; i < hits.length; i++)
-                {
-                    if (accepts(hits[i].agent))
-                    {
-                        hit ||= new RayHit();
-                        copy(hits[i], hit);
-                        return hit;
-                    }
-                }
+                hit ||= new RayHit();
+                copy(hits[0], hit);
             }
-            finally
-            {
-                setLength(hits, 0);
-                _seen.asking--;
-            }
-            return null;
+            setLength(hits, 0);
+            return isAccepted ? hit : null;
         }
 
-        private function keepAccepted(hits:Vector.<RayHit>, accepts:Function):void
+        // Asks accepts of hits until so many are accepted, and puts these first; returns how many.
+        private function keepAccepted(hits:Vector.<RayHit>, accepts:Function, most:int):int
         {
             var count:int = hits.length;
             var kept:int = 0;
             _seen.asking++;
             try
             {
-                for (var i:int = 0; i < count; i++)
+                for (var i:int = 0; i < count && kept < most; i++)
                 {
                     var hit:RayHit = hits[i];
                     if (accepts(hit.agent))
@@ -320,7 +309,7 @@ package starlogo.queries
             {
                 _seen.asking--;
             }
-            setLength(hits, kept);
+            return kept;
         }
 
         private static function copy(from:RayHit, to:RayHit):void

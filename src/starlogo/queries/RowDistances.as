@@ -89,8 +89,12 @@ package starlogo.queries
                     _strategy.depthOf(table, b), _strategy.isExact, areTouching, closest);
         }
 
-        // A row's structure in the world, as wide as for touching.
-        private static function structureOf(table:AgentTable, row:int, sphere:Sphere):BoundingStructure
+        /**
+         * The structure of a row that is no hierarchy, in the world, as wide as for touching.
+         *
+         * @param sphere takes it if it is a sphere
+         */
+        internal static function structureOf(table:AgentTable, row:int, sphere:Sphere):BoundingStructure
         {
             if (!table.shapes[row].isSphere)
             {

@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.search.AgentTable;
@@ -20,6 +21,7 @@ package starlogo.queries
         private var _seen:SeenAgents;
         private var _rows:FilteredRows;
         private var _answers:Answers;
+        private var _structure:AskedStructure = new AskedStructure();
         private var _found:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
 
@@ -45,6 +47,33 @@ package starlogo.queries
                 count = findTouching(agent, row, _rows.of(filter));
             }
             _seen.endRowOfNow(agent, row);
+            return _answers.list(_found, _squares, count, filter, out);
+        }
+
+        /** As AgentQueries.overlapping. */
+        public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        {
+            _structure.setTo(structure);
+            var tree:ExtentsTree = _seen.extents;
+            var places:PlaceTree = _seen.places;
+            var test:RowTest = _rows.of(filter);
+            var table:AgentTable = _seen.table;
+            places.x = _structure.x;
+            places.y = _structure.y;
+            places.z = _structure.z;
+            tree.setBoxTo(_structure.extents);
+            var near:int = tree.findOverlapping();
+            var count:int = 0;
+            for (var i:int = 0; i < near; i++)
+            {
+                var member:int = tree.found[i];
+                if ((test == null || test.accepts(member)) && _structure.touches(table, table.rows[member], _seen.strategy))
+                {
+                    _found[count] = member;
+                    _squares[count] = places.squareOf(member);
+                    count++;
+                }
+            }
             return _answers.list(_found, _squares, count, filter, out);
         }
 

@@ -120,9 +120,18 @@ package starlogo.hierarchy
             }
             ray.near = -Infinity;
             ray.far = Infinity;
-            ray.cut(ray.x - node.x, ray.directionX, node.halfX);
-            ray.cut(ray.y - node.y, ray.directionY, node.halfY);
-            ray.cut(ray.z - node.z, ray.directionZ, node.halfZ);
+            ray.offset = ray.x - node.x;
+            ray.speed = ray.directionX;
+            ray.half = node.halfX;
+            ray.cut();
+            ray.offset = ray.y - node.y;
+            ray.speed = ray.directionY;
+            ray.half = node.halfY;
+            ray.cut();
+            ray.offset = ray.z - node.z;
+            ray.speed = ray.directionZ;
+            ray.half = node.halfZ;
+            ray.cut();
             return ray.narrow();
         }
 

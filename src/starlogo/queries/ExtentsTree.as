@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.touchingMargin;
     import starlogo.search.AgentTable;
 
@@ -223,7 +224,8 @@ package starlogo.queries
         /** Begins a search along the ray: <code>nextOnRay()</code> then finds one row after the other. */
         public function beginRay():void
         {
-            _slack = MARGINS * touchingMargin(x, y, z);
+            // touchingMargin written out: V8 makes objects of what it is given
+            _slack = MARGINS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
             _at = _end = 0;
             _waiting = begin();
         }

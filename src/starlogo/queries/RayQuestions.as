@@ -54,7 +54,8 @@ package starlogo.queries
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
             _rays.ray.aim(origin, direction);
-            begin(maxDistance);
+            _rays.limit = maxDistance;
+            begin();
             if (filter != null && filter.accepts != null)
             {
                 return findAccepted(filter, hit);
@@ -65,7 +66,7 @@ package starlogo.queries
                 return null;
             }
             hit ||= new RayHit();
-            write(hit, member, _distances[0], 0);
+            write(hit, member, 0, 0);
             return hit;
         }
 
@@ -73,7 +74,8 @@ package starlogo.queries
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>):Vector.<RayHit>
         {
             _rays.ray.aim(origin, direction);
-            begin(maxDistance);
+            _rays.limit = maxDistance;
+            begin();
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
             list(_rows.of(filter), hits);
             if (filter != null && filter.accepts != null)
@@ -89,14 +91,15 @@ package starlogo.queries
             findMiddle(a, _middle);
             findMiddle(b, _towards);
             _towards.decrementBy(_middle);
-            var distance:Number = _towards.length;
+            var distance:Number = Math.sqrt(_towards.x * _towards.x + _towards.y * _towards.y + _towards.z * _towards.z);
             if (distance == 0)
             {
                 // whatever is there
                 _towards.z = 1;
             }
             _rays.ray.aim(_middle, _towards);
-            begin(distance);
+            _rays.limit = distance;
+            begin();
             _except = _seen.memberOf(a);
             _exceptToo = _seen.memberOf(b);
             if (filter != null && filter.accepts != null)
@@ -124,10 +127,10 @@ package starlogo.queries
             _seen.endRowOfNow(agent, row);
         }
 
-        // Begins with the ray that is aimed, and the boxes that it meets.
-        private function begin(maxDistance:Number):void
+        // Begins with the ray that is aimed, up to the limit that is set, and the boxes that it meets.
+        private function begin():void
         {
-            _rays.begin(_seen.table, _seen.strategy, maxDistance);
+            _rays.begin(_seen.table, _seen.strategy);
             _except = _exceptToo = -1;
             var boxes:ExtentsTree = _seen.extents;
             var ray:Ray = _rays.ray;
@@ -137,7 +140,7 @@ package starlogo.queries
             boxes.directionX = ray.directionX;
             boxes.directionY = ray.directionY;
             boxes.directionZ = ray.directionZ;
-            boxes.limit = maxDistance;
+            boxes.limit = _rays.limit;
             boxes.beginRay();
         }
 
@@ -203,7 +206,7 @@ package starlogo.queries
             setLength(out, count);
             for (var i:int = 0; i < count; i++)
             {
-                write(out[i], _found[i], _distances[i], _normalOf[_found[i]]);
+                write(out[i], _found[i], i, _normalOf[_found[i]]);
             }
         }
 
@@ -217,8 +220,9 @@ package starlogo.queries
             _normals[int(at + 2)] = _rays.normalZ;
         }
 
-        private function write(hit:RayHit, member:int, distance:Number, normal:int):void
+        private function write(hit:RayHit, member:int, at:int, normal:int):void
         {
+            var distance:Number = _distances[at];
             var ray:Ray = _rays.ray;
             hit.agent = _seen.agentOf(member);
             hit.distance = distance;

@@ -60,22 +60,20 @@ package starlogo.queries
         }
 
         /**
-         * Begins with the rows of a table.
+         * Begins with the rows of a table; ray and limit are set.
          *
          * @param table has the rows
          * @param strategy says what they are
-         * @param maxDistance how far the ray goes, in patches
-         * @throws RangeError if it is negative or not a number
+         * @throws RangeError if the limit is negative or not a number
          */
-        public function begin(table:AgentTable, strategy:ShapeStrategy, maxDistance:Number):void
+        public function begin(table:AgentTable, strategy:ShapeStrategy):void
         {
-            if (!(maxDistance >= 0))
+            if (!(limit >= 0))
             {
-                throw new RangeError("maxDistance must not be negative: " + maxDistance);
+                throw new RangeError("maxDistance must not be negative: " + limit);
             }
             _table = table;
             _strategy = strategy;
-            limit = maxDistance;
         }
 
         /** Whether the ray meets a row within the limit: then distance and normal are set. */

@@ -75,6 +75,12 @@ package starlogo.solid
             var node:int = root;
             while (true)
             {
+                // set in each round, or V8 carries them from round to round as objects
+                var enter:Number = from;
+                var leave:Number = triangles.at;
+                var enterOther:Number = from;
+                var leaveOther:Number = leave;
+                var place:Number = 0;
                 if (node < 0)
                 {
                     var leaf:int = ~node;
@@ -83,11 +89,8 @@ package starlogo.solid
                 }
                 else
                 {
-                    var end:Number = triangles.at;
                     var box:int = PER_NODE * node;
-                    var enter:Number = from;
-                    var leave:Number = end;
-                    var place:Number = (all[int(box + nearX)] - x) * inverseX;
+                    place = (all[int(box + nearX)] - x) * inverseX;
                     enter = place > enter ? place : enter;
                     place = (all[int(box + farX)] - x) * inverseX;
                     leave = place < leave ? place : leave;
@@ -100,24 +103,23 @@ package starlogo.solid
                     place = (all[int(box + farZ)] - z) * inverseZ;
                     leave = place < leave ? place : leave;
                     box += 6;
-                    var enterOther:Number = from;
                     place = (all[int(box + nearX)] - x) * inverseX;
                     enterOther = place > enterOther ? place : enterOther;
                     place = (all[int(box + farX)] - x) * inverseX;
-                    end = place < end ? place : end;
+                    leaveOther = place < leaveOther ? place : leaveOther;
                     place = (all[int(box + nearY)] - y) * inverseY;
                     enterOther = place > enterOther ? place : enterOther;
                     place = (all[int(box + farY)] - y) * inverseY;
-                    end = place < end ? place : end;
+                    leaveOther = place < leaveOther ? place : leaveOther;
                     place = (all[int(box + nearZ)] - z) * inverseZ;
                     enterOther = place > enterOther ? place : enterOther;
                     place = (all[int(box + farZ)] - z) * inverseZ;
-                    end = place < end ? place : end;
+                    leaveOther = place < leaveOther ? place : leaveOther;
                     var child:int = node << 1;
                     if (enter <= leave)
                     {
                         node = nodes[child];
-                        if (enterOther <= end)
+                        if (enterOther <= leaveOther)
                         {
                             var other:int = nodes[int(child + 1)];
                             if (enterOther < enter)
@@ -135,7 +137,7 @@ package starlogo.solid
                         }
                         continue;
                     }
-                    if (enterOther <= end)
+                    if (enterOther <= leaveOther)
                     {
                         node = nodes[int(child + 1)];
                         continue;

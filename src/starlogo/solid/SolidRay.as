@@ -90,16 +90,16 @@ package starlogo.solid
             var x:Number = solid.planes[plane];
             var y:Number = solid.planes[int(plane + 1)];
             var z:Number = solid.planes[int(plane + 2)];
-            ray.faceBack();
-            var along:Number = x * ray.directionX + y * ray.directionY + z * ray.directionZ;
-            // without area it has no normal
-            if (along != 0)
+            if (x == 0 && y == 0 && z == 0)
             {
-                var side:Number = along > 0 ? -1 : 1;
-                ray.normalX = side * x;
-                ray.normalY = side * y;
-                ray.normalZ = side * z;
+                // without area
+                ray.faceBack();
+                return true;
             }
+            ray.normalX = x;
+            ray.normalY = y;
+            ray.normalZ = z;
+            ray.turnNormal();
             return true;
         }
     }

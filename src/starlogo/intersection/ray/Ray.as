@@ -60,6 +60,15 @@ package starlogo.intersection.ray
         /** The radius of balls; see addBall. */
         public var radius:Number = 0;
 
+        /** Of a slab, which is between two parallel planes: how far the point of the line is from the middle; see cut. */
+        public var offset:Number = 0;
+
+        /** How far the line goes across the slab in a length of 1; may be 0. */
+        public var speed:Number = 0;
+
+        /** How far each plane is from the middle. */
+        public var half:Number = 0;
+
         /** A ray that leads nowhere. */
         public function Ray()
         {
@@ -142,7 +151,18 @@ package starlogo.intersection.ray
             faceBack();
         }
 
-        /** Turns the normal against the ray: for where it begins inside of a shape. */
+        /** Turns the normal round if it is along the ray. */
+        public function turnNormal():void
+        {
+            if (normalX * directionX + normalY * directionY + normalZ * directionZ > 0)
+            {
+                normalX = -normalX;
+                normalY = -normalY;
+                normalZ = -normalZ;
+            }
+        }
+
+        /** Makes the normal the ray's direction turned round: for where it begins inside of a shape. */
         public function faceBack():void
         {
             normalX = -directionX;
@@ -150,27 +170,20 @@ package starlogo.intersection.ray
             normalZ = -directionZ;
         }
 
-        /**
-         * Narrows near and far to where the line is between two parallel planes.
-         *
-         * @param at how far the point of the line is from their middle
-         * @param along how far the line goes that way in a length of 1; may be 0
-         * @param half how far each plane is from their middle
-         * @return whether near has changed
-         */
-        public function cut(at:Number, along:Number, half:Number):Boolean
+        /** Narrows near and far to where the line is between the two planes of a slab; returns whether near has changed. */
+        public function cut():Boolean
         {
-            if (along == 0)
+            if (speed == 0)
             {
-                if (at > half || at < -half)
+                if (offset > half || offset < -half)
                 {
                     far = -Infinity;
                 }
                 return false;
             }
-            var reach:Number = along > 0 ? half : -half;
-            var first:Number = (-reach - at) / along;
-            var last:Number = (reach - at) / along;
+            var reach:Number = speed > 0 ? half : -half;
+            var first:Number = (-reach - offset) / speed;
+            var last:Number = (reach - offset) / speed;
             if (last < far)
             {
                 far = last;
@@ -196,9 +209,9 @@ package starlogo.intersection.ray
             var squared:Number = radius * radius - (toX * toX + toY * toY + toZ * toZ);
             if (squared >= 0)
             {
-                var half:Number = Math.sqrt(squared);
-                near = along - half < near ? along - half : near;
-                far = along + half > far ? along + half : far;
+                squared = Math.sqrt(squared);
+                near = along - squared < near ? along - squared : near;
+                far = along + squared > far ? along + squared : far;
             }
         }
 

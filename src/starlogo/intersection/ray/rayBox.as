@@ -21,35 +21,37 @@ package starlogo.intersection.ray
         var z:Number = ray.z - center.z;
         ray.near = -Infinity;
         ray.far = Infinity;
-        var axis:Vector3D = box.axisX;
-        var along:Number = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
         var entered:Vector3D = null;
-        var speed:Number = 0;
-        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfX))
+        var axis:Vector3D = box.axisX;
+        ray.offset = axis.x * x + axis.y * y + axis.z * z;
+        ray.speed = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
+        ray.half = box.halfX;
+        if (ray.cut())
         {
             entered = axis;
-            speed = along;
         }
         axis = box.axisY;
-        along = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfY))
+        ray.offset = axis.x * x + axis.y * y + axis.z * z;
+        ray.speed = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
+        ray.half = box.halfY;
+        if (ray.cut())
         {
             entered = axis;
-            speed = along;
         }
         axis = box.axisZ;
-        along = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
-        if (ray.cut(axis.x * x + axis.y * y + axis.z * z, along, box.halfZ))
+        ray.offset = axis.x * x + axis.y * y + axis.z * z;
+        ray.speed = axis.x * ray.directionX + axis.y * ray.directionY + axis.z * ray.directionZ;
+        ray.half = box.halfZ;
+        if (ray.cut())
         {
             entered = axis;
-            speed = along;
         }
         if (ray.near > ray.from)
         {
-            var side:Number = speed > 0 ? -1 : 1;
-            ray.normalX = side * entered.x;
-            ray.normalY = side * entered.y;
-            ray.normalZ = side * entered.z;
+            ray.normalX = entered.x;
+            ray.normalY = entered.y;
+            ray.normalZ = entered.z;
+            ray.turnNormal();
         }
         return ray.narrow();
     }

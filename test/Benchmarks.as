@@ -11,6 +11,7 @@ package
     import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
     import benchmark.QueriesBenchmark;
+    import benchmark.RayBenchmark;
     import benchmark.StoredFitsBenchmark;
     import benchmark.TraversalBenchmark;
     import flash.display.Sprite;
@@ -25,7 +26,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

@@ -211,27 +211,21 @@ package starlogo.queries
                 if (node < firstLeaf)
                 {
                     // the nearer child is the next
-                    var near:int = node << 1;
-                    var far:int = near + 1;
-                    var nearSquare:Number = squareTo(near);
-                    var farSquare:Number = squareTo(far);
-                    if (farSquare < nearSquare)
+                    var child:int = node << 1;
+                    var top:int = waiting + 1;
+                    measure(child, waiting);
+                    measure(child + 1, top);
+                    nodes[waiting] = child;
+                    nodes[top] = child + 1;
+                    if (nodeSquares[waiting] < nodeSquares[top])
                     {
-                        var swapped:Number = nearSquare;
-                        nearSquare = farSquare;
-                        farSquare = swapped;
-                        near++;
-                        far--;
+                        var nearSquare:Number = nodeSquares[waiting];
+                        nodeSquares[waiting] = nodeSquares[top];
+                        nodeSquares[top] = nearSquare;
+                        nodes[waiting] = child + 1;
+                        nodes[top] = child;
                     }
-                    if (farSquare <= least)
-                    {
-                        nodes[waiting] = far;
-                        nodeSquares[waiting] = farSquare;
-                        waiting++;
-                    }
-                    nodes[waiting] = near;
-                    nodeSquares[waiting] = nearSquare;
-                    waiting++;
+                    waiting += 2;
                     continue;
                 }
                 var end:int = startOf(node + 1);
@@ -389,38 +383,39 @@ package starlogo.queries
             return toX * toX + toY * toY + toZ * toZ;
         }
 
-        // The squared distance to a node's box.
-        private function squareTo(node:int):Number
+        // Writes the squared distance to a node's box beside the nodes that wait: returned, V8 would make an object of it.
+        private function measure(node:int, slot:int):void
         {
+            var boxes:Vector.<Number> = _boxes;
             var box:int = PER_BOX * node;
-            var toX:Number = _boxes[box] - x;
+            var toX:Number = boxes[box] - x;
             if (toX < 0)
             {
-                toX = x - _boxes[int(box + 3)];
+                toX = x - boxes[int(box + 3)];
                 if (toX < 0)
                 {
                     toX = 0;
                 }
             }
-            var toY:Number = _boxes[int(box + 1)] - y;
+            var toY:Number = boxes[int(box + 1)] - y;
             if (toY < 0)
             {
-                toY = y - _boxes[int(box + 4)];
+                toY = y - boxes[int(box + 4)];
                 if (toY < 0)
                 {
                     toY = 0;
                 }
             }
-            var toZ:Number = _boxes[int(box + 2)] - z;
+            var toZ:Number = boxes[int(box + 2)] - z;
             if (toZ < 0)
             {
-                toZ = z - _boxes[int(box + 5)];
+                toZ = z - boxes[int(box + 5)];
                 if (toZ < 0)
                 {
                     toZ = 0;
                 }
             }
-            return toX * toX + toY * toY + toZ * toZ;
+            _squares[slot] = toX * toX + toY * toY + toZ * toZ;
         }
 
         // Whether a node's box is within the limit of x, y, z: not at all, in parts or as a whole.

@@ -189,11 +189,27 @@ package starlogo.solid
                         var expected:Number = nearestEnd(hierarchy.root, depth, ray, 0, Infinity);
                         var found:Number = distanceAt(hierarchy, depth, false, ray);
                         hits += found < Infinity ? 1 : 0;
+                        if (found > 0 && found < Infinity)
+                        {
+                            checkNodeNormal(model.name + ", kind " + kind + ", depth " + depth, kind, ray);
+                        }
                         assertTrue(model.name + ", kind " + kind + ", depth " + depth + ": " + expected + ", not " + found, expected == found || Math.abs(expected - found) < 1e-12);
                     }
                 }
             }
             assertTrue("hits: " + hits, hits > 200);
+        }
+
+        // Out of a structure's surface, which no ray meets at a right angle by chance.
+        private static function checkNodeNormal(message:String, kind:int, ray:Ray):void
+        {
+            var normal:Vector3D = new Vector3D(ray.normalX, ray.normalY, ray.normalZ);
+            var along:Number = normal.dotProduct(directionOf(ray));
+            assertTrue(message + ": " + normal, Math.abs(normal.length - 1) < 1e-12 && along < 0 && along > -1 + 1e-12);
+            if (kind == BoundingStructure.BOX)
+            {
+                assertEquals(message + ": " + normal, 1, Math.abs(normal.x) + Math.abs(normal.y) + Math.abs(normal.z));
+            }
         }
 
         [Test]

@@ -29,7 +29,11 @@ package starlogo.queries
 
     use namespace engine;
 
-    /** What rays meet, against loops over all agents, in worlds of many kinds. */
+    /**
+     * What rays meet, against loops over all agents, in worlds of many kinds.
+     *
+     * <p>This file is long because all of its tests share these worlds.</p>
+     */
     public class CastTest
     {
         /** What is read. */

@@ -39,6 +39,10 @@ package docs
             assertEquals(10, shown.crowd);
             assertEquals(9, shown.seen.length);
             assertEquals("the first that is smaller", agents[6], shown.weaker);
+            assertEquals("inside of the first", 0, shown.hit.distance);
+            assertEquals(agents[2], shown.hit.agent);
+            assertEquals(9, shown.hits.length);
+            assertEquals("others are in between", false, shown.isInSight);
         }
     }
 }

@@ -71,6 +71,7 @@ import {
 	Placement,
 	PreciseCollider,
 	ProgressEvent,
+	RayHit,
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
 	SharedFitStorage,
@@ -155,6 +156,10 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const touching: Agent[] = queries.touching(agents[0]);
 	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
 	log.push(`${nearest}, ${near.length} near, ${touching.length} touching, ${overlapping.length} overlapping`);
+	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
+	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
+	const hits: RayHit[] = queries.castAll(eye, ahead);
+	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
 	log.push(`${blocks.countWithin(agents[0], "paintballs", 3)} within 3`);
 }

@@ -2,7 +2,7 @@ package starlogo.queries
 {
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.touchingGap;
+    import starlogo.geometry.Tolerances;
     import starlogo.search.AgentTable;
 
     use namespace engine;
@@ -223,7 +223,8 @@ package starlogo.queries
         /** Begins a search along the ray: <code>nextOnRay()</code> then finds one row after the other. */
         public function beginRay():void
         {
-            _slack = MARGINS * touchingGap(x, y, z, 0, 0, 0);
+            // touchingGap written out: V8 makes objects of what it is given
+            _slack = MARGINS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
             _at = _end = 0;
             _waiting = begin();
         }

@@ -89,7 +89,7 @@ package starlogo.search
             bytes.writeInt(count);
             for (var i:int = 0; i < count; i++)
             {
-                bytes.writeByte(hasMotion[i] ? 1 : 0);
+                bytes.writeBoolean(hasMotion[i]);
                 bytes.writeDouble(x[i]);
                 bytes.writeDouble(y[i]);
                 bytes.writeDouble(z[i]);
@@ -112,7 +112,7 @@ package starlogo.search
                 bytes.writeInt(second[i]);
                 bytes.writeInt(numberOf(firstBreed[i]));
                 bytes.writeInt(numberOf(secondBreed[i]));
-                bytes.writeByte(isBothWays[i] ? 1 : 0);
+                bytes.writeBoolean(isBothWays[i]);
             }
             bytes.position = 0;
             return bytes;

@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
@@ -23,6 +24,7 @@ package starlogo.queries
         public static const FIXTURES:Array = ["/assets/fortress.obj"];
 
         private static const HAIR:Number = 1e-9;
+        private static const HASH:uint = 3872856717;
 
         private static var sGreatLand:GreatLand;
 
@@ -155,6 +157,38 @@ package starlogo.queries
                 assertTrue(name + ": " + gone / steps, gone > 0.2 * steps);
             }
             _wrong.assertNone();
+        }
+
+        [Test]
+        public function theSameOnAllMachines():void
+        {
+            var hash:uint = 2166136261;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var agents:Vector.<Agent> = mixture(EachCollider.make(name, sGreatLand), false);
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                queries.update(agents);
+                for (var step:int = 0; step < 60; step++)
+                {
+                    queries.slide(agents[0], 0.2 * Math.sqrt(step % 7) - 0.3, 0.4 - 0.1 * (step % 9), 0.02 * (step % 3 - 1));
+                    for each (var at:Number in [agents[0].x, agents[0].y, agents[0].z])
+                    {
+                        // to a millionth
+                        var digits:int = Math.round(at * 1e6);
+                        for (var i:int = 0; i < 32; i += 8)
+                        {
+                            hash = times(hash ^ (digits >>> i & 255));
+                        }
+                    }
+                }
+            }
+            assertEquals(HASH, hash);
+        }
+
+        // By the prime of FNV-1a, 2 to the 24th and 403.
+        private static function times(hash:uint):uint
+        {
+            return (hash << 24) + 403 * (hash & 65535) + ((403 * (hash >>> 16)) << 16);
         }
 
         // A point among the boxes, each wider by the mover: how far it slides, all faces kept that it has come to.

@@ -3,6 +3,7 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.collision.Contact;
 
     /**
      * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
@@ -28,6 +29,7 @@ package starlogo.queries
         private var _touches:TouchQuestions;
         private var _distances:DistanceQuestions;
         private var _rays:RayQuestions;
+        private var _moves:MoveQuestions;
 
         /**
          * Questions about no agents yet.
@@ -45,6 +47,7 @@ package starlogo.queries
             _touches = new TouchQuestions(_seen, rows, answers);
             _distances = new DistanceQuestions(_seen);
             _rays = new RayQuestions(_seen, rows);
+            _moves = new MoveQuestions(_seen, rows, answers);
         }
 
         /**
@@ -282,6 +285,49 @@ package starlogo.queries
         public function canSee(a:Agent, b:Agent, filter:AgentFilter = null):Boolean
         {
             return _rays.canSee(a, b, filter);
+        }
+
+        /**
+         * Moves an agent along a straight line until it touches another, and then as <code>moved()</code> does.
+         *
+         * <p>A touch that the motion leaves or runs along stops nothing, and an agent that overlaps another, as the game may have placed it, is
+         * free to go where that does not deepen the overlap: not against the normal of their contact. Otherwise it stays where it is. It
+         * ends in the touch, no deeper than 1e-9 of the larger extent. Others are where the last update or <code>moved()</code> saw them.</p>
+         *
+         * <p>The part is never greater than it would be in exact mode, but in the BinCollider, and where the agent overlaps something at the beginning.</p>
+         *
+         * @param agent moves; its model may be loading, and touches nothing then
+         * @param dx how far along x, in patches
+         * @param dy likewise
+         * @param dz likewise
+         * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
+         * @param contact takes how the two touch, its time being the part; only its time, 1, is set where the way is free. Or null
+         * @return the part of the way that is free, from 0 to 1
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         * @throws RangeError if the motion is not finite; the agent has not moved then
+         */
+        public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
+        {
+            return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+        }
+
+        /**
+         * Moves an agent as <code>moveUntilTouch()</code> does, and where it touches another it goes on along that: with what is left of the
+         * motion, projected on the plane of the contact, or on the line in which two planes meet. All that it has touched in this motion counts, so
+         * that it ends in corners. It ends a hair from what it touches, so that the next motion along it is free.
+         *
+         * @param agent moves
+         * @param dx how far along x, in patches
+         * @param dy likewise
+         * @param dz likewise
+         * @param filter which agents count; null for all
+         * @return the length of its way, bends included, as a part of the length of the motion, from 0 to 1
+         * @throws ArgumentError as moveUntilTouch does
+         * @throws RangeError likewise
+         */
+        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
+        {
+            return _moves.slide(agent, dx, dy, dz, filter);
         }
     }
 }

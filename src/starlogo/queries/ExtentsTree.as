@@ -183,6 +183,35 @@ package starlogo.queries
             maxZ = atZ + halfZ + slack;
         }
 
+        /** Makes the box reach as far as it does when it is moved, and still to where it is. */
+        public function extendBox(dx:Number, dy:Number, dz:Number):void
+        {
+            if (dx < 0)
+            {
+                minX += dx;
+            }
+            else
+            {
+                maxX += dx;
+            }
+            if (dy < 0)
+            {
+                minY += dy;
+            }
+            else
+            {
+                maxY += dy;
+            }
+            if (dz < 0)
+            {
+                minZ += dz;
+            }
+            else
+            {
+                maxZ += dz;
+            }
+        }
+
         /**
          * Finds all rows whose extents overlap the box, or nearly so: <code>found</code>, in no order.
          *

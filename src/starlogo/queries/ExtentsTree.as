@@ -3,6 +3,7 @@ package starlogo.queries
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.touchingGap;
     import starlogo.search.AgentTable;
 
     use namespace engine;

@@ -101,9 +101,9 @@ package starlogo.search
                 numberOf(secondBreed[i]);
             }
             bytes.writeInt(_names.length);
-            for each (var name:String in _names)
+            for (i = 0; i < _names.length; i++)
             {
-                bytes.writeUTF(name);
+                bytes.writeUTF(_names[i]);
             }
             bytes.writeInt(pairCount);
             for (i = 0; i < pairCount; i++)

@@ -470,8 +470,8 @@ package starlogo.queries
                     }
                 }
             }
-            assertEquals("hits", 2759, hits);
-            assertEquals(8667760, hash);
+            assertEquals("hits", 2758, hits);
+            assertEquals(1967053, hash);
         }
 
         private static function addModel(model:Model):void

@@ -50,6 +50,7 @@ package starlogo.models
         private var _gltf:GltfFile = null;
         private var _bufferFetches:Vector.<ModelFetch> = new Vector.<ModelFetch>();
         private var _text:String = null;
+        private var _format:String = null;
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
         private var _shape:NormalisedShape = null;
@@ -199,8 +200,8 @@ package starlogo.models
         {
             _text = _document == null ? _text : _document.text;
             _document = null;
-            var isGltf:Boolean = _bytes == null ? GltfFile.isText(_text) || isNamed("gltf") : GltfFile.isBinary(_bytes);
-            _gltf = isGltf ? new GltfFile(name, _bytes, _text) : null;
+            _format = _bytes == null ? ModelFormat.of(_text, _url) : (GltfFile.isBinary(_bytes) ? ModelFormat.GLTF : ModelFormat.STL);
+            _gltf = _format == ModelFormat.GLTF ? new GltfFile(name, _bytes, _text) : null;
             return _gltf;
         }
 
@@ -229,21 +230,21 @@ package starlogo.models
 
         private function newReader():ModelReader
         {
-            if (_gltf != null)
+            switch (_format)
             {
-                for (var i:int = 0; i < _bufferFetches.length; i++)
-                {
-                    _gltf.setBuffer(_gltf.missing[i], _bufferFetches[i].bytes, _bufferFetches[i].problem);
-                }
-                return new GltfReader(name, _gltf, _upAxis as ModelTransform);
+                case ModelFormat.GLTF:
+                    for (var i:int = 0; i < _bufferFetches.length; i++)
+                    {
+                        _gltf.setBuffer(_gltf.missing[i], _bufferFetches[i].bytes, _bufferFetches[i].problem);
+                    }
+                    return new GltfReader(name, _gltf, _upAxis as ModelTransform);
+                case ModelFormat.STL:
+                    return new StlReader(name, _bytes, _text, _upAxis);
+                case ModelFormat.COLLADA:
+                    return new ColladaReader(name, _text, _upAxis as ModelTransform);
+                default:
+                    return new ObjReader(name, _text, _upAxis);
             }
-            if (_bytes != null || StlReader.isText(_text) || isNamed("stl"))
-            {
-                return new StlReader(name, _bytes, _text, _upAxis);
-            }
-            // what begins with a tag is no OBJ file, whatever its name
-            return /^﻿?\s*</.test(_text.substr(0, 1000)) || isNamed("dae|zae") ? new ColladaReader(name, _text, _upAxis as ModelTransform)
-                : new ObjReader(name, _text, _upAxis);
         }
 
         private function normalising():Steps
@@ -287,12 +288,6 @@ package starlogo.models
         private static function isBufferUnderWay(fetch:ModelFetch, index:int, all:Vector.<ModelFetch>):Boolean
         {
             return fetch.isUnderWay;
-        }
-
-        // What is no known format by its content may be one by its name.
-        private function isNamed(extensions:String):Boolean
-        {
-            return _url != null && new RegExp("^[^?#]*\\.(" + extensions + ")([?#]|$)", "i").test(_url);
         }
     }
 }

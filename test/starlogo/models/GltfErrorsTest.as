@@ -170,7 +170,7 @@ package starlogo.models
             refusesBytes("byte 12", "must be JSON", 16, 0x004E4942);
         }
 
-        private static function set (key:String, value:*):Function
+        private static function changed(key:String, value:*):Function
         {
             return function(json:Object):void
             {

@@ -10,6 +10,7 @@ package
     import benchmark.IntersectionBenchmark;
     import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
+    import benchmark.ReadingBenchmark;
     import benchmark.StoredFitsBenchmark;
     import benchmark.TraversalBenchmark;
     import flash.display.Sprite;
@@ -24,7 +25,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, ReadingBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

@@ -43,6 +43,7 @@ import {
 	FitStorage,
 	FitStore,
 	Fitter,
+	GltfModel,
 	GreatLand,
 	HierarchicalCollider,
 	HierarchiesLibrary,
@@ -61,6 +62,7 @@ import {
 	ModelLoader,
 	ModelReceiver,
 	ModelSource,
+	ModelTransform,
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
@@ -71,12 +73,14 @@ import {
 	SelectiveCollisionSystem,
 	SharedFitStorage,
 	Slices,
+	SourceFrame,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
 	sphereSphere,
 	Steps,
 	StepSequence,
+	StlModel,
 	StructureBlocks,
 	StructureTests,
 	TextEvent,
@@ -100,6 +104,10 @@ export function play(bearText: string): number {
 	greatLand.addModel(new ObjModel("bear", bearText));
 	const receiver: ModelReceiver = greatLand;
 	finish(receiver.receive(new Model("triangle", new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), new Uint16Array([0, 1, 2]))));
+
+	const turned = new ObjModel("bear", bearText, ModelTransform.fromText("rotate 90 0 270\nscale 2"), Model.VOLUME);
+	const frame: SourceFrame = turned.source;
+	log.push(`${frame.unit} ${frame.offset.x} ${frame.matrix.rawData[15]}`);
 
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
@@ -261,6 +269,8 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
+		() => GltfModel.fromBytes("broken", new TextEncoder().encode("{}"), null, Model.VOLUME),
+		() => StlModel.fromBytes("broken", new ArrayBuffer(3)),
 		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
 		() => new Model("broken", [0, 0, 0], [0, 0, 1]),

@@ -269,7 +269,7 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
-		() => GltfModel.fromBytes("broken", new TextEncoder().encode("{}"), null, Model.VOLUME),
+		() => GltfModel.fromBytes("broken", new Uint8Array([123, 125]), null, Model.VOLUME),
 		() => StlModel.fromBytes("broken", new ArrayBuffer(3)),
 		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),

@@ -20,7 +20,10 @@ package starlogo.models
          * The shapes come from <code>sphere()</code>, <code>cube()</code> and <code>cylinder()</code>; the
          * constructor serves them.
          *
-         * @copy Model#Model()
+         * @param name as for <code>Model</code>
+         * @param vertices as for <code>Model</code>
+         * @param triangles as for <code>Model</code>
+         * @throws ModelError as <code>Model</code> does
          */
         public function BuiltInModel(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {

@@ -16,6 +16,13 @@ package starlogo.geometry
         public static const CONTAINMENT:Number = 1e-6;
 
         /**
+         * By how much the lengths of a matrix's columns, and the angles between them, may differ from those of a turned and evenly scaled space, as
+         * a fraction: Flash Player rounds the entries of a Matrix3D to single precision. Smaller: matrices that an agent itself has given are
+         * refused. Larger: shear and uneven scale pass unnoticed.
+         */
+        public static const MATRIX:Number = 1e-5;
+
+        /**
          * The rounding error that a position is allowed, as a fraction of its coordinates. Extents are widened by it and
          * contains() grants it. Zero: two structures that touch to the last bit may get extents that do not. Larger:
          * bins do more work; nothing else changes.
@@ -37,7 +44,7 @@ package starlogo.geometry
         public static const SINGLE_PRECISION:Number = 1e-5;
 
         /**
-         * How far apart shapes may be, as a fraction of the coordinates of where they are, and still touch: see touchingMargin. Below
+         * How far apart shapes may be, as a fraction of the coordinates of where they are, and still touch: see touchingGap. Below
          * 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
          * Larger: far out, shapes with a gap between them collide.
          */
@@ -224,6 +231,12 @@ package starlogo.geometry
          * have the contact of two models taken for that of the structures around them. Larger: a later touch may be taken for the first.
          */
         public static const SAME_TIME:Number = 1e-9;
+
+        /**
+         * How far the depth of a contact may be off, as a fraction of the larger extent of the two that touch: moved by as much more they are
+         * apart, by as much less they still touch. Smaller than 1e-12: rounding along directions that are nearly level with a surface is more.
+         */
+        public static const SEPARATION:Number = 1e-9;
 
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()

@@ -3,7 +3,7 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.touchingMargin;
+    import starlogo.geometry.touchingGap;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
@@ -54,7 +54,7 @@ package starlogo.hierarchy
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = placement;
             relative.size = scale;
-            gap = (touchingMargin(a.x, a.y, a.z) + touchingMargin(b.x, b.y, b.z)) / a.size;
+            gap = touchingGap(a.x, a.y, a.z, b.x, b.y, b.z) / a.size;
             isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
             if (isUpright)
             {

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.geometry.Trigonometry;
+
     /**
      * The shapes that the client has without a file: a sphere, a cube and a cylinder, with the vertex counts of the
      * thesis (Figure 6-2). Their triangles are closed surfaces, counter-clockwise seen from outside.
@@ -20,10 +22,9 @@ package starlogo.models
          * The shapes come from <code>sphere()</code>, <code>cube()</code> and <code>cylinder()</code>; the
          * constructor serves them.
          *
-         * @param name as for <code>Model</code>
-         * @param vertices as for <code>Model</code>
-         * @param triangles as for <code>Model</code>
-         * @throws ModelError as <code>Model</code> does
+         * @param name as Model's
+         * @param vertices as Model's
+         * @param triangles as Model's
          */
         public function BuiltInModel(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
@@ -41,9 +42,9 @@ package starlogo.models
             vertices.push(0, 0, 0);
             for (var ring:int = 1; ring <= SPHERE_RINGS; ring++)
             {
-                var angle:Number = Math.PI * ring / (SPHERE_RINGS + 1);
-                addRing(vertices, SPHERE_SEGMENTS, Math.sin(angle) / 2, (1 - Math.cos(angle)) / 2);
-                vertices.push(vertices[int(vertices.length - 3 * SPHERE_SEGMENTS)], 0, (1 - Math.cos(angle)) / 2);
+                var angle:Number = 180 * ring / (SPHERE_RINGS + 1);
+                addRing(vertices, SPHERE_SEGMENTS, Trigonometry.sine(angle) / 2, (1 - Trigonometry.cosine(angle)) / 2);
+                vertices.push(vertices[int(vertices.length - 3 * SPHERE_SEGMENTS)], 0, (1 - Trigonometry.cosine(angle)) / 2);
             }
             vertices.push(0, 0, 1);
 
@@ -112,8 +113,8 @@ package starlogo.models
         {
             for (var segment:int = 0; segment < segments; segment++)
             {
-                var angle:Number = 2 * Math.PI * segment / segments;
-                vertices.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+                var angle:Number = 360 * segment / segments;
+                vertices.push(radius * Trigonometry.cosine(angle), radius * Trigonometry.sine(angle), z);
             }
         }
 

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
+    import starlogo.geometry.Trigonometry;
 
     /**
      * How a model is turned, scaled and moved before it is used: what the StarLogo Nova client's transform files say (<code>bear.slb</code>
@@ -109,27 +110,16 @@ package starlogo.models
          */
         internal function rotationRows():Vector.<Number>
         {
-            var cosX:Number = cosine(_rotation.x);
-            var cosY:Number = cosine(_rotation.y);
-            var cosZ:Number = cosine(_rotation.z);
-            var sinX:Number = cosine(_rotation.x - 90);
-            var sinY:Number = cosine(_rotation.y - 90);
-            var sinZ:Number = cosine(_rotation.z - 90);
+            var cosX:Number = Trigonometry.cosine(_rotation.x);
+            var cosY:Number = Trigonometry.cosine(_rotation.y);
+            var cosZ:Number = Trigonometry.cosine(_rotation.z);
+            var sinX:Number = Trigonometry.sine(_rotation.x);
+            var sinY:Number = Trigonometry.sine(_rotation.y);
+            var sinZ:Number = Trigonometry.sine(_rotation.z);
             return new <Number>[
                     cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
                     sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
                     -sinY, cosY * sinX, cosY * cosX];
-        }
-
-        // What is flat has to stay so: it would be scaled by the rounding errors of its thickness.
-        private static function cosine(degrees:Number):Number
-        {
-            var rest:Number = Math.abs(degrees % 360);
-            if (rest % 90 == 0)
-            {
-                return rest == 0 ? 1 : (rest == 180 ? -1 : 0);
-            }
-            return Math.cos(rest * (Math.PI / 180));
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

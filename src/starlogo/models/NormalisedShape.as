@@ -3,6 +3,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
+    import starlogo.geometry.cubeRoot;
     import starlogo.steps.StepSequence;
 
     /** What a model is made of: a shape checked, copied, turned and normalised as Model says, in steps. */
@@ -256,7 +257,7 @@ package starlogo.models
         // the client's: what has no extent counts as one that has 1
         private static function rootOf(extent:Number):Number
         {
-            return extent == 0 ? 1 : Math.pow(extent, 1 / 3);
+            return extent == 0 ? 1 : cubeRoot(extent);
         }
     }
 }

@@ -2,6 +2,7 @@ package starlogo.models
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import starlogo.geometry.cubeRoot;
 
     /**
      * Where a model is in what it was made of, and how large: what another renderer's object needs that draws the source as it is. The
@@ -106,7 +107,7 @@ package starlogo.models
                 _rows[i + 3] *= factors.y;
                 _rows[i + 6] *= factors.z;
             }
-            _unit /= Math.pow(Math.abs(factors.x), 1 / 3) * Math.pow(Math.abs(factors.y), 1 / 3) * Math.pow(Math.abs(factors.z), 1 / 3);
+            _unit /= cubeRoot(Math.abs(factors.x)) * cubeRoot(Math.abs(factors.y)) * cubeRoot(Math.abs(factors.z));
         }
     }
 }

@@ -18,6 +18,9 @@ package starlogo.search
         private var _tightestFit:TightestFitStrategy;
         private var _hierarchy:HierarchyStrategy;
 
+        // Whether any agent has ever been hierarchical: mostly none is.
+        private var _hasHierarchies:Boolean = false;
+
         // Those of the candidates at hand that are hierarchical.
         private var _hierarchical:Vector.<int> = new Vector.<int>();
 
@@ -41,13 +44,19 @@ package starlogo.search
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
-            var strategy:ShapeStrategy = shape.kind == ModelShape.HIERARCHY ? _hierarchy : _tightestFit;
+            var isHierarchy:Boolean = shape.kind == ModelShape.HIERARCHY;
+            var strategy:ShapeStrategy = isHierarchy ? _hierarchy : _tightestFit;
             strategy.bind(shape, agent);
+            _hasHierarchies ||= isHierarchy;
         }
 
         /** @inheritDoc */
         override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
         {
+            if (!_hasHierarchies)
+            {
+                return _tightestFit.keepTouching(table, bins, place, others, count);
+            }
             var shapes:Vector.<ModelShape> = table.shapes;
             var rowAt:Vector.<int> = bins.rowAt;
             if (shapes[rowAt[place]].hierarchy != null)
@@ -96,6 +105,30 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            return strategyOf(table, a, b).findImpact(table, a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function set leavesDecide(value:Boolean):void
+        {
+            _hierarchy.leavesDecide = value;
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            strategyOf(table, a, b).findOuterContact(table, a, b, out);
+        }
+
+        /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            return strategyOf(table, a, b).hasExactContact(table, a, b);
+        }
+
+        /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
             return _hierarchy.depthOf(table, row);
@@ -105,6 +138,12 @@ package starlogo.search
         override public function get isExact():Boolean
         {
             return _hierarchy.isExact;
+        }
+
+        /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return _tightestFit.isRound;
         }
 
         /** @inheritDoc */

@@ -2,11 +2,13 @@ package starlogo.search
 {
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SweptHierarchyTraversal;
 
     use namespace engine;
@@ -24,10 +26,12 @@ package starlogo.search
         /** Whether triangles decide. */
         public var exact:Boolean = false;
 
+        private var _leavesDecide:Boolean = false;
         private var _greatLand:GreatLand;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
         private var _turned:RelativeMotion = new RelativeMotion();
+        private var _memberPlacement:Placement = new Placement();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
@@ -59,11 +63,63 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        {
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var agents:Vector.<Agent> = table.agents;
+            var rowAt:Vector.<int> = bins.rowAt;
+            var row:int = rowAt[place];
+            var hierarchy:SolidHierarchy = shapes[row].hierarchy;
+            if (hierarchy == null)
+            {
+                return super.keepTouching(table, bins, place, others, count);
+            }
+            var number:int = agents[row].number;
+            var placement:Placement = table.placementOf(row, _memberPlacement);
+            var depth:int = depthOf(table, row);
+            var isDecided:Boolean = exact;
+            var kept:int = 0;
+            count = keepNear(table.extents, bins, place, others, count);
+            for (var i:int = 0; i < count; i++)
+            {
+                var otherRow:int = rowAt[others[i]];
+                var other:SolidHierarchy = shapes[otherRow].hierarchy;
+                var isTouching:Boolean = false;
+                if (other == null)
+                {
+                    isTouching = areTouching(table, row, otherRow);
+                }
+                else
+                {
+                    counts.hierarchyTests++;
+                    var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
+                    var otherDepth:int = depthOf(table, otherRow);
+                    if (agents[otherRow].number > number)
+                    {
+                        isTouching = _traversal.hierarchiesOverlap(hierarchy, placement, depth, other, otherPlacement, otherDepth, isDecided);
+                    }
+                    else
+                    {
+                        isTouching = _traversal.hierarchiesOverlap(other, otherPlacement, otherDepth, hierarchy, placement, depth, isDecided);
+                    }
+                }
+                if (isTouching)
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** @inheritDoc */
         override public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
             if (isSecondFirst(table, a, b))
             {
-                return areTouching(table, b, a);
+                var first:int = b;
+                b = a;
+                a = first;
             }
             counts.hierarchyTests++;
             var shapeA:ModelShape = table.shapes[a];
@@ -74,8 +130,8 @@ package starlogo.search
             {
                 return _traversal.structureOverlaps(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB);
             }
-            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
-                    depthOf(table, b), exact);
+            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, levelsOf(table, a), shapeB.hierarchy, placementB,
+                    levelsOf(table, b), exact && !_leavesDecide);
         }
 
         /** @inheritDoc */
@@ -123,6 +179,42 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            if (isSecondFirst(table, a, b))
+            {
+                _turned.turn(motion);
+                var time:Number = findImpact(table, b, a, _turned, out);
+                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+                return time;
+            }
+            counts.hierarchyTests++;
+            var hierarchy:SolidHierarchy = table.shapes[a].hierarchy;
+            var shapeB:ModelShape = table.shapes[b];
+            var placementA:Placement = table.placementOf(a, _placementA);
+            var placementB:Placement = table.placementOf(b, _placementB);
+            if (shapeB.hierarchy == null)
+            {
+                return _swept.findStructureImpact(hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion, out);
+            }
+            return _swept.findImpact(hierarchy, placementA, levelsOf(table, a), shapeB.hierarchy, placementB, levelsOf(table, b),
+                    exact && !_leavesDecide, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function set leavesDecide(value:Boolean):void
+        {
+            _leavesDecide = value && exact;
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            _swept.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
+                    table.placementOf(b, _placementB), out);
+        }
+
+        /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
             return table.depths[row] == 0 ? maxDepth : table.depths[row];
@@ -149,8 +241,17 @@ package starlogo.search
             counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The hierarchy is first; of two, that of the agent with the lower id. So rounding is the same in either order.
-        private static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
+        // Of one of two hierarchies.
+        private function levelsOf(table:AgentTable, row:int):int
+        {
+            return _leavesDecide ? int.MAX_VALUE : depthOf(table, row);
+        }
+
+        /**
+         * Whether the second of two rows is taken for the first: the hierarchy is, and of two shapes alike that of the agent with the lower number.
+         * So rounding is the same in either order.
+         */
+        public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
             var isHierarchy:Boolean = table.shapes[a].hierarchy != null;
             if (isHierarchy != (table.shapes[b].hierarchy != null))

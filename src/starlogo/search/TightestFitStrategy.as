@@ -134,8 +134,12 @@ package starlogo.search
                 }
                 else if (isSphere && shapes[otherRow].isSphere)
                 {
+                    // their circles on the ground are as wide as they are
                     sphereTests++;
-                    if (!areSpheresTouching(table, row, otherRow))
+                    var x:Number = bins.x[other] - bins.x[place];
+                    var y:Number = bins.y[other] - bins.y[place];
+                    reach = bins.radius[other] + bins.radius[place];
+                    if (x * x + y * y + distance * distance > reach * reach && !areSpheresTouching(table, row, otherRow))
                     {
                         continue;
                     }
@@ -198,6 +202,22 @@ package starlogo.search
         {
             _finder.find(table.structureOf(a), table.structureOf(b), motion.startX + time * motion.x, motion.startY + time * motion.y,
                     motion.startZ + time * motion.z, out);
+        }
+
+        /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            if ((spheresFirst || capsulesFirst) && haveOuter(table, a, b))
+            {
+                return false;
+            }
+            return !boxFacesOnly || table.shapes[a].structure.kind != BoundingStructure.BOX || table.shapes[b].structure.kind != BoundingStructure.BOX;
+        }
+
+        /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return boxFacesOnly;
         }
 
         private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean

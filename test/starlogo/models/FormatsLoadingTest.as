@@ -25,7 +25,7 @@ package starlogo.models
         [Before]
         public function setUp():void
         {
-            _loader = new TestedLoader(new SlowReceiver(0), 8);
+            _loader = new TestedLoader(new SlowReceiver(0), 200);
             _log = [];
             _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
                 {

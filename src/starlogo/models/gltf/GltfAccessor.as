@@ -83,6 +83,12 @@ package starlogo.models.gltf
             }
         }
 
+        /** Whether its numbers are integers from 0 on: as a list of indices has to be. */
+        public function get areIndices():Boolean
+        {
+            return _divisor == 0 && (_kind == UNSIGNED_BYTE || _kind == UNSIGNED_SHORT || _kind == UNSIGNED_INT);
+        }
+
         private function kindOf(owner:Object, where:String):int
         {
             var kind:int = _file.json.whole(owner, "componentType", where, int.MAX_VALUE, -1);

@@ -43,13 +43,14 @@ package starlogo.models.gltf
             if (index >= 0)
             {
                 _indices = new GltfAccessor(file, index, "SCALAR", 3 * ModelLimits.TRIANGLES);
+                _json.refuseIf(!_indices.areIndices, _indices.place + ".componentType", "indices must be 5121, 5123 or 5125, and not normalized");
                 add(_indices);
             }
             var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
             _json.refuseIf(ModelLimits.areExceeded(0, _firstCorner / 3 + triangleCount), place, ModelLimits.PROBLEM);
             triangles.length += 3 * triangleCount;
-            slices(triangleCount, TRIANGLES_PER_STEP, addTriangles);
+            slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
         }
 
         /** Whether a primitive has a surface: it may be points or lines. */
@@ -61,6 +62,26 @@ package starlogo.models.gltf
         private static function modeOf(json:GltfJson, primitive:Object, place:String):int
         {
             return json.whole(primitive, "mode", place, FAN, TRIANGLES);
+        }
+
+        // What most files have: the indices as they are.
+        private function copyTriangles(first:int, end:int):void
+        {
+            var to:Vector.<uint> = _triangles;
+            var from:Vector.<Number> = _indices.numbers;
+            var firstVertex:int = _firstVertex;
+            var count:int = _vertexCount;
+            var at:int = _firstCorner + 3 * first;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i++)
+            {
+                var index:Number = from[i];
+                if (index >= count)
+                {
+                    cornerAt(i);
+                }
+                to[at++] = firstVertex + index;
+            }
         }
 
         // The corners of triangle n of a list are 3n, 3n+1, 3n+2, of a fan n+1, n+2, 0. Every other one of a strip is turned round.
@@ -88,7 +109,7 @@ package starlogo.models.gltf
                 return _firstVertex + corner;
             }
             var index:Number = _indices.numbers[corner];
-            if (!(index >= 0 && index < _vertexCount && int(index) == index))
+            if (index >= _vertexCount)
             {
                 throw _json.error(_indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertexCount);
             }

@@ -47,6 +47,7 @@ import {
 	FitStorage,
 	FitStore,
 	Fitter,
+	GltfModel,
 	GreatLand,
 	HierarchicalCollider,
 	HierarchiesLibrary,
@@ -65,6 +66,7 @@ import {
 	ModelLoader,
 	ModelReceiver,
 	ModelSource,
+	ModelTransform,
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
@@ -76,12 +78,14 @@ import {
 	SelectiveCollisionSystem,
 	SharedFitStorage,
 	Slices,
+	SourceFrame,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
 	sphereSphere,
 	Steps,
 	StepSequence,
+	StlModel,
 	StructureBlocks,
 	StructureTests,
 	TextEvent,
@@ -105,6 +109,10 @@ export function play(bearText: string): number {
 	greatLand.addModel(new ObjModel("bear", bearText));
 	const receiver: ModelReceiver = greatLand;
 	finish(receiver.receive(new Model("triangle", new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), new Uint16Array([0, 1, 2]))));
+
+	const turned = new ObjModel("bear", bearText, ModelTransform.fromText("rotate 90 0 270\nscale 2"), Model.VOLUME);
+	const frame: SourceFrame = turned.source;
+	log.push(`${frame.unit} ${frame.offset.x} ${frame.matrix.rawData[15]}`);
 
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
@@ -290,6 +298,8 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
+		() => GltfModel.fromBytes("broken", new Uint8Array([123, 125]), null, Model.VOLUME),
+		() => StlModel.fromBytes("broken", new ArrayBuffer(3)),
 		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
 		() => new Model("broken", [0, 0, 0], [0, 0, 1]),

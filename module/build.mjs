@@ -7,7 +7,7 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { transformSync } from "esbuild";
-import { SETUP, standinsText, translate } from "./assemble.mjs";
+import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, publicSignatures } from "./names.mjs";
 
@@ -22,11 +22,10 @@ const lost = /\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
-const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.shortName(qname) ?? fail(qname));
+const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
 const text = `/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
 ${standinsText()}
 ${classes}
-${SETUP}
 export {
     ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
 };

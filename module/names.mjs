@@ -17,6 +17,10 @@ export const EXTERNALS = {
 	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
 	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],
 	"standin.LocalStore.write": ["machine.mjs", "writeLocal"],
+	"standin.Machine.className": ["machine.mjs", "classNameOf"],
+	"standin.Machine.frameListeners": ["machine.mjs", "frameListeners"],
+	"standin.Machine.now": ["machine.mjs", "now"],
+	"standin.Machine.uncaught": ["machine.mjs", "uncaught"],
 	"standin.Network.fetch": ["machine.mjs", "fetchBytes"],
 	"standin.Xml.parse": ["xml.mjs", "parseXml"],
 };

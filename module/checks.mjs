@@ -1,0 +1,134 @@
+/**
+ * Writes the statements by which the module's public members refuse what ActionScript's types refuse: JavaScript has no types, so that
+ * without them a string in place of a number would be stored. language.mjs has what they call.
+ *
+ * Numbers, strings, Booleans and functions are tested in place: such a test costs next to nothing once a function is optimised, and no
+ * Number is passed on. null is let through where the documentation speaks of it: there the engine has its own answer.
+ */
+
+/** Classes that are told by a mark of their own, as naming them would bring all of theirs into every bundle. */
+const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore"]);
+
+/** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
+const PLAIN = new Set([
+	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
+	"RayHit", "Sphere", "TextEvent", "Vector3D",
+]);
+
+/** Functions that the engine calls in its loops: what the module exports is a checked one around them. */
+export const isWrapped = (type) => type?.kind === "function";
+
+/** The checks of a program's public members. */
+export class Checks {
+	#signatures;
+	#reference;
+	#byName;
+
+	/**
+	 * @param signatures of the public declarations, by qualified name
+	 * @param reference what the text calls a class, by its qualified name
+	 */
+	constructor(signatures, reference) {
+		this.#signatures = signatures;
+		this.#reference = reference;
+		this.#byName = new Map([...signatures.values()].map((type) => [type.name, type]));
+	}
+
+	/** The statements that a member begins with. */
+	of(qname, name, kind) {
+		const type = this.#signatures.get(qname);
+		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
+		return (member?.parameters ?? []).flatMap((parameter) => this.#check(type, member, parameter));
+	}
+
+	/** The public fields of a class that only its users write: { name, type }. */
+	settings(qname) {
+		const type = this.#signatures.get(qname);
+		if (!type || type.kind !== "class" || PLAIN.has(type.name)) return [];
+		return type.members.filter((member) => member.kind === "var" && member.isPublic && !member.isPrivate && !member.isStatic);
+	}
+
+	/** The statements that check a new value of such a field. */
+	ofSetting(qname, field) {
+		const member = { ...field, kind: "set", parameters: [] };
+		return this.#check(this.#signatures.get(qname), member, { name: "value", type: field.result, value: field.initial, isRest: false });
+	}
+
+	/** Whether a class is told by its mark. */
+	isMarked(qname) {
+		return MARKED.has(qname);
+	}
+
+	#check(type, given, parameter) {
+		const { name } = parameter;
+		// a setter's documentation is its getter's
+		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
+		const member = { ...given, doc: `${given.doc}\n${getter?.doc ?? ""}` };
+		const isNullable = mayBeNull(parameter, member);
+		const isStatic = member.isStatic || member.kind === "function";
+		// before super() there is no this
+		const isNamed = !isStatic && !type.qname.startsWith("flash.") && type.members.some((each) => each.name === "toString") && !(member.kind === "constructor" && type.bases.length > 0);
+		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
+		const what = member.kind === "set" ? member.name : name;
+		const where = isNamed ? `this, "${what}"` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		const refuse = (kind) => `$refuse(${isNamed ? where : `null, ${where}`}, ${name}, ${kind});`;
+		const unlessNull = isNullable ? `${name} != null && ` : "";
+		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
+		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
+		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`);
+		switch (parameter.type) {
+			case "Number":
+				if (takesInfinity(parameter, member) || type.qname.startsWith("flash.")) return [`if (typeof ${name} !== "number") ${refuse('"a number"')}`];
+				return [`if (typeof ${name} !== "number" || ${name} - ${name} !== 0) ${refuse('"a number"')}`];
+			case "int":
+				return [`if (typeof ${name} !== "number" || ${name} !== (${name} | 0)) ${refuse('"a whole number"')}`];
+			case "uint":
+				return [`if (typeof ${name} !== "number" || ${name} !== ${name} >>> 0) ${refuse('"a whole number"')}`];
+			case "Boolean":
+				return [`if (${unlessNull}typeof ${name} !== "boolean") ${refuse('"true or false"')}`];
+			case "String":
+				return [`if (${unlessNull}typeof ${name} !== "string") ${refuse('"a string"')}`];
+			case "Function":
+				return [`if (${unlessNull}typeof ${name} !== "function") ${refuse('"a function"')}`];
+			case "ByteArray":
+				return [`${name} = $bytes(${isNamed ? where : `null, ${where}`}, ${name}, ${isNullable});`];
+			case "Vector3D":
+				return [`${isNullable ? `if (${name} != null) ` : ""}$checkVector(${isNamed ? where : `null, ${where}`}, ${name});`];
+			default: {
+				const test = this.#typeTest(parameter.type, name);
+				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
+			}
+		}
+	}
+
+	#typeTest(typeName, name) {
+		const type = this.#byName.get(typeName);
+		if (!type) return null;
+		return MARKED.has(type.qname) ? `$isMarked(${name}, "$is${type.name}")` : `(${name} instanceof ${this.#reference(type.qname)})`;
+	}
+
+	#vectorCheck({ name }, element, isNullable, where) {
+		const unlessNull = isNullable ? `if (${name} != null) ` : "";
+		// agents are looked at as the engine meets them, which is once as long as a list stays the same
+		if (name === "out" || element === "Agent") return [`${unlessNull}$checkList(${where}, ${name});`];
+		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
+		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "strings", (each) => typeof each === "string");`];
+		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "Vector3Ds", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
+		const test = this.#typeTest(element, "each");
+		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${element}s", (each) => ${test}` : ""});`];
+	}
+}
+
+function article(name) {
+	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
+}
+
+/** Whether a parameter takes null: if it says so, or what it belongs to. */
+export function mayBeNull(parameter, member) {
+	return parameter.value === "null" || /\bnull\b/.test(member.doc);
+}
+
+/** Whether a number may be infinite: a distance without an end, say. */
+export function takesInfinity(parameter, member) {
+	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b/.test(member.doc);
+}

@@ -3,7 +3,8 @@
  * without them a string in place of a number would be stored. language.mjs has what they call.
  *
  * Numbers, strings, Booleans and functions are tested in place: such a test costs next to nothing once a function is optimised, and no
- * Number is passed on. null is let through where the documentation speaks of it: there the engine has its own answer.
+ * Number is passed on. null is let through where the documentation speaks of it, and for names, agents, models and files; numbers that are
+ * not finite, where it speaks of errors: there the engine has its own answer.
  */
 
 /** Classes that are told by a mark of their own, as naming them would bring all of theirs into every bundle. */
@@ -14,6 +15,9 @@ const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
 	"RayHit", "Sphere", "TextEvent", "Vector3D",
 ]);
+
+/** Types of whose null the engine says itself what is wrong. */
+const ANSWERED = new Set(["Agent", "ByteArray", "Model", "String"]);
 
 /** Functions that the engine calls in its loops: what the module exports is a checked one around them. */
 export const isWrapped = (type) => type?.kind === "function";
@@ -74,6 +78,8 @@ export class Checks {
 		const refuse = (kind) => `$refuse(${isNamed ? where : `null, ${where}`}, ${name}, ${kind});`;
 		const unlessNull = isNullable ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
+		// as the platform's own listeners: on more than Flash's class
+		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
 		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`);
 		switch (parameter.type) {
@@ -85,7 +91,7 @@ export class Checks {
 			case "uint":
 				return [`if (typeof ${name} !== "number" || ${name} !== ${name} >>> 0) ${refuse('"a whole number"')}`];
 			case "Boolean":
-				return [`if (${unlessNull}typeof ${name} !== "boolean") ${refuse('"true or false"')}`];
+				return [`if (typeof ${name} !== "boolean") ${refuse('"true or false"')}`];
 			case "String":
 				return [`if (${unlessNull}typeof ${name} !== "string") ${refuse('"a string"')}`];
 			case "Function":
@@ -119,16 +125,21 @@ export class Checks {
 	}
 }
 
+function optionsOf({ name }) {
+	if (name === "addEventListener") return ["if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);"];
+	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = useCapture.capture ?? false;"] : [];
+}
+
 function article(name) {
 	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
 }
 
 /** Whether a parameter takes null: if it says so, or what it belongs to. */
 export function mayBeNull(parameter, member) {
-	return parameter.value === "null" || /\bnull\b/.test(member.doc);
+	return parameter.value === "null" || parameter.type !== "Function" && (ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc));
 }
 
-/** Whether a number may be infinite: a distance without an end, say. */
+/** Whether a number may be infinite, a distance without an end, say, or is looked at by the engine. */
 export function takesInfinity(parameter, member) {
-	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b/.test(member.doc);
+	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b|@throws \w*Error/.test(member.doc);
 }

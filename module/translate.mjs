@@ -53,7 +53,7 @@ export class Program {
 			const words = unit.qname.split(".");
 			const own = unit.isInner && unit.kind !== "class" ? words.slice(-2).join("_") : unit.name;
 			const name = taken.has(own) ? words.join("_") : isWrapped(signatures.get(unit.qname)) ? `${own}$` : own;
-			taken.add(name);
+			taken.add(name).add(own);
 			this.#shortNames.set(unit.qname, name);
 		}
 		this.#nameMembers();
@@ -203,7 +203,9 @@ export class Program {
 		const { parameters, body } = this.#opened(unit.main, unit.doc);
 		const taken = this.#checks.of(unit.qname, unit.name, "constructor");
 		const fields = unit.fields.filter((field) => !this.#isSetAnyway(field, body));
-		const initial = fields.map((field) => `this.${this.#member(field.name)} = ${this.#text(field.value)};`);
+		const settings = this.#checks.settings(unit.qname).map((setting) => setting.name);
+		const nameOf = (field) => (settings.includes(field.name) ? `_${field.name}` : this.#member(field.name));
+		const initial = fields.map((field) => `this.${nameOf(field)} = ${this.#text(field.value)};`);
 		let statements;
 		if (unit.base) {
 			const at = body.findIndex((statement) => isBaseCall(statement));
@@ -502,6 +504,9 @@ export class Program {
 			if (base.accessor) return base.accessor === "get" ? `super.${this.#member(base.name)}` : `super.${this.#member(base.name)} = ${list}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
+		if (node.callee.property?.name === "inflate" && args.length === 0 && this.#typeOf(node.callee.object) === "flash.utils.ByteArray") {
+			return `inflate(${this.#text(node.callee.object)})`;
+		}
 		if (node.callee.property?.name === "sort" && args.length === 1) {
 			return `${this.#helper("sort")}(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
 		}
@@ -622,7 +627,7 @@ export class Program {
 	// The text of an initial value, so that a bundler sees that it may be left out.
 	#pure(node) {
 		const text = this.#text(node);
-		return hasCall(node) ? `/* @__PURE__ */ (() => ${text})()` : text;
+		return hasCall(node) ? `/* @__PURE__ */ (() => (${text}))()` : text;
 	}
 
 	// The definitions that run when an expression does: those it names, and what their constructors name.

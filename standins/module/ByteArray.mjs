@@ -156,17 +156,6 @@ export class ByteArray {
 		this.#write(source.#bytes.slice(offset, offset + count));
 	}
 
-	/** @throws Error if the bytes are no whole deflated data */
-	inflate() {
-		if (this.#length > 0) {
-			const inflate = new Inflate({ raw: true });
-			inflate.push(this.toUint8Array(), true);
-			if (inflate.err !== 0 || !inflate.ended) throw new Error("Error #2058: There was an error decompressing the data.");
-			this.#replace(inflate.result);
-		}
-		this.position = 0;
-	}
-
 	/** The bytes, copied. */
 	toUint8Array() {
 		return this.#bytes.slice(0, this.#length);
@@ -184,11 +173,6 @@ export class ByteArray {
 	#take(bytes) {
 		this.#bytes = bytes;
 		this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-	}
-
-	#replace(bytes) {
-		this.#take(bytes);
-		this.#length = bytes.length;
 	}
 
 	#reserve(length) {
@@ -216,6 +200,22 @@ export class ByteArray {
 		const at = this.#extend(bytes.length);
 		this.#bytes.set(bytes, at);
 	}
+}
+
+/**
+ * Inflates the bytes of a ByteArray, which has no method for it so that only what reads archives brings the code in.
+ *
+ * @throws Error if the bytes are no whole deflated data
+ */
+export function inflate(bytes) {
+	if (bytes.length > 0) {
+		const stream = new Inflate({ raw: true });
+		stream.push(bytes.toUint8Array(), true);
+		if (stream.err !== 0 || !stream.ended) throw new Error("Error #2058: There was an error decompressing the data.");
+		bytes.clear();
+		bytes.writeBytes(new ByteArray(stream.result));
+	}
+	bytes.position = 0;
 }
 
 /** There were fewer bytes than were to be read. */

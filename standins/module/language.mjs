@@ -23,6 +23,8 @@ function $named(value) {
 	switch (typeof value) {
 		case "string":
 			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
+		case "bigint":
+			return `${value}n`;
 		case "function":
 			return `the function ${value.name || "without a name"}`;
 		case "object": {
@@ -60,7 +62,7 @@ export function $checkList(target, name, list, kind = "", test = null) {
 	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind}`);
 	if (test === null) return;
 	const place = list.findIndex((each) => !test(each));
-	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], `one of an array's ${kind}`);
+	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], `one of the ${kind}`);
 }
 
 /** Refuses what is no Vector3D of numbers. */
@@ -90,6 +92,22 @@ export function $bytes(target, name, value, isNullable) {
 	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || value instanceof ArrayBuffer || Object.prototype.toString.call(value) === "[object SharedArrayBuffer]";
 	if (!areBytes) $refuse(target, name, value, "an ArrayBuffer, a view of one, or a ByteArray");
 	return ByteArray.from(value);
+}
+
+/** Whether something other than a Boolean is given for it: the options of the platform's own addEventListener. */
+export function $areOptions(value) {
+	return typeof value === "object" && value !== null;
+}
+
+/** `addEventListener(type, listener, { once, capture, signal })`. */
+export function $listen(target, type, listener, { once = false, capture = false, signal = null }) {
+	if (signal?.aborted) return;
+	const isOwn = (each) => each.call === listener && each.isCapturing === capture;
+	const isKnown = target.listenersTo(type).some(isOwn);
+	target.addEventListener(type, listener, capture);
+	if (isKnown) return;
+	target.listenersTo(type).find(isOwn).isOnce = once;
+	signal?.addEventListener("abort", () => target.removeEventListener(type, listener, capture), { once: true });
 }
 
 /** What an object is like, for tools: its public fields, what can be set, and what is no object. Inner things begin with _ or $. */

@@ -15,6 +15,11 @@ export function uncaught(error) {
 	});
 }
 
+/** The error of an error event that nothing listens for. */
+export function unheard(event) {
+	return new Error(event.text);
+}
+
 /** The list of who listens for frames; frames come while there is anybody. */
 export class FrameListeners extends Array {
 	#isTicking = false;

@@ -70,7 +70,10 @@ export const Async = {
 export class Dictionary extends Map {}
 
 /** Gives ByteArray what only the tests use. */
-export function extendByteArray(ByteArray) {
+export function extendByteArray(ByteArray, inflate) {
+	ByteArray.prototype.inflate = function () {
+		inflate(this);
+	};
 	ByteArray.prototype.deflate = function () {
 		const packed = deflateRawSync(this.toUint8Array());
 		this.length = 0;

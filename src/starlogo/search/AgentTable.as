@@ -323,13 +323,14 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                if (agent == null)
-                {
-                    refuseList("agents[" + i + "] is null");
-                }
                 var row:int = i < known ? rows[i] : -1;
                 if (row < 0 || agents[row] !== agent)
                 {
+                    // where there are no types, it may be anything
+                    if (!(agent is Agent))
+                    {
+                        refuseList("agents[" + i + "] is " + (agent == null ? "null" : "no Agent, but " + agent));
+                    }
                     row = rowOf(agent);
                 }
                 if (row < 0)

@@ -19,13 +19,13 @@ package starlogo.search
         private var _shapes:Object = {};
 
         /**
-         * @param greatLand has the models
+         * @param greatLand has the models; null if the strategy needs none
          * @param strategy finds their shapes
-         * @throws ArgumentError if greatLand is null
+         * @throws ArgumentError if greatLand is null, but needed
          */
         public function ModelShapes(greatLand:GreatLand, strategy:ShapeStrategy)
         {
-            if (greatLand == null)
+            if (greatLand == null && strategy.needsModels)
             {
                 throw new ArgumentError("greatLand must not be null");
             }
@@ -48,7 +48,7 @@ package starlogo.search
             {
                 return shape;
             }
-            if (!_greatLand.hasModel(agent.shape))
+            if (_greatLand != null && !_greatLand.hasModel(agent.shape))
             {
                 if (_greatLand.isLoading(agent.shape))
                 {
@@ -56,7 +56,7 @@ package starlogo.search
                 }
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
             }
-            shape = new ModelShape(agent.shape, kind, _greatLand.revisionOf(agent.shape));
+            shape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
             _strategy.bind(shape, agent);
             _shapes[key] = shape;
             return shape;
@@ -65,7 +65,7 @@ package starlogo.search
         /** Forgets the shapes of models that were replaced or removed; returns whether there were any. */
         public function forgetReplaced():Boolean
         {
-            if (_greatLand.revision == _revision)
+            if (_greatLand == null || _greatLand.revision == _revision)
             {
                 return false;
             }

@@ -28,6 +28,12 @@ package starlogo.search
         {
         }
 
+        /** Whether it looks at the agents' models, so that there have to be some. */
+        public function get needsModels():Boolean
+        {
+            return true;
+        }
+
         /** Which shape represents an agent's model: a kind of BoundingStructure, Agent.ANY_KIND or ModelShape.HIERARCHY. */
         public function kindOf(agent:Agent):int
         {

@@ -1,5 +1,7 @@
 package standin
 {
+    import flash.events.ErrorEvent;
+
     /**
      * What the stand-ins need of the machine beneath: functions that whoever starts the program sets before anything else.
      *
@@ -24,6 +26,12 @@ package standin
 
         /** <code>(error:*):void</code>: told of what a listener threw, and of error events that nobody listens for. */
         public static var uncaught:Function;
+
+        /** The error of an error event that nothing listens for. */
+        public static function unheard(event:ErrorEvent):Error
+        {
+            return new Error("Error #2044: Unhandled " + event.type + ":. text=" + event.text);
+        }
 
         /** <code>(url:String):ByteArray</code>: a file's bytes; null where there is none. */
         public static var readFile:Function;

@@ -1,5 +1,7 @@
 package standin
 {
+    import flash.events.ErrorEvent;
+
     /** What the stand-ins need of the machine beneath; machine.mjs has how. */
     public final class Machine
     {
@@ -8,6 +10,15 @@ package standin
 
         /** Told of what a listener threw, and of error events that nothing listens for. */
         public static native function uncaught(error:*):void;
+
+        /** The error of an error event that nothing listens for. */
+        public static native function unheard(event:ErrorEvent):Error;
+
+        /** Calls back once, when so many milliseconds are over. */
+        public static native function setTimeout(callback:Function, ms:Number):uint;
+
+        /** Takes back what setTimeout promised. */
+        public static native function clearTimeout(id:uint):void;
 
         /** The name of an object's class. */
         public static native function className(value:*):String;

@@ -99,3 +99,9 @@ test(`a file of the engine has at most ${MOST_LINES} lines, or says in its head 
 	}
 	assert.equal(wrong.join('\n'), '');
 });
+
+test('the engine leaves no function open to the player: sines and the like come from Trigonometry', () => {
+	const open = /\bMath\.(sin|cos|tan|asin|acos|atan|atan2|exp|log|pow|random)\b/;
+	const wrong = [...sources].filter(([name, file]) => isEngine(name) && open.test(codeOf(read(file))));
+	assert.deepEqual(wrong.map(([name]) => name), []);
+});

@@ -60,6 +60,7 @@ package starlogo.agents
         engine static const ANY_KIND:int = -1;
 
         private static var sCreated:int = 0;
+        private static var sTurned:Placement = new Placement();
 
         /**
          * @private The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
@@ -96,6 +97,7 @@ package starlogo.agents
         private var _breed:String;
         private var _hierarchical:Boolean = false;
         private var _rotationIsStale:Boolean = false;
+        private var _isTurnedByQuaternion:Boolean = false;
         private var _transform:Matrix3D;
         private var _transformRevision:int = -1;
         private var _transformData:Vector.<Number>;
@@ -406,6 +408,87 @@ package starlogo.agents
             return _transform;
         }
 
+        /**
+         * Turns the agent as a quaternion says, which loses nothing where heading and roll turn about the same axis. Afterwards heading, pitch and
+         * roll are angles that give the same rotation, the pitch between -90 and 90; setting one of them makes the rotation of the
+         * three again.
+         *
+         * @param x of the quaternion x i + y j + z k + w, of any length but 0
+         * @param y likewise
+         * @param z likewise
+         * @param w likewise
+         * @throws RangeError if one is not finite, or all are 0; the agent then stays as it was
+         */
+        public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
+        {
+            requireFinite("a quaternion's x", x);
+            requireFinite("a quaternion's y", y);
+            requireFinite("a quaternion's z", z);
+            requireFinite("a quaternion's w", w);
+            var largest:Number = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), Math.abs(w)));
+            if (largest == 0)
+            {
+                throw new RangeError(this + ": a quaternion must not be 0");
+            }
+            turnBy(x / largest, y / largest, z / largest, w / largest);
+        }
+
+        /**
+         * The quaternion of the agent's rotation, of length 1, its w not negative.
+         *
+         * @param out takes it; made if null
+         * @return out: x, y, z, w
+         */
+        public function getQuaternion(out:Vector.<Number> = null):Vector.<Number>
+        {
+            out ||= new Vector.<Number>(4);
+            worldPlacement().readQuaternion(out);
+            return out;
+        }
+
+        /**
+         * Moves, turns and scales the agent as a matrix says: the counterpart of <code>transform</code>. Flash Player keeps a Matrix3D in
+         * single precision, which loses 1e-7 of each; setQuaternion, moveTo and size lose nothing.
+         *
+         * @param matrix from the model's space to the world: turned, evenly scaled, moved
+         * @throws ArgumentError if it is null, or mirrors, shears, or scales unevenly
+         * @throws RangeError if the place or the size cannot be an agent's; in either case the agent stays as it was
+         */
+        public function setMatrix(matrix:Matrix3D):void
+        {
+            if (matrix == null)
+            {
+                throw new ArgumentError(this + ": matrix must not be null");
+            }
+            var data:Vector.<Number> = matrix.rawData;
+            var found:Placement = new Placement();
+            if (!found.setMatrix(data))
+            {
+                throw new ArgumentError(this + ": matrix must turn, move and evenly scale, and nothing else: " + data);
+            }
+            requireCoordinate("x", found.x);
+            requireCoordinate("y", found.y);
+            requireCoordinate("z", found.z);
+            size = found.size;
+            moveTo(found.x, found.y, found.z);
+            var turn:Vector.<Number> = new Vector.<Number>(4, true);
+            found.readQuaternion(turn);
+            turnBy(turn[0], turn[1], turn[2], turn[3]);
+        }
+
+        /**
+         * A copy of <code>transform</code>.
+         *
+         * @param out takes it; made if null
+         * @return out
+         */
+        public function getMatrix(out:Matrix3D = null):Matrix3D
+        {
+            out ||= new Matrix3D();
+            out.copyFrom(transform);
+            return out;
+        }
+
         /** The class, id, breed and shape: how errors name the agent. */
         public function toString():String
         {
@@ -436,15 +519,29 @@ package starlogo.agents
                 requireFinite("roll", roll);
             }
             var place:Placement = placement;
-            if (heading == place.heading && pitch == place.pitch && roll == place.roll)
+            if (heading == place.heading && pitch == place.pitch && roll == place.roll && !_isTurnedByQuaternion)
             {
                 return;
             }
+            _isTurnedByQuaternion = false;
             place.heading = heading;
             place.pitch = pitch;
             place.roll = roll;
             _rotationIsStale = true;
             extentsChanged();
+        }
+
+        // By a quaternion of any length.
+        private function turnBy(x:Number, y:Number, z:Number, w:Number):void
+        {
+            var length:Number = Math.sqrt(x * x + y * y + z * z + w * w);
+            sTurned.setQuaternion(x / length, y / length, z / length, w / length);
+            if (!worldPlacement().hasRotationOf(sTurned))
+            {
+                placement.copyRotation(sTurned);
+                _isTurnedByQuaternion = true;
+                extentsChanged();
+            }
         }
 
         private function extentsChanged():void

@@ -1,6 +1,7 @@
 package starlogo.away3d
 {
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Trigonometry;
 
     /**
      * A rotation as it is on the other side: with y and z swapped, which takes the engine's space to Away3D's and back.
@@ -11,8 +12,6 @@ package starlogo.away3d
      */
     internal final class SwappedTurn
     {
-        private static const DEGREES:Number = 180 / Math.PI;
-
         /** On the other side: degrees about z, the last turn. */
         public var heading:Number = 0;
 
@@ -67,12 +66,11 @@ package starlogo.away3d
         {
             var r00:Number = _placement.r00;
             var r10:Number = _placement.r20;
-            var h:Number = Math.atan2(r10, r00);
-            var sin:Number = Math.sin(h);
-            var cos:Number = Math.cos(h);
-            heading = h * DEGREES;
-            pitch = Math.atan2(-_placement.r10, Math.sqrt(r00 * r00 + r10 * r10)) * DEGREES;
-            roll = Math.atan2(sin * _placement.r01 - cos * _placement.r21, cos * _placement.r22 - sin * _placement.r02) * DEGREES;
+            heading = Trigonometry.arctangent(r10, r00);
+            var sin:Number = Trigonometry.sine(heading);
+            var cos:Number = Trigonometry.cosine(heading);
+            pitch = Trigonometry.arctangent(-_placement.r10, Math.sqrt(r00 * r00 + r10 * r10));
+            roll = Trigonometry.arctangent(sin * _placement.r01 - cos * _placement.r21, cos * _placement.r22 - sin * _placement.r02);
         }
     }
 }

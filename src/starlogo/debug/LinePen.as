@@ -1,6 +1,7 @@
 package starlogo.debug
 {
     import flash.geom.Vector3D;
+    import starlogo.geometry.Trigonometry;
 
     /** Draws lines into a list: about a centre, along axes u, v and w at right angles to each other. */
     internal final class LinePen
@@ -108,9 +109,9 @@ package starlogo.debug
             var fromZ:Number = _center.z + a.z * radius;
             for (var i:int = 1; i <= count; i++)
             {
-                var angle:Number = 2 * Math.PI * i / SEGMENTS;
-                var alongA:Number = radius * Math.cos(angle);
-                var alongB:Number = radius * Math.sin(angle);
+                var angle:Number = 360 * i / SEGMENTS;
+                var alongA:Number = radius * Trigonometry.cosine(angle);
+                var alongB:Number = radius * Trigonometry.sine(angle);
                 var x:Number = _center.x + a.x * alongA + b.x * alongB;
                 var y:Number = _center.y + a.y * alongA + b.y * alongB;
                 var z:Number = _center.z + a.z * alongA + b.z * alongB;

@@ -6,6 +6,7 @@ package starlogo.fitting
     import starlogo.fitting.minimal.DirectionSample;
     import starlogo.fitting.minimal.DistinctDirections;
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Trigonometry;
 
     /**
      * The smallest box of all (beyond the thesis), by O'Rourke's theorem ("Finding Minimal Enclosing Boxes", International Journal
@@ -30,8 +31,8 @@ package starlogo.fitting
         private static const STARTS:int = 6;
         // directions closer than this (radians) count as one start
         private static const APART:Number = 0.06;
-        // arcs are sampled at most this far apart (radians)
-        private static const ARC_STEP:Number = 0.06;
+        // arcs are sampled at most this far apart (degrees)
+        private static const ARC_STEP:Number = 3.44;
 
         /** A fitter of smallest boxes. */
         public function MinimalBoxFitter()
@@ -141,12 +142,12 @@ package starlogo.fitting
         private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DistinctDirections):void
         {
             var cosine:Number = normals[a] * normals[b] + normals[a + 1] * normals[b + 1] + normals[a + 2] * normals[b + 2];
-            var angle:Number = Math.acos(Math.max(-1, Math.min(1, cosine)));
+            var angle:Number = Trigonometry.arctangent(Math.sqrt(Math.max(0, 1 - cosine * cosine)), cosine);
             var pieces:int = Math.ceil(angle / ARC_STEP);
             for (var i:int = 1; i < pieces; i++)
             {
-                var toA:Number = Math.sin(angle * (pieces - i) / pieces);
-                var toB:Number = Math.sin(angle * i / pieces);
+                var toA:Number = Trigonometry.sine(angle * (pieces - i) / pieces);
+                var toB:Number = Trigonometry.sine(angle * i / pieces);
                 net.add(toA * normals[a] + toB * normals[b], toA * normals[a + 1] + toB * normals[b + 1],
                         toA * normals[a + 2] + toB * normals[b + 2]);
             }

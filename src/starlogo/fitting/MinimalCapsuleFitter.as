@@ -8,6 +8,7 @@ package starlogo.fitting
     import starlogo.fitting.minimal.DirectionSample;
     import starlogo.fitting.minimal.SmallestEnclosingBall;
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Trigonometry;
 
     /**
      * A capsule close to the smallest of all (beyond the thesis). No exact algorithm of use is known. This takes directions all
@@ -100,9 +101,9 @@ package starlogo.fitting
             for (i = 0; i < DIRECTIONS; i++)
             {
                 var z:Number = 1 - (i + 0.5) / DIRECTIONS;
-                var angle:Number = i * Math.PI * (3 - Math.sqrt(5));
+                var angle:Number = i * 180 * (3 - Math.sqrt(5));
                 var across:Number = Math.sqrt(1 - z * z);
-                all.push(startAlong(hull.points, across * Math.cos(angle), across * Math.sin(angle), z));
+                all.push(startAlong(hull.points, across * Trigonometry.cosine(angle), across * Trigonometry.sine(angle), z));
             }
             return all;
         }

@@ -4,6 +4,7 @@ package starlogo.fitting
     import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -22,7 +23,6 @@ package starlogo.fitting
      */
     internal class RotationSearch implements Steps
     {
-        private static const DEGREE:Number = Math.PI / 180;
         private static const MANY:int = 50;
         private static const RARELY:Number = 0.2;
 
@@ -80,7 +80,7 @@ package starlogo.fitting
         // All rotations about z that follow the next one about x and y; false if there are no more.
         private function tryNext():Boolean
         {
-            turn(_aboutX * DEGREE, _aboutY * DEGREE);
+            turn(_aboutX, _aboutY);
             var corners:Vector.<int> = _corners;
             corners[4] = climb(corners[4], 1, 0, 1);
             corners[5] = climb(corners[5], 1, 0, -1);
@@ -118,7 +118,7 @@ package starlogo.fitting
         /** The smallest box of the rotations tried so far, around all vertices. */
         public function smallestBox(session:FitSession):Box
         {
-            return EnclosingStructures.box(session.vertices, axesOf(_bestX * DEGREE, _bestY * DEGREE, _bestZ * DEGREE));
+            return EnclosingStructures.box(session.vertices, axesOf(_bestX, _bestY, _bestZ));
         }
 
         private function prepare():void
@@ -131,8 +131,8 @@ package starlogo.fitting
             var count:int = Math.ceil(90 / _stepZ);
             for (var i:int = 0; i < count; i++)
             {
-                _cosines.push(Math.cos(i * _stepZ * DEGREE));
-                _sines.push(Math.sin(i * _stepZ * DEGREE));
+                _cosines.push(Trigonometry.cosine(i * _stepZ));
+                _sines.push(Trigonometry.sine(i * _stepZ));
             }
         }
 
@@ -151,12 +151,12 @@ package starlogo.fitting
         // The rows of Rz Ry Rx.
         private static function axesOf(aboutX:Number, aboutY:Number, aboutZ:Number):Vector.<Number>
         {
-            var cosX:Number = Math.cos(aboutX);
-            var sinX:Number = Math.sin(aboutX);
-            var cosY:Number = Math.cos(aboutY);
-            var sinY:Number = Math.sin(aboutY);
-            var cosZ:Number = Math.cos(aboutZ);
-            var sinZ:Number = Math.sin(aboutZ);
+            var cosX:Number = Trigonometry.cosine(aboutX);
+            var sinX:Number = Trigonometry.sine(aboutX);
+            var cosY:Number = Trigonometry.cosine(aboutY);
+            var sinY:Number = Trigonometry.sine(aboutY);
+            var cosZ:Number = Trigonometry.cosine(aboutZ);
+            var sinZ:Number = Trigonometry.sine(aboutZ);
             return new <Number>[cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
                     sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
                     -sinY, cosY * sinX, cosY * cosX];

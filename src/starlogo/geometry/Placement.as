@@ -76,6 +76,12 @@ package starlogo.geometry
             y = other.y;
             z = other.z;
             size = other.size;
+            copyRotation(other);
+        }
+
+        /** Takes over the rotation of another, and its angles. */
+        public function copyRotation(other:Placement):void
+        {
             heading = other.heading;
             pitch = other.pitch;
             roll = other.roll;
@@ -105,8 +111,8 @@ package starlogo.geometry
             this.pitch = pitch;
             this.roll = roll;
             isIdentity = heading == 0 && pitch == 0 && roll == 0;
-            var cosHeading:Number = cosine(heading);
-            var sinHeading:Number = sine(heading);
+            var cosHeading:Number = Trigonometry.cosine(heading);
+            var sinHeading:Number = Trigonometry.sine(heading);
             if (pitch == 0 && roll == 0)
             {
                 r00 = cosHeading;
@@ -117,10 +123,10 @@ package starlogo.geometry
                 r22 = 1;
                 return;
             }
-            var cosPitch:Number = cosine(pitch);
-            var sinPitch:Number = sine(pitch);
-            var cosRoll:Number = cosine(roll);
-            var sinRoll:Number = sine(roll);
+            var cosPitch:Number = Trigonometry.cosine(pitch);
+            var sinPitch:Number = Trigonometry.sine(pitch);
+            var cosRoll:Number = Trigonometry.cosine(roll);
+            var sinRoll:Number = Trigonometry.sine(roll);
             r00 = cosHeading * cosPitch;
             r01 = cosHeading * sinPitch * sinRoll - sinHeading * cosRoll;
             r02 = cosHeading * sinPitch * cosRoll + sinHeading * sinRoll;
@@ -132,29 +138,155 @@ package starlogo.geometry
             r22 = cosPitch * cosRoll;
         }
 
-        // The remainder first: it keeps large angles as precise as small ones, and makes quarter turns exact.
-        private static function sine(degrees:Number):Number
+        /**
+         * Sets the rotation to that of a quaternion. Its angles are those that give the same rotation, the pitch between -90 and 90 degrees.
+         *
+         * @param x the quaternion, x i + y j + z k + w, of length 1
+         * @param y likewise
+         * @param z likewise
+         * @param w likewise
+         */
+        public function setQuaternion(x:Number, y:Number, z:Number, w:Number):void
         {
-            var angle:Number = degrees % 360;
-            if (angle % 180 == 0)
-            {
-                return 0;
-            }
-            if (angle % 90 == 0)
-            {
-                return angle == 90 || angle == -270 ? 1 : -1;
-            }
-            return Math.sin(angle * (Math.PI / 180));
+            r00 = 1 - 2 * (y * y + z * z);
+            r01 = 2 * (x * y - w * z);
+            r02 = 2 * (x * z + w * y);
+            r10 = 2 * (x * y + w * z);
+            r11 = 1 - 2 * (x * x + z * z);
+            r12 = 2 * (y * z - w * x);
+            r20 = 2 * (x * z - w * y);
+            r21 = 2 * (y * z + w * x);
+            r22 = 1 - 2 * (x * x + y * y);
+            isIdentity = x == 0 && y == 0 && z == 0;
+            findAngles();
         }
 
-        private static function cosine(degrees:Number):Number
+        /** Whether the rotation is that of another, to the last bit. */
+        public function hasRotationOf(other:Placement):Boolean
         {
-            var angle:Number = degrees % 360;
-            if (angle % 90 == 0)
+            return r00 == other.r00 && r01 == other.r01 && r02 == other.r02
+                && r10 == other.r10 && r11 == other.r11 && r12 == other.r12
+                && r20 == other.r20 && r21 == other.r21 && r22 == other.r22;
+        }
+
+        /**
+         * Sets all to what a matrix says, its rotation not made orthogonal.
+         *
+         * @param data column by column, as Matrix3D keeps it
+         * @return whether the matrix turns, evenly scales and moves, and nothing else
+         */
+        public function setMatrix(data:Vector.<Number>):Boolean
+        {
+            x = data[12];
+            y = data[13];
+            z = data[14];
+            size = Math.sqrt(data[0] * data[0] + data[1] * data[1] + data[2] * data[2]);
+            r00 = data[0] / size;
+            r10 = data[1] / size;
+            r20 = data[2] / size;
+            r01 = data[4] / size;
+            r11 = data[5] / size;
+            r21 = data[6] / size;
+            r02 = data[8] / size;
+            r12 = data[9] / size;
+            r22 = data[10] / size;
+            findAngles();
+            return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1
+                && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1) && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
+                // the third column is where a rotation has it
+                && isNear(r10 * r21 - r20 * r11, r02) && isNear(r20 * r01 - r00 * r21, r12) && isNear(r00 * r11 - r10 * r01, r22);
+        }
+
+        /**
+         * Finds the quaternion of the rotation (Shepperd, "Quaternion from Rotation Matrix", 1978: the largest of the four first).
+         *
+         * @param out takes x, y, z, w, w not negative
+         */
+        public function readQuaternion(out:Vector.<Number>):void
+        {
+            var i:Number = 1 + r00 - r11 - r22;
+            var j:Number = 1 - r00 + r11 - r22;
+            var k:Number = 1 - r00 - r11 + r22;
+            var real:Number = 1 + r00 + r11 + r22;
+            if (real >= i && real >= j && real >= k)
             {
-                return angle == 0 ? 1 : (angle == 180 || angle == -180 ? -1 : 0);
+                i = r21 - r12;
+                j = r02 - r20;
+                k = r10 - r01;
             }
-            return Math.cos(angle * (Math.PI / 180));
+            else if (i >= j && i >= k)
+            {
+                j = r10 + r01;
+                k = r02 + r20;
+                real = r21 - r12;
+            }
+            else if (j >= k)
+            {
+                i = r10 + r01;
+                k = r21 + r12;
+                real = r02 - r20;
+            }
+            else
+            {
+                i = r02 + r20;
+                j = r21 + r12;
+                real = r10 - r01;
+            }
+            var scale:Number = 1 / Math.sqrt(i * i + j * j + k * k + real * real);
+            if (real < 0)
+            {
+                scale = -scale;
+            }
+            out[0] = i * scale;
+            out[1] = j * scale;
+            out[2] = k * scale;
+            out[3] = real * scale;
+        }
+
+        /** Writes the rotation, row by row, from an index on. */
+        public function writeRotation(out:Vector.<Number>, at:int):void
+        {
+            out[at] = r00;
+            out[int(at + 1)] = r01;
+            out[int(at + 2)] = r02;
+            out[int(at + 3)] = r10;
+            out[int(at + 4)] = r11;
+            out[int(at + 5)] = r12;
+            out[int(at + 6)] = r20;
+            out[int(at + 7)] = r21;
+            out[int(at + 8)] = r22;
+        }
+
+        /** Takes over a rotation that was written so; the angles stay what they were. */
+        public function readRotation(from:Vector.<Number>, at:int):void
+        {
+            r00 = from[at];
+            r01 = from[int(at + 1)];
+            r02 = from[int(at + 2)];
+            r10 = from[int(at + 3)];
+            r11 = from[int(at + 4)];
+            r12 = from[int(at + 5)];
+            r20 = from[int(at + 6)];
+            r21 = from[int(at + 7)];
+            r22 = from[int(at + 8)];
+            isIdentity = r00 == 1 && r11 == 1 && r22 == 1;
+        }
+
+        // False for NaN.
+        private static function isNear(a:Number, b:Number):Boolean
+        {
+            return Math.abs(a - b) <= Tolerances.MATRIX;
+        }
+
+        private function findAngles():void
+        {
+            var level:Number = Math.sqrt(r00 * r00 + r10 * r10);
+            heading = Trigonometry.arctangent(r10, r00);
+            pitch = Trigonometry.arctangent(-r20, level);
+            // of what is left without the heading: right even where the heading is arbitrary
+            var cosHeading:Number = level == 0 ? 1 : r00 / level;
+            var sinHeading:Number = level == 0 ? 0 : r10 / level;
+            roll = Trigonometry.arctangent(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01);
         }
     }
 }

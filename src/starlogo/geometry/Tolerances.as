@@ -16,6 +16,13 @@ package starlogo.geometry
         public static const CONTAINMENT:Number = 1e-6;
 
         /**
+         * By how much the lengths of a matrix's columns, and the angles between them, may differ from those of a turned and evenly scaled space, as
+         * a fraction: Flash Player rounds the entries of a Matrix3D to single precision. Smaller: matrices that an agent itself has given are
+         * refused. Larger: shear and uneven scale pass unnoticed.
+         */
+        public static const MATRIX:Number = 1e-5;
+
+        /**
          * The rounding error that a position is allowed, as a fraction of its coordinates. Extents are widened by it and
          * contains() grants it. Zero: two structures that touch to the last bit may get extents that do not. Larger:
          * bins do more work; nothing else changes.

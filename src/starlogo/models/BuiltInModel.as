@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.geometry.Trigonometry;
+
     /**
      * The shapes that the client has without a file: a sphere, a cube and a cylinder, with the vertex counts of the
      * thesis (Figure 6-2). Their triangles are closed surfaces, counter-clockwise seen from outside.
@@ -38,9 +40,9 @@ package starlogo.models
             vertices.push(0, 0, 0);
             for (var ring:int = 1; ring <= SPHERE_RINGS; ring++)
             {
-                var angle:Number = Math.PI * ring / (SPHERE_RINGS + 1);
-                addRing(vertices, SPHERE_SEGMENTS, Math.sin(angle) / 2, (1 - Math.cos(angle)) / 2);
-                vertices.push(vertices[int(vertices.length - 3 * SPHERE_SEGMENTS)], 0, (1 - Math.cos(angle)) / 2);
+                var angle:Number = 180 * ring / (SPHERE_RINGS + 1);
+                addRing(vertices, SPHERE_SEGMENTS, Trigonometry.sine(angle) / 2, (1 - Trigonometry.cosine(angle)) / 2);
+                vertices.push(vertices[int(vertices.length - 3 * SPHERE_SEGMENTS)], 0, (1 - Trigonometry.cosine(angle)) / 2);
             }
             vertices.push(0, 0, 1);
 
@@ -109,8 +111,8 @@ package starlogo.models
         {
             for (var segment:int = 0; segment < segments; segment++)
             {
-                var angle:Number = 2 * Math.PI * segment / segments;
-                vertices.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+                var angle:Number = 360 * segment / segments;
+                vertices.push(radius * Trigonometry.cosine(angle), radius * Trigonometry.sine(angle), z);
             }
         }
 

@@ -31,6 +31,8 @@ package starlogo.search
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
 
+        private static const ROTATION_SIZE:int = 9;
+
         // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
         // model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
         engine var rows:Vector.<int> = new Vector.<int>();
@@ -76,9 +78,7 @@ package starlogo.search
         private var _offsetX:Vector.<Number> = new Vector.<Number>();
         private var _offsetY:Vector.<Number> = new Vector.<Number>();
         private var _offsetZ:Vector.<Number> = new Vector.<Number>();
-        private var _headings:Vector.<Number> = new Vector.<Number>();
-        private var _pitches:Vector.<Number> = new Vector.<Number>();
-        private var _rolls:Vector.<Number> = new Vector.<Number>();
+        private var _rotations:Vector.<Number> = new Vector.<Number>();
         private var _sizes:Vector.<Number> = new Vector.<Number>();
 
         // By row: the number of the last list that had the agent.
@@ -194,7 +194,7 @@ package starlogo.search
             scratch.y = y[row];
             scratch.z = z[row];
             scratch.size = _sizes[row];
-            scratch.setRotation(_headings[row], _pitches[row], _rolls[row]);
+            scratch.readRotation(_rotations, ROTATION_SIZE * row);
             return scratch;
         }
 
@@ -385,7 +385,7 @@ package starlogo.search
             agents.length = shapes.length = boxes.length = _placed.length = outer.length = length;
             x.length = y.length = z.length = lastX.length = lastY.length = lastZ.length = length;
             _offsetX.length = _offsetY.length = _offsetZ.length = length;
-            _headings.length = _pitches.length = _rolls.length = _sizes.length = length;
+            _sizes.length = length;
             revisions.length = _lastRevisions.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
             breeds.length = depths.length = _lists.length = length;
             extents.grow(length);
@@ -506,13 +506,24 @@ package starlogo.search
             extents.halfY[row] = halfY;
             extents.halfZ[row] = found[5];
             extents.radius[row] = radius;
-            _headings[row] = placement.heading;
-            _pitches[row] = placement.pitch;
-            _rolls[row] = placement.roll;
+            if (shape.structure != null)
+            {
+                keepRotation(row);
+            }
             _sizes[row] = placement.size;
             depths[row] = agent.depthLimit;
             placedRevisions[row] = STALE;
             _extentsRevisions[row] = placement.extentsRevision;
+        }
+
+        // Unit spheres have none.
+        private function keepRotation(row:int):void
+        {
+            if (_rotations.length <= ROTATION_SIZE * row)
+            {
+                _rotations.length = ROTATION_SIZE * agents.length;
+            }
+            agents[row].worldPlacement().writeRotation(_rotations, ROTATION_SIZE * row);
         }
     }
 }

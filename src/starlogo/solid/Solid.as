@@ -3,6 +3,7 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.Trigonometry;
     import starlogo.hierarchy.HierarchyNode;
 
     use namespace engine;
@@ -266,10 +267,10 @@ package starlogo.solid
                 var q:Number = Math.sqrt(qx * qx + qy * qy + qz * qz);
                 var r:Number = Math.sqrt(rx * rx + ry * ry + rz * rz);
                 var volume:Number = px * (qy * rz - qz * ry) + py * (qz * rx - qx * rz) + pz * (qx * ry - qy * rx);
-                sum += Math.atan2(volume, p * q * r + (px * qx + py * qy + pz * qz) * r + (qx * rx + qy * ry + qz * rz) * p
+                sum += Trigonometry.arctangent(volume, p * q * r + (px * qx + py * qy + pz * qz) * r + (qx * rx + qy * ry + qz * rz) * p
                         + (rx * px + ry * py + rz * pz) * q);
             }
-            return sum / (2 * Math.PI);
+            return sum / 360;
         }
     }
 }

@@ -33,8 +33,8 @@ package evaluation.scenes
         private static const SCATTERED_HASHES:Array = [
                 "242fec25 242fec25 242fec25",
                 "242fec25 2a65ed5a 64ee9c8a",
-                "c72eff25 3399eac5 72f796f2",
-                "6ac7c169 714d0f2d fb0989df"];
+                "5acd9d2b 3399eac5 52b90f4c",
+                "7a725d07 714d0f2d fb0989df"];
 
         private static var sGreatLand:GreatLand;
 

@@ -166,7 +166,8 @@ package starlogo.fitting.minimal
             var share:Number = ACTIVE;
             do
             {
-                var least:Number = Math.pow(radius * (1 - share), 2);
+                var least:Number = radius * (1 - share);
+                least *= least;
                 var count:int = 0;
                 for (var i:int = 0; i < _distances.length; i++)
                 {

@@ -56,7 +56,8 @@ package starlogo.fitting.minimal
             _points = hull.convexPoints;
             _firstNeighbor = hull.firstNeighbor;
             _neighbors = hull.neighbors;
-            _same = Math.pow(Tolerances.OUTLINE_SAME * hull.extent, 2);
+            _same = Tolerances.OUTLINE_SAME * hull.extent;
+            _same *= _same;
         }
 
         /**

@@ -1,5 +1,7 @@
 package starlogo.models.collada
 {
+    import starlogo.geometry.Trigonometry;
+
     /**
      * Where a node of a COLLADA scene is: x' = m00 x + m01 y + m02 z + m03 and so on, in doubles on every player. The
      * elements are those of the COLLADA 1.4 and 1.5 specifications; a skew is RenderMan's, to which these refer.
@@ -137,9 +139,9 @@ package starlogo.models.collada
             var x:Number = v[0] / length;
             var y:Number = v[1] / length;
             var z:Number = v[2] / length;
-            var angle:Number = (v[3] % 360) * Math.PI / 180;
-            var s:Number = Math.sin(angle);
-            var c:Number = Math.cos(angle);
+            var angle:Number = v[3];
+            var s:Number = Trigonometry.sine(angle);
+            var c:Number = Trigonometry.cosine(angle);
             var t:Number = 1 - c;
             return new ColladaTransform(new <Number>[
                         t * x * x + c, t * x * y - s * z, t * x * z + s * y, 0,
@@ -173,10 +175,10 @@ package starlogo.models.collada
                         turning[1] - along * shift[1],
                         turning[2] - along * shift[2]]);
             var height:Number = dot(turning, across);
-            var angle:Number = v[0] * Math.PI / 180;
+            var angle:Number = v[0];
             // the turned axis, in the plane of the two: across, and along the shift
-            var turnedHeight:Number = height * Math.cos(angle) - along * Math.sin(angle);
-            var turnedAlong:Number = height * Math.sin(angle) + along * Math.cos(angle);
+            var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
+            var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
             document.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), element,
                     "expected two axes apart and an angle that leaves the first on its side of the second");
             var amount:Number = turnedAlong / turnedHeight - along / height;

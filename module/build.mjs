@@ -13,6 +13,8 @@ import { ROOT, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
+// where the project's issues and sources are
+const REPOSITORY = "https://github.com/starlogo/starlogo-collision";
 const THIRD_PARTY = ["pako", "saxes", "xmlchars"];
 
 const types = publicSignatures();
@@ -36,7 +38,7 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: false });
+const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: true });
 writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified}.map\n`);
 writeFileSync(join(out, `${minified}.map`), small.map);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
@@ -56,15 +58,21 @@ function manifest() {
 	return {
 		name: NAME,
 		version,
-		description: "The collision engine of StarLogo Nova: which agents of a game have collided",
+		description: "The collision engine of StarLogo Nova: which agents of a game have collided, exactly, as they move, and what is near",
 		license: "MIT",
+		keywords: ["collision-detection", "collision", "broadphase", "spatial-query", "raycast", "bounding-volume", "bvh", "continuous-collision", "game", "3d", "starlogo"],
+		homepage: `${REPOSITORY}#readme`,
+		repository: { type: "git", url: `git+${REPOSITORY}.git`, directory: "module" },
+		bugs: `${REPOSITORY}/issues`,
 		type: "module",
 		sideEffects: false,
 		engines: { node: ">=18" },
 		types: "./index.d.ts",
 		exports: {
-			".": { types: "./index.d.ts", default: `./${minified}` },
+			".": { types: "./index.d.ts", default: `./${readable}` },
+			"./min": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			"./package.json": "./package.json",
 		},
 		bin: { "starlogo-bake": "./bake.mjs" },
 		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md"],

@@ -17,7 +17,7 @@ const PLAIN = new Set([
 ]);
 
 /** Types of whose null the engine says itself what is wrong. */
-const ANSWERED = new Set(["Agent", "ByteArray", "Model", "String"]);
+const ANSWERED = new Set(["Agent", "ByteArray", "Function", "Model", "String"]);
 
 /** Functions that the engine calls in its loops: what the module exports is a checked one around them. */
 export const isWrapped = (type) => type?.kind === "function";
@@ -68,7 +68,7 @@ export class Checks {
 		// a setter's documentation is its getter's
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
 		const member = { ...given, doc: `${given.doc}\n${getter?.doc ?? ""}` };
-		const isNullable = mayBeNull(parameter, member);
+		const isNullable = mayBeNull(parameter, member, type);
 		const isStatic = member.isStatic || member.kind === "function";
 		// before super() there is no this
 		const isNamed = !isStatic && !type.qname.startsWith("flash.") && type.members.some((each) => each.name === "toString") && !(member.kind === "constructor" && type.bases.length > 0);
@@ -135,8 +135,11 @@ function article(name) {
 }
 
 /** Whether a parameter takes null: if it says so, or what it belongs to. */
-export function mayBeNull(parameter, member) {
-	return parameter.value === "null" || parameter.type !== "Function" && (ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc));
+export function mayBeNull(parameter, member, type) {
+	if (parameter.value === "null") return true;
+	// Flash's own answer to a listener that is null is a number
+	if (parameter.type === "Function" && type.qname.startsWith("flash.")) return false;
+	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
 }
 
 /** Whether a number may be infinite, a distance without an end, say, or is looked at by the engine. */

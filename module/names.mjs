@@ -15,6 +15,7 @@ export const EXTERNALS = {
 	"flash.errors.EOFError": ["ByteArray.mjs", "EOFError"],
 	"flash.utils.ByteArray": ["ByteArray.mjs", "ByteArray"],
 	"starlogo.collision.ContactWhenAsked": ["contacts.mjs", "ContactWhenAsked"],
+	"starlogo.search.textOf": ["language.mjs", "$named"],
 	"starlogo.handlers.mayTakeMore": ["contacts.mjs", "mayTakeMore"],
 	"standin.LocalStore.read": ["machine.mjs", "readLocal"],
 	"standin.LocalStore.remove": ["machine.mjs", "removeLocal"],

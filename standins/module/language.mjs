@@ -19,7 +19,7 @@ export function $resize(vector, length, zero) {
 }
 
 /** A value as an error names it. */
-function $named(value) {
+export function $named(value) {
 	switch (typeof value) {
 		case "string":
 			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);

@@ -329,7 +329,7 @@ package starlogo.search
                     // where there are no types, it may be anything
                     if (!(agent is Agent))
                     {
-                        refuseList("agents[" + i + "] is " + (agent == null ? "null" : "no Agent, but " + agent));
+                        refuseList("agents[" + i + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent)));
                     }
                     row = rowOf(agent);
                 }
@@ -480,7 +480,7 @@ package starlogo.search
                 }
                 if (shape.outer == null)
                 {
-                    boxes[row] = _placed[row] as Box;
+                    boxes[row] = _strategy.boxOf(_placed[row]);
                 }
             }
         }

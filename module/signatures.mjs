@@ -26,7 +26,8 @@ function readType(source, qname) {
 	if (!match || !/^    (?:[\w ]*\b)?public\b/m.test(match[0])) return null;
 	const [, doc = "", , kind, name, signature, result, bases = "", interfaces = ""] = match;
 	const list = (text) => text.split(",").map((word) => word.trim()).filter((word) => word !== "");
-	const type = { qname, name, kind, doc: textOf(doc), isPrivate: /@private/.test(doc), bases: list(bases), interfaces: list(interfaces), members: [] };
+	const events = [...source.matchAll(/^    \[Event\(name="(\w+)", type="[\w.]*?(\w+)"\)\]$/gm)].map(([, event, eventType]) => ({ event, eventType }));
+	const type = { qname, name, kind, events, doc: textOf(doc), isPrivate: /@private/.test(doc), bases: list(bases), interfaces: list(interfaces), members: [] };
 	if (kind === "function") return { ...type, parameters: parametersOf(signature), result };
 	for (const found of source.slice(match.index + match[0].length).matchAll(MEMBER)) type.members.push(memberOf(found, type));
 	return type;

@@ -149,8 +149,10 @@ export class Program {
 	// What the module exports for a function of a package that the engine calls in its loops.
 	#wrapperText(unit, doc) {
 		if (!isWrapped(this.signatures.get(unit.qname))) return "";
-		const parameters = unit.main.params.map((parameter) => parameter.name).join(", ");
-		const lines = [...this.#checks.of(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${parameters});`];
+		const { parameters } = this.#opened(unit.main, unit.doc);
+		this.#scopes.pop();
+		const passed = unit.main.params.map((parameter) => parameter.name).join(", ");
+		const lines = [...this.#checks.of(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${passed});`];
 		return `\n\n${doc}function ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map((line) => `  ${line}`).join("\n")}\n}`;
 	}
 

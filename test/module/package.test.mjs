@@ -16,8 +16,8 @@ const work = path.join(root, "bin/generated/module/package-test");
 const tools = createRequire(path.join(root, "module/package.json"));
 const esbuild = tools("esbuild");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-const minified = path.join(folder, manifest.exports["."].default);
-const readable = path.join(folder, manifest.exports["./readable"].default);
+const minified = path.join(folder, manifest.exports["./min"].default);
+const readable = path.join(folder, manifest.exports["."].default);
 const sample = path.join(root, "test/module/sample.ts");
 const bear = readFileSync(path.join(root, "assets/bear.obj"), "utf8");
 

@@ -13,8 +13,6 @@ import { ROOT, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
-// where the project's issues and sources are
-const REPOSITORY = "https://github.com/starlogo/starlogo-collision";
 const THIRD_PARTY = ["pako", "saxes", "xmlchars"];
 
 const types = publicSignatures();
@@ -23,7 +21,7 @@ const classes = program.text();
 const lost = /\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
-const { version } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
+const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
 const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
 const text = `/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
 ${standinsText()}
@@ -61,9 +59,8 @@ function manifest() {
 		description: "The collision engine of StarLogo Nova: which agents of a game have collided, exactly, as they move, and what is near",
 		license: "MIT",
 		keywords: ["collision-detection", "collision", "broadphase", "spatial-query", "raycast", "bounding-volume", "bvh", "continuous-collision", "game", "3d", "starlogo"],
-		homepage: `${REPOSITORY}#readme`,
-		repository: { type: "git", url: `git+${REPOSITORY}.git`, directory: "module" },
-		bugs: `${REPOSITORY}/issues`,
+		homepage: "https://www.slnova.org/",
+		...(repository ? { repository } : {}),
 		type: "module",
 		sideEffects: false,
 		engines: { node: ">=18" },

@@ -120,6 +120,8 @@ test("the package says what it is", () => {
 	assert.equal(manifest.type, "module");
 	assert.equal(manifest.sideEffects, false);
 	assert.equal(manifest.license, "MIT");
+	assert.equal(manifest.exports["./package.json"], "./package.json");
+	assert.ok(manifest.keywords.length > 5 && /^https:/.test(manifest.homepage));
 	for (const file of [manifest.types, manifest.exports["."].default, "README.md", "CHANGELOG.md", "LICENSE", "LICENSES.md"]) {
 		assert.ok(readFileSync(path.join(folder, file), "utf8").length > 500, file);
 	}
@@ -147,16 +149,8 @@ test("names are the sources' own, minified too", async () => {
 	assert.equal(String(new all.Sphere(new all.Vector3D(), 1)), "[object Sphere]");
 });
 
-test("tsc --strict accepts the sample, and refuses a wrong one", () => {
-	const tsc = tools.resolve("typescript/bin/tsc");
-	const run = () => execFileSync(process.execPath, [tsc, "-p", work], { encoding: "utf8", stdio: "pipe" });
-	run();
-	writeFileSync(path.join(work, "sample.ts"), `${readFileSync(sample, "utf8")}\nexport const wrong: string = new Agent("bear").heading;\n`);
-	try {
-		assert.throws(run, (error) => /Type 'number' is not assignable to type 'string'/.test(error.stdout));
-	} finally {
-		writeFileSync(path.join(work, "sample.ts"), readFileSync(sample));
-	}
+test("tsc --strict accepts the sample", () => {
+	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", work], { encoding: "utf8", stdio: "pipe" });
 });
 
 test("importing it reads no global but the language's own, and adds none", () => {
@@ -183,9 +177,10 @@ test("importing it reads no global but the language's own, and adds none", () =>
 	assert.doesNotMatch(code, /\beval\(|new Function\(/);
 });
 
-test("its source map names the readable build", () => {
+test("the map of the minified build has its source", () => {
 	const map = JSON.parse(readFileSync(`${minified}.map`, "utf8"));
 	assert.deepEqual(map.sources, [path.basename(readable)]);
+	assert.equal(map.sourcesContent[0], readFileSync(readable, "utf8"));
 	assert.ok(map.mappings.length > 100000);
 });
 

@@ -1,6 +1,7 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
+	AgentFilter,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
@@ -67,6 +68,7 @@ import {
 	Placement,
 	PreciseCollider,
 	ProgressEvent,
+	RayHit,
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
 	SharedFitStorage,
@@ -170,6 +172,9 @@ function passThrough(greatLand: GreatLand): void {
 	const contacts: ContactSystem = system;
 	ball.moveTo(0, 0, 0);
 	log.push(touch, String(contacts.contactOf(ball, bear).depth > 0));
+	const filter: AgentFilter = AgentFilter.ofBreeds("bears");
+	const hit = new RayHit();
+	log.push(`${filter.breeds}, ${hit.agent} at ${hit.distance}`);
 }
 
 /** Fits every kind of structure. */

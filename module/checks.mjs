@@ -10,6 +10,9 @@
 /** Classes that are told by a mark of their own, as naming them would bring all of theirs into every bundle. */
 const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore"]);
 
+/** Classes of many methods of several numbers, in every bundle, whose speed does not matter. */
+const COMPACT = new Set(["flash.geom.Matrix3D"]);
+
 /** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
 const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
@@ -42,7 +45,13 @@ export class Checks {
 	of(qname, name, kind) {
 		const type = this.#signatures.get(qname);
 		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
-		return (member?.parameters ?? []).flatMap((parameter) => this.#check(type, member, parameter));
+		const parameters = member?.parameters ?? [];
+		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
+		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
+			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
+			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
+		}
+		return parameters.flatMap((parameter) => this.#check(type, member, parameter));
 	}
 
 	/** The public fields of a class that only its users write: { name, type }. */
@@ -76,26 +85,18 @@ export class Checks {
 		const what = member.kind === "set" ? member.name : name;
 		const where = isNamed ? `this, "${what}"` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
 		const refuse = (kind) => `$refuse(${isNamed ? where : `null, ${where}`}, ${name}, ${kind});`;
-		const unlessNull = isNullable ? `${name} != null && ` : "";
+		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
 		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
 		// as the platform's own listeners: on more than Flash's class
 		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
 		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
 		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`);
+		const simple = this.#simpleCheck(parameter, member, type);
+		if (simple) {
+			const [helper, test, kind] = simple;
+			return isNamed ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${where}, ${name});`];
+		}
 		switch (parameter.type) {
-			case "Number":
-				if (takesInfinity(parameter, member) || type.qname.startsWith("flash.")) return [`if (typeof ${name} !== "number") ${refuse('"a number"')}`];
-				return [`if (typeof ${name} !== "number" || ${name} - ${name} !== 0) ${refuse('"a number"')}`];
-			case "int":
-				return [`if (typeof ${name} !== "number" || ${name} !== (${name} | 0)) ${refuse('"a whole number"')}`];
-			case "uint":
-				return [`if (typeof ${name} !== "number" || ${name} !== ${name} >>> 0) ${refuse('"a whole number"')}`];
-			case "Boolean":
-				return [`if (typeof ${name} !== "boolean") ${refuse('"true or false"')}`];
-			case "String":
-				return [`if (${unlessNull}typeof ${name} !== "string") ${refuse('"a string"')}`];
-			case "Function":
-				return [`if (${unlessNull}typeof ${name} !== "function") ${refuse('"a function"')}`];
 			case "ByteArray":
 				return [`${name} = $bytes(${isNamed ? where : `null, ${where}`}, ${name}, ${isNullable});`];
 			case "Vector3D":
@@ -104,6 +105,27 @@ export class Checks {
 				const test = this.#typeTest(parameter.type, name);
 				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
 			}
+		}
+	}
+
+	// What language.mjs has for it, the same in place, and what is wanted. Agents are told apart, and are moved in loops: they get the latter.
+	#simpleCheck({ name, type: wanted, value }, member, type) {
+		switch (wanted) {
+			case "Number":
+				if (takesInfinity({ value }, member) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
+				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, "a number"];
+			case "int":
+				return ["$anInt", `typeof ${name} !== "number" || ${name} !== (${name} | 0)`, "a whole number"];
+			case "uint":
+				return ["$aUint", `typeof ${name} !== "number" || ${name} !== ${name} >>> 0`, "a whole number"];
+			case "Boolean":
+				return ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"];
+			case "String":
+				return ["$aString", `typeof ${name} !== "string"`, "a string"];
+			case "Function":
+				return ["$aFunction", `typeof ${name} !== "function"`, "a function"];
+			default:
+				return null;
 		}
 	}
 

@@ -17,7 +17,7 @@ export interface ListenerOptions {
     /** Never in the way here: there is no display list. */
     capture?: boolean;
     /** Listening ends when it is aborted. */
-    signal?: AbortSignal;
+    signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void };
 }
 `;
 const BY_HAND = `/** An argument is not what it has to be. */

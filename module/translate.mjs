@@ -186,7 +186,8 @@ export class Program {
 			if (!isConstant(field) && !this.fixed.has(`${unit.qname}.${field.name}`)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
 		}
 		lines.push(this.#constructorText(unit));
-		if (!unit.base) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
+		// $shown gives it to public classes; others are in no text that users see
+		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
 		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n  return true;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
 			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `  ${line}\n`).join("");

@@ -66,7 +66,7 @@ package
                 Host.exit(USAGE);
                 return;
             }
-            _files = new ModelFiles(start, fail);
+            _files = new ModelFiles(start, fail, _settings.hasNova);
         }
 
         private function fail(text:String):void
@@ -77,7 +77,7 @@ package
 
         private function start():void
         {
-            _tasks = new Plan(_settings, _files.models, _results, stage).tasks;
+            _tasks = new Plan(_settings, _files, _results, stage).tasks;
             _progress = new Progress(_tasks);
             addEventListener(Event.ENTER_FRAME, onEnterFrame);
         }

@@ -1,7 +1,9 @@
 package
 {
     import benchmark.BroadPhaseBenchmark;
+    import benchmark.ContactsBenchmark;
     import benchmark.CrowdBenchmark;
+    import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
     import benchmark.FittingBenchmark;
     import benchmark.HandlersBenchmark;
@@ -23,8 +25,8 @@ package
      */
     public class Benchmarks extends Sprite
     {
-        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
+        private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

@@ -7,28 +7,45 @@ package evaluation
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
+    import starlogo.models.ModelTransform;
     import starlogo.models.ObjModel;
 
-    /** Loads the thesis's twelve models: three built-in ones, and nine from files. */
+    /**
+     * Loads the thesis's twelve models: three built-in ones, and nine from files; and where they are there, those of the StarLogo Nova client
+     * (test/models/nova.mjs), which are the thesis's own.
+     */
     public final class ModelFiles
     {
         private static const FOLDER:String = "/assets/";
         private static const FILES:Array = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj",
                 "spaceship.obj", "fireman.dae", "person.dae"];
+        private static const NOVA:String = "/models/nova-thesis.json";
 
         /** The models that are loaded, by name. */
         public var models:Object = {};
 
-        private var _pending:Array = FILES.concat();
+        /** The StarLogo Nova client's, by the same names; none if they are not there. */
+        public var novaModels:Object = {};
+
+        private var _pending:Array = [];
         private var _complete:Function;
         private var _failed:Function;
 
         /**
          * @param complete called without arguments when all are loaded
          * @param failed called with a text when one can't be
+         * @param hasNova whether the StarLogo Nova client's are there
          */
-        public function ModelFiles(complete:Function, failed:Function)
+        public function ModelFiles(complete:Function, failed:Function, hasNova:Boolean)
         {
+            for each (var name:String in FILES)
+            {
+                _pending.push(FOLDER + name);
+            }
+            if (hasNova)
+            {
+                _pending.push(NOVA);
+            }
             _complete = complete;
             _failed = failed;
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()])
@@ -54,15 +71,28 @@ package evaluation
                 });
             loader.addEventListener(IOErrorEvent.IO_ERROR, function(event:IOErrorEvent):void
                 {
-                    _failed("can't load " + FOLDER + file + ": " + event.text);
+                    _failed("can't load " + file + ": " + event.text);
                 });
-            loader.load(new URLRequest(FOLDER + file));
+            loader.load(new URLRequest(file));
         }
 
         private function read(file:String, text:String):void
         {
-            var name:String = file.slice(0, file.indexOf("."));
+            if (file == NOVA)
+            {
+                readNova(JSON.parse(text));
+                return;
+            }
+            var name:String = file.slice(FOLDER.length, file.indexOf("."));
             models[name] = file.slice(-4) == ".dae" ? new ColladaModel(name, text) : new ObjModel(name, text);
+        }
+
+        private function readNova(files:Object):void
+        {
+            for (var name:String in files)
+            {
+                novaModels[name] = new ObjModel(name, files[name].obj, ModelTransform.fromText(files[name].slb));
+            }
         }
     }
 }

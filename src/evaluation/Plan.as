@@ -17,27 +17,29 @@ package evaluation
         private var _settings:Settings;
         private var _results:Results;
         private var _models:Object;
+        private var _novaModels:Object;
         private var _greatLand:GreatLand = new GreatLand();
         private var _literal:LiteralColliders;
         private var _stage:Stage;
 
         /**
          * @param settings what is asked for
-         * @param models all models, by name
+         * @param files all models
          * @param results takes what is measured
          * @param stage where the monitor is shown
          */
-        public function Plan(settings:Settings, models:Object, results:Results, stage:Stage)
+        public function Plan(settings:Settings, files:ModelFiles, results:Results, stage:Stage)
         {
             _settings = settings;
-            _models = models;
+            _models = files.models;
+            _novaModels = files.novaModels;
             _results = results;
             _stage = stage;
             for each (var name:String in ["sphere", "cube", "cylinder", "bear", "dragon"])
             {
-                _greatLand.addModel(models[name]);
+                _greatLand.addModel(_models[name]);
             }
-            _literal = new LiteralColliders(_greatLand, [models.sphere, models.cube, models.bear]);
+            _literal = new LiteralColliders(_greatLand, [_models.sphere, _models.cube, _models.bear]);
             var planners:Object = {volumes: planVolumes, fits: planFits, access: planAccess, tests: planTests,
                     hierarchies: planHierarchies, crowds: planCrowds, combination: planCombination, scattered: planScattered,
                     monitor: planMonitor};
@@ -51,7 +53,14 @@ package evaluation
         {
             for each (var name:String in _settings.models)
             {
-                tasks.push(new VolumesTask(_models[name], _results));
+                tasks.push(new VolumesTask("volumes", _models[name], _results));
+            }
+            for each (name in _settings.models)
+            {
+                if (_novaModels.hasOwnProperty(name))
+                {
+                    tasks.push(new VolumesTask("nova", _novaModels[name], _results));
+                }
             }
         }
 

@@ -41,6 +41,9 @@ package evaluation
         /** How often a thing is measured that takes long: as often as in a quick run, unless a number is asked for. */
         public var longRepetitions:int;
 
+        /** Whether the StarLogo Nova client's models are there. */
+        public var hasNova:Boolean;
+
         /** Whether everything is run. */
         public var isFull:Boolean;
 
@@ -51,6 +54,7 @@ package evaluation
         public function Settings(parameters:Object)
         {
             isFull = parameters["full"] == "true";
+            hasNova = parameters["nova"] == "true";
             figures = chosen("figures", parameters["figures"], FIGURES);
             colliders = chosen("colliders", parameters["colliders"], COLLIDERS);
             models = chosen("models", parameters["models"], MODELS);

@@ -14,12 +14,17 @@ package evaluation
     import starlogo.fitting.ZAlignedBoxFitter;
     import starlogo.models.Model;
 
-    /** Figure 6-1: the volumes of the structures around a model, and the smallest that are known. */
+    /**
+     * Figure 6-1: the volumes of the structures around a model, and the smallest that are known. The thesis's column of z-aligned boxes is
+     * that of 1 degree: so it is on the thesis's own models (figure "nova"), and with 10 it is not.
+     */
     public final class VolumesTask extends Task
     {
         private static const MINIMAL:Array = ["minimal sphere", "minimal box", "minimal capsule"];
         private static const DEG_INCREMENT:Number = 10;
+        private static const Z_DEG_INCREMENT:Number = 1;
 
+        private var _figure:String;
         private var _model:Model;
         private var _results:Results;
         private var _session:FitSession;
@@ -27,17 +32,19 @@ package evaluation
         private var _next:int = 0;
 
         /**
+         * @param figure "volumes", or "nova" if the model is the StarLogo Nova client's
          * @param model what is fitted
          * @param results takes the volumes
          */
-        public function VolumesTask(model:Model, results:Results)
+        public function VolumesTask(figure:String, model:Model, results:Results)
         {
             super("volumes around the " + model.name, 700 + model.vertices.length / 15);
+            _figure = figure;
             _model = model;
             _results = results;
             var box:OrientedBoxFitter = new OrientedBoxFitter(DEG_INCREMENT);
             _fitters = new <Fitter>[new NaiveSphereFitter(), new RitterSphereFitter(), new AxisAlignedBoxFitter(),
-                    new ZAlignedBoxFitter(DEG_INCREMENT), box, new CapsuleFitter(box), new MinimalSphereFitter(),
+                    new ZAlignedBoxFitter(Z_DEG_INCREMENT), box, new CapsuleFitter(box), new MinimalSphereFitter(),
                     new MinimalBoxFitter(), new MinimalCapsuleFitter()];
         }
 
@@ -48,7 +55,7 @@ package evaluation
             var structure:BoundingStructure = _fitters[_next].fitOnce(_session);
             var ofThesis:int = Thesis.STRUCTURES.length;
             var isOfThesis:Boolean = _next < ofThesis;
-            var entry:Object = _results.addNumber("volumes", _model.name,
+            var entry:Object = _results.addNumber(_figure, _model.name,
                     isOfThesis ? Thesis.STRUCTURES[_next] : MINIMAL[_next - ofThesis], structure.volume, "patches^3",
                     isOfThesis ? Thesis.VOLUMES[_model.name][_next] : undefined);
             entry.vertices = _model.vertices.length / 3;

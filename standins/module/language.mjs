@@ -52,6 +52,41 @@ export function $refuse(target, name, value, kind) {
 	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value)}`);
 }
 
+/** What a member that is in no hot loop calls for an argument: `$aNumber("Class.method: name", value)`. */
+export function $aNumber(name, value) {
+	if (typeof value !== "number") $refuse(null, name, value, "a number");
+}
+
+export function $aFiniteNumber(name, value) {
+	if (typeof value !== "number" || value - value !== 0) $refuse(null, name, value, "a number");
+}
+
+export function $anInt(name, value) {
+	if (typeof value !== "number" || value !== (value | 0)) $refuse(null, name, value, "a whole number");
+}
+
+export function $aUint(name, value) {
+	if (typeof value !== "number" || value !== value >>> 0) $refuse(null, name, value, "a whole number");
+}
+
+export function $aBoolean(name, value) {
+	if (typeof value !== "boolean") $refuse(null, name, value, "true or false");
+}
+
+export function $aString(name, value) {
+	if (typeof value !== "string") $refuse(null, name, value, "a string");
+}
+
+export function $aFunction(name, value) {
+	if (typeof value !== "function") $refuse(null, name, value, "a function");
+}
+
+/** Refuses what is no number, of the arguments of a method: the names after a colon and these. */
+export function $checkNumbers(names, ...values) {
+	const place = values.findIndex((value) => typeof value !== "number");
+	if (place >= 0) $refuse(null, names.replace(/: .*/, `: ${names.split(": ")[1].split(", ")[place]}`), values[place], "a number");
+}
+
 /** Whether an object is of a class that has such a mark. */
 export function $isMarked(value, mark) {
 	return typeof value === "object" && value !== null && value[mark] === true;
@@ -78,10 +113,15 @@ export function $numbers(target, name, list, type, isNullable) {
 	if (isNullable && (list === null || list === undefined)) return null;
 	if (ArrayBuffer.isView(list) && !(list instanceof DataView)) return $numbers(target, name, Array.from(list), type, false);
 	if (!Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
-	const isWhole = type !== "Number";
+	const least = type === "int" ? -2147483648 : 0;
+	const most = type === "int" ? 2147483647 : 4294967295;
 	for (let i = 0; i < list.length; i++) {
 		const value = list[i];
-		if (typeof value !== "number" || isWhole && !Number.isInteger(value)) $refuse(target, `${name}[${i}]`, value, isWhole ? "a whole number" : "a number");
+		if (type === "Number") {
+			if (typeof value !== "number") $refuse(target, `${name}[${i}]`, value, "a number");
+		} else if (!(Number.isInteger(value) && value >= least && value <= most)) {
+			$refuse(target, `${name}[${i}]`, value, `an integer from ${least} to ${most}`);
+		}
 	}
 	return list;
 }
@@ -139,6 +179,7 @@ export function $shown(type) {
 		return `${name} ${inspectAny($stateOf(this), { ...options, depth: options.depth === null ? null : options.depth })}`;
 	};
 	Object.defineProperties(type.prototype, {
+		[Symbol.toStringTag]: { configurable: true, get() { return this.constructor.name; } },
 		toJSON: { configurable: true, writable: true, value: function toJSON() { return $stateOf(this); } },
 		[Symbol.for("nodejs.util.inspect.custom")]: { configurable: true, writable: true, value: inspect },
 	});

@@ -176,7 +176,7 @@ test("systems, models, files and settings are of their classes", () => {
 	const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 	for (const list of [new Set(corners), "0 0 0", { length: 9 }, new DataView(new ArrayBuffer(8))]) refused(() => new Model("x", list), "vertices must be an array of numbers");
 	refused(() => new Model("x", [...corners.slice(1), "0"]), "vertices[8] must be a number", '"0"');
-	refused(() => new Model("x", corners, [0, 1, 2.5]), "triangles[2] must be a whole number", "2.5");
+	refused(() => new Model("x", corners, [0, 1, 2.5]), "triangles[2] must be an integer", "2.5");
 	assert.throws(() => new Model("x", new Float32Array([...corners.slice(1), NaN])), /finite number, not NaN/);
 	const filter = new AgentFilter();
 	refused(() => (filter.breeds = "bears"), "breeds must be an array of strings");

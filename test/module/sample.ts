@@ -1,7 +1,9 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
+	AgentChoice,
 	AgentFilter,
+	AgentQueries,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
@@ -51,6 +53,7 @@ import {
 	IEventDispatcher,
 	IllegalOperationError,
 	intersects,
+	ListenerOptions,
 	Matrix3D,
 	MinimalBoxFitter,
 	MinimalCapsuleFitter,
@@ -60,8 +63,10 @@ import {
 	ModelEvent,
 	ModelFits,
 	ModelLoader,
+	ModelLoaderEvents,
 	ModelReceiver,
 	ModelSource,
+	ModelTransform,
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
@@ -73,6 +78,7 @@ import {
 	SelectiveCollisionSystem,
 	SharedFitStorage,
 	Slices,
+	SourceFrame,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
@@ -173,6 +179,12 @@ function passThrough(greatLand: GreatLand): void {
 	ball.moveTo(0, 0, 0);
 	log.push(touch, String(contacts.contactOf(ball, bear).depth > 0));
 	const filter: AgentFilter = AgentFilter.ofBreeds("bears");
+	const choice: AgentChoice = filter;
+	collision.filter = choice;
+	const queries = new AgentQueries(system);
+	queries.update([bear, ball]);
+	const frame: SourceFrame = BuiltInModel.cube().source;
+	log.push(`${queries.countNear(bear, 5)} near, ${frame}, ${new ModelTransform()}`);
 	const hit = new RayHit();
 	log.push(`${filter.breeds}, ${hit.agent} at ${hit.distance}`);
 }
@@ -227,6 +239,8 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	loader.addEventListener(ModelEvent.LOADED, (event: ModelEvent) => loaded.push(event.model.name));
 	loader.addEventListener(ErrorEvent.ERROR, (event: ErrorEvent & TextEvent) => loaded.push(event.text));
 	loader.addEventListener(ProgressEvent.PROGRESS, (event: ProgressEvent) => log.push(`${event.bytesLoaded} of ${event.bytesTotal}`));
+	const once: ListenerOptions = { once: true };
+	loader.addEventListener("progress", (event: ModelLoaderEvents["progress"]) => log.push(`first: ${event.bytesTotal}`), once);
 	loader.load("bear", `${base}/bear.obj`);
 	loader.load("dragon", `${base}/dragon.dae`);
 	loader.load("nothing", `${base}/nothing.obj`);
@@ -266,6 +280,9 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
+		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
+		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
+		() => new Model("broken", [0, 0, 0], [0, 0, 1]),
 	];
 	for (const attempt of attempts) {
 		try {

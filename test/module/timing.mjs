@@ -22,10 +22,10 @@ const settings = new Settings(Object.fromEntries(given.map((each) => each.split(
 // the monitor draws on Flash's stage
 settings.figures = settings.figures.filter((figure) => figure !== "monitor");
 const files = await new Promise((resolve, reject) => {
-	const loaded = new ModelFiles(() => resolve(loaded), (text) => reject(new Error(text)));
+	const loaded = new ModelFiles(() => resolve(loaded), (text) => reject(new Error(text)), false);
 });
 const results = new Results();
-const { tasks } = new Plan(settings, files.models, results, null);
+const { tasks } = new Plan(settings, files, results, null);
 const progress = new Progress(tasks);
 console.log("the same as an ES module, in Node:");
 tasks.forEach((task, i) => {

@@ -24,6 +24,9 @@ package support
         /** Whether it collides. */
         public var isHit:Boolean;
 
+        /** How far it is apart; below 0, how deep it overlaps. */
+        public var distance:Number;
+
         /** The name of its family. */
         public var family:String;
 
@@ -79,7 +82,8 @@ package support
             family = families[_familyIndex][0];
             a = readStructure(_entry.shapes[0]);
             b = readStructure(_entry.shapes[1]);
-            isHit = _bytes.readDouble() <= 0;
+            distance = _bytes.readDouble();
+            isHit = distance <= 0;
             _index++;
             return true;
         }

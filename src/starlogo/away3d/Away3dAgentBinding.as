@@ -59,10 +59,10 @@ package starlogo.away3d
             _object = object;
             if (model != null)
             {
-                _originX = model.sourceX;
-                _originY = model.sourceZ;
-                _originZ = model.sourceY;
-                _width = model.sourceUnit;
+                _originX = model.origin.x;
+                _originY = model.origin.y;
+                _originZ = model.origin.z;
+                _width = model.width;
             }
         }
 

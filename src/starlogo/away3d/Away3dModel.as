@@ -1,11 +1,8 @@
 package starlogo.away3d
 {
     import flash.geom.Vector3D;
-    import starlogo.engine;
     import starlogo.models.Model;
     import starlogo.steps.finish;
-
-    use namespace engine;
 
     /**
      * A model of what Away3D draws. Away3D's (x, y, z), y up, is the engine's (x, z, y).
@@ -41,7 +38,8 @@ package starlogo.away3d
                 finish(reader);
             }
             super(name, reader.vertices, reader.triangles);
-            _origin = new Vector3D(sourceX, sourceZ, sourceY);
+            var offset:Vector3D = this.source.offset;
+            _origin = new Vector3D(offset.x, offset.z, offset.y);
         }
 
         /**
@@ -56,7 +54,7 @@ package starlogo.away3d
         /** How wide the source is, in its own units: what a unit of the model is there. */
         public function get width():Number
         {
-            return sourceUnit;
+            return this.source.unit;
         }
     }
 }

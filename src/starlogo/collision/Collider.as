@@ -28,6 +28,12 @@ package starlogo.collision
      */
     public class Collider implements ContactSystem
     {
+        /** @private What questions need, to see agents as this collider does. */
+        engine var greatLand:GreatLand;
+
+        /** @private Likewise. */
+        engine var strategy:ShapeStrategy;
+
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _contactPoint:ContactPoint = new ContactPoint();
@@ -42,6 +48,8 @@ package starlogo.collision
         public function Collider(greatLand:GreatLand, strategy:ShapeStrategy)
         {
             _search = new CollisionSearch(greatLand, strategy);
+            this.greatLand = greatLand;
+            this.strategy = strategy;
         }
 
         /** @inheritDoc */
@@ -86,14 +94,19 @@ package starlogo.collision
             return contact;
         }
 
-        /** As findCollisionsAmong, with the agents' places in the list and their breeds' numbers. */
-        internal function findPairsAmong(agents:Vector.<Agent>, breeds:BreedPairs, out:FoundPairs):void
+        /**
+         * As findCollisionsAmong, with the agents' places in the list and their breeds' numbers.
+         *
+         * @param takePart which agents do, by their places in the list; null for all
+         */
+        internal function findPairsAmong(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
         {
-            find(agents, breeds, null, out);
+            find(agents, breeds, null, out, takePart);
         }
 
         // Puts the pairs into that one of the two outputs that is not null.
-        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs):Vector.<Agent>
+        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs,
+                takePart:Vector.<Boolean> = null):Vector.<Agent>
         {
             if (agents == null)
             {
@@ -106,7 +119,7 @@ package starlogo.collision
             }
             else
             {
-                _search.findPairs(agents, breeds, pairs);
+                _search.findPairs(agents, breeds, takePart, pairs);
             }
             _statistics.setCounts(_search.counts, getTimer() - start);
             return out;

@@ -3,6 +3,7 @@ package starlogo.collision
     import flash.errors.IllegalOperationError;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
+    import starlogo.agents.AgentChoice;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerCalls;
@@ -32,6 +33,13 @@ package starlogo.collision
         /** In place of a breed's name: any breed (§6.1, "any other agent"). */
         public static const ANY_BREED:String = BreedInterests.ANY_BREED;
 
+        /**
+         * Which agents take part: an AgentFilter, or null for all. The others cost no tests and collide with nothing, as if they were not in the
+         * list; but an agent that takes part again has moved from where the last frame saw it. It is asked once a frame of each agent, before
+         * anything is tested; an error that it throws ends the frame, and no handler runs.
+         */
+        public var filter:AgentChoice = null;
+
         private var _collisionSystem:CollisionSystem;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
@@ -43,6 +51,10 @@ package starlogo.collision
         private var _calls:HandlerCalls = new HandlerCalls(_contacts);
         private var _isUpdating:Boolean = false;
         private var _agentPairs:Vector.<Agent> = new Vector.<Agent>();
+
+        // By place in the list, whether the filter lets the agent take part; and those that do.
+        private var _takePart:Vector.<Boolean> = new Vector.<Boolean>();
+        private var _admitted:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * Collisions without handlers.
@@ -169,14 +181,14 @@ package starlogo.collision
          * @param agents the agents of the game; a handler may change this list, in place. Another list in the client's variable, as from
          *     <code>agents = agents.filter(...)</code>, counts from the next frame on
          * @throws ArgumentError if an agent is null or listed twice, or its model is not known; no handler has then run
-         * @throws IllegalOperationError if called from one of its own handlers
+         * @throws IllegalOperationError if called from one of its own handlers, or from its filter
          * @throws Error the first error that a handler threw, after all handlers have run
          */
         public function update(agents:Vector.<Agent>):void
         {
             if (_isUpdating)
             {
-                throw new IllegalOperationError("update must not be called from a handler");
+                throw new IllegalOperationError("update must not be called from a handler, or from its filter");
             }
             if (agents == null)
             {
@@ -189,6 +201,10 @@ package starlogo.collision
                 _interests = new BreedInterests();
                 _table = new HandlerTable(_handlers, _interests.breedPairs);
                 _tableIsStale = false;
+            }
+            if (filter != null)
+            {
+                applyFilter(agents);
             }
             var system:CollisionSystem = _collisionSystem;
             findPairs(system, agents, start);
@@ -216,16 +232,48 @@ package starlogo.collision
             var collider:Collider = system as Collider;
             if (collider != null)
             {
-                collider.findPairsAmong(agents, _interests.breedPairs, _calls.pairs);
+                collider.findPairsAmong(agents, _interests.breedPairs, filter == null ? null : _takePart, _calls.pairs);
                 _statistics.copyFrom(collider.statistics);
                 return;
             }
             // a client's system may return a vector of its own, and need not count
-            _calls.setPairs(BreedInterests.findIn(system, agents, _interests, _agentPairs), agents, _interests.breedPairs);
+            var admitted:Vector.<Agent> = filter == null ? agents : _admitted;
+            _calls.setPairs(BreedInterests.findIn(system, admitted, _interests, _agentPairs), agents, _interests.breedPairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.length >> 1;
             _statistics.findMs = getTimer() - start;
+        }
+
+        // An agent that is null is left to the collision system, which refuses it.
+        private function applyFilter(agents:Vector.<Agent>):void
+        {
+            _isUpdating = true;
+            try
+            {
+                admit(agents);
+            }
+            finally
+            {
+                _isUpdating = false;
+            }
+        }
+
+        private function admit(agents:Vector.<Agent>):void
+        {
+            var admitted:int = 0;
+            for (var i:int = 0; i < agents.length; i++)
+            {
+                var agent:Agent = agents[i];
+                var takesPart:Boolean = agent == null || filter.admits(agent);
+                _takePart[i] = takesPart;
+                if (takesPart)
+                {
+                    _admitted[admitted] = agent;
+                    admitted++;
+                }
+            }
+            _admitted.length = admitted;
         }
 
         private function addHandler(kind:int, breed:String, otherBreed:String, handler:Function):void

@@ -16,7 +16,7 @@ package starlogo.collision
         /** Agents in the list. */
         public var agents:int;
 
-        /** Agents of breeds without handlers, which were skipped. */
+        /** Agents of breeds without handlers, and those that a Collision's filter excludes, which were skipped. */
         public var agentsSkipped:int;
 
         /** Agents whose models are still loading: they collide with nothing yet. */

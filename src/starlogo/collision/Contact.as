@@ -10,10 +10,15 @@ package starlogo.collision
      * How two agents touch: when in their motions, where, and how deep. A handler that takes a third argument gets one; the next call
      * overwrites it, so keep the numbers, or clone the vectors.
      *
-     * <p>For spheres, capsules and boxes it is exact. For hierarchies it is the contact of the first two nodes that touch, which are leaves or at
-     * the depth limit, or, where triangles decide, of the first two triangles; for a model that is inside of another without touching it, the
-     * contact of the structures around both. Where the collision system is no ContactSystem, it is half way between the agents, with a depth of
-     * 0.</p>
+     * <p>The depth separates, in every one of the engine's systems: moved by it and 1e-9 of the larger extent along the normal, the collider does not
+     * touch the collidee any more, as that system sees them; by 1e-9 less it still does. Far away from the origin, where coordinates are
+     * rounded more coarsely than that (from about a million times the extent on), it separates to the rounding of the coordinates.</p>
+     *
+     * <p>For spheres, capsules and boxes the normal is the shortest way out. For hierarchies and triangles it is a short one: where the two overlap by
+     * less than 1/256 of the larger extent, the normal of the first two nodes or triangles that touch; else what is found from that, from the shortest
+     * way out of the structures around both, and from the surfaces where these ways end. The way ends at the first place that is free, which
+     * may be a hollow. This takes some 30 times as long as to find that the two touch. Where the collision
+     * system is no ContactSystem, the contact is half way between the agents, with a depth of 0.</p>
      */
     public final class Contact
     {
@@ -23,15 +28,18 @@ package starlogo.collision
          */
         public var time:Number = 1;
 
-        /** A point where they touch, in the world, in the middle of the overlap. */
+        /**
+         * A point where they touch, in the world, in the middle of the overlap: for hierarchies, of the first two nodes or triangles that touch; for a
+         * model that is inside of another without touching its surface, of the structures around both.
+         */
         public var point:Vector3D = new Vector3D();
 
         /** The direction in which the collider has to move to get free: from the collidee to the collider, a unit vector. */
         public var normal:Vector3D = new Vector3D(0, 0, 1);
 
         /**
-         * How far they overlap along the normal at that time, in patches: 0 where their motions first made them touch. Moved by as much
-         * along the normal, the collider just touches the collidee, without overlapping it.
+         * How far they overlap along the normal at that time, in patches: 0, but for rounding, where their motions first made them touch. Moved by
+         * as much along the normal, the collider just touches the collidee, without overlapping it.
          */
         public var depth:Number = 0;
 

@@ -232,6 +232,12 @@ package starlogo.geometry
          */
         public static const SAME_TIME:Number = 1e-9;
 
+        /**
+         * How far the depth of a contact may be off, as a fraction of the larger extent of the two that touch: moved by as much more they are
+         * apart, by as much less they still touch. Smaller than 1e-12: rounding along directions that are nearly level with a surface is more.
+         */
+        public static const SEPARATION:Number = 1e-9;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

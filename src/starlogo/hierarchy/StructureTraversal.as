@@ -27,64 +27,28 @@ package starlogo.hierarchy
     {
         private var _part:RelativeMotion = new RelativeMotion();
 
-        // Which structure of the second model was visited last: numbers, because an object in a field costs Adobe's VM a write barrier.
-        private var _levelB:int;
-        private var _firstB:int;
-        private var _isCoverB:Boolean;
-
-        // By kind: the same in the space of the first.
-        private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
-                new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0), newBox()];
-        private var _box:Box = newBox();
+        private var _pair:NodePair;
 
         /** @inheritDoc */
         public function StructureTraversal(pose:RelativePose, isSwept:Boolean)
         {
             super(pose, isSwept);
+            _pair = new NodePair(pose);
         }
 
         /** @inheritDoc */
         override protected function beginRoots(a:HierarchyNode, b:HierarchyNode):void
         {
-            _levelB = -1;
+            _pair.begin();
         }
 
         /** @inheritDoc */
         override protected function visit(a:HierarchyNode, aEnds:Boolean, b:HierarchyNode, bEnds:Boolean):int
         {
             nodeVisits++;
-            var structureA:BoundingStructure = a.structure;
-            var structureB:BoundingStructure = b.structure;
-            var isCover:Boolean = false;
-            if (b.level > 0)
-            {
-                if (b.level > a.level && a.cover != null)
-                {
-                    structureA = a.cover;
-                }
-                if (a.level > b.level + 1 && b.cover != null)
-                {
-                    structureB = b.cover;
-                    isCover = true;
-                }
-                else if (structureB == null)
-                {
-                    structureB = b.bounds;
-                }
-            }
-            if (structureA == null)
-            {
-                structureA = boxOf(a);
-            }
-            var moved:BoundingStructure = _moved[structureB.kind];
-            if (b.level != _levelB || b.first != _firstB || isCover != _isCoverB)
-            {
-                _levelB = b.level;
-                _firstB = b.first;
-                _isCoverB = isCover;
-                structureB.place(pose.placement, moved);
-                moved.widen(pose.gap);
-            }
+            _pair.place(a, b);
+            var structureA:BoundingStructure = _pair.a;
+            var moved:BoundingStructure = _pair.b;
             if (isSwept)
             {
                 if (!isInTime(structureA, moved))
@@ -157,24 +121,6 @@ package starlogo.hierarchy
                 return at.y + end.y - 2 * node.y > 0;
             }
             return at.z + end.z - 2 * node.z > 0;
-        }
-
-        private function boxOf(node:HierarchyNode):BoundingStructure
-        {
-            var box:Box = _box;
-            var center:Vector3D = box.center;
-            center.x = node.x;
-            center.y = node.y;
-            center.z = node.z;
-            box.halfX = node.halfX;
-            box.halfY = node.halfY;
-            box.halfZ = node.halfZ;
-            return box;
-        }
-
-        private static function newBox():Box
-        {
-            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         }
     }
 }

@@ -6,6 +6,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.Polygon;
     import starlogo.intersection.contact.SegmentSum;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.boxBoxImpact;
 
@@ -21,6 +22,10 @@ package starlogo.intersection
         private var _b:SegmentSum = new SegmentSum();
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
+
+        // Made when they are first needed: their class extends SegmentBox, which has a BoxPair.
+        private var _edgesA:BoxEdges = null;
+        private var _edgesB:BoxEdges = null;
 
         // The shortest separating displacement so far.
         private var _depth:Number;
@@ -43,6 +48,33 @@ package starlogo.intersection
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             findDeepContact(a, b, 0, displacement, out);
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+        {
+            var boxA:Box = a as Box;
+            var boxB:Box = b as Box;
+            // always in one order: then rounding is the same in either
+            if (boxA.center.x > boxB.center.x || (boxA.center.x == boxB.center.x && isAfter(boxA.center, boxB.center)))
+            {
+                findClosest(b, a, out);
+                out.turn();
+                return;
+            }
+            _edgesA ||= new BoxEdges();
+            _edgesB ||= new BoxEdges();
+            _edgesA.findNearest(boxA, boxB);
+            if (_edgesA.squared > 0 && !_edgesA.isLeast())
+            {
+                _edgesB.findNearest(boxB, boxA);
+                if (_edgesB.squared < _edgesA.squared)
+                {
+                    _edgesB.write(boxA, true, out);
+                    return;
+                }
+            }
+            _edgesA.write(boxB, false, out);
         }
 
         /**

@@ -3,9 +3,12 @@ package starlogo.intersection
     import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.AxialStructure;
     import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
@@ -74,6 +77,11 @@ package starlogo.intersection
         protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             throw new IllegalOperationError("abstract");
+        }
+
+        /** Turns the gap from the kernel's axes into those of the structures' space. */
+        protected function turnGap(b:BoundingStructure):void
+        {
         }
 
         /** Points a contact's normal along the gap; returns its length. */
@@ -158,6 +166,37 @@ package starlogo.intersection
             {
                 findOverlap(a, b, displacement, out);
             }
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+        {
+            relate(a, b, RelativeMotion.NONE);
+            find(0);
+            turnGap(b);
+            if (a.kind == BoundingStructure.SPHERE)
+            {
+                var sphere:Sphere = a as Sphere;
+                out.aX = sphere.center.x;
+                out.aY = sphere.center.y;
+                out.aZ = sphere.center.z;
+                out.radiusA = sphere.radius;
+            }
+            else
+            {
+                var capsule:Capsule = a as Capsule;
+                var start:Vector3D = capsule.start;
+                var end:Vector3D = capsule.end;
+                out.aX = start.x + share * (end.x - start.x);
+                out.aY = start.y + share * (end.y - start.y);
+                out.aZ = start.z + share * (end.z - start.z);
+                out.radiusA = capsule.radius;
+            }
+            out.gapX = gapX;
+            out.gapY = gapY;
+            out.gapZ = gapZ;
+            out.radiusB = b.kind == BoundingStructure.BOX ? 0 : AxialStructure(b).radius;
+            out.separate();
         }
 
         /** Places a capsule's contact of which the normal is known: from a's closest point, back along the normal. */

@@ -2,10 +2,11 @@ package starlogo.intersection
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /**
-     * What the sweep and the contact of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test.
+     * What the sweep, the contact and the distance of one pair of kinds are made from; PairTable has one for each. This one is for pairs without a test.
      *
      * @private
      */
@@ -44,9 +45,22 @@ package starlogo.intersection
             throw missing(a, b);
         }
 
+        /**
+         * How far two structures are apart, and between which points.
+         *
+         * @param a of the pair's first kind
+         * @param b of the pair's second kind, in the same space
+         * @param out takes it
+         * @throws ArgumentError when there is no test for the pair
+         */
+        public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+        {
+            throw missing(a, b);
+        }
+
         private static function missing(a:BoundingStructure, b:BoundingStructure):ArgumentError
         {
-            return new ArgumentError("there is no test of motion and no contact for " + a + " and " + b);
+            return new ArgumentError("there is no test of motion, no contact and no distance for " + a + " and " + b);
         }
     }
 }

@@ -120,13 +120,24 @@ package starlogo.intersection
 
         override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
         {
+            var length:Number = Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ);
+            turnGap(b);
+            out.pointAlong(gapX, gapY, gapZ);
+            return length;
+        }
+
+        override protected function turnGap(b:BoundingStructure):void
+        {
             var box:Box = b as Box;
             var axisX:Vector3D = box.axisX;
             var axisY:Vector3D = box.axisY;
             var axisZ:Vector3D = box.axisZ;
-            out.pointAlong(gapX * axisX.x + gapY * axisY.x + gapZ * axisZ.x, gapX * axisX.y + gapY * axisY.y + gapZ * axisZ.y,
-                    gapX * axisX.z + gapY * axisY.z + gapZ * axisZ.z);
-            return Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ);
+            var x:Number = gapX;
+            var y:Number = gapY;
+            var z:Number = gapZ;
+            gapX = x * axisX.x + y * axisY.x + z * axisZ.x;
+            gapY = x * axisX.y + y * axisY.y + z * axisZ.y;
+            gapZ = x * axisX.z + y * axisY.z + z * axisZ.z;
         }
 
         // Points a contact's normal out through the nearest face; returns how far that is.

@@ -5,6 +5,7 @@ package starlogo.intersection
     import starlogo.bounding.Sphere;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.contact.contactOfSpheres;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.pointPointImpact;
 
@@ -31,6 +32,24 @@ package starlogo.intersection
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             contactOfSpheres(a as Sphere, b as Sphere, displacement.startX, displacement.startY, displacement.startZ, out);
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+        {
+            var sphere:Sphere = a as Sphere;
+            var other:Sphere = b as Sphere;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = other.center;
+            out.aX = center.x;
+            out.aY = center.y;
+            out.aZ = center.z;
+            out.gapX = center.x - middle.x;
+            out.gapY = center.y - middle.y;
+            out.gapZ = center.z - middle.z;
+            out.radiusA = sphere.radius;
+            out.radiusB = other.radius;
+            out.separate();
         }
     }
 }

@@ -8,24 +8,33 @@ package starlogo.intersection
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of a capsule and a box: in the box's axes, mirrored so that the capsule's axis points up each of them. */
-    internal final class SegmentBox extends PointBox
+    internal class SegmentBox extends PointBox
     {
         private static const DEEP:BoxPair = new BoxPair();
 
-        // From the start of the capsule's axis to its end, not negative.
-        private var _alongX:Number;
-        private var _alongY:Number;
-        private var _alongZ:Number;
+        /** From the start of the segment to its end, in these axes: not negative. */
+        protected var alongX:Number;
+
+        /** @copy #alongX */
+        protected var alongY:Number;
+
+        /** @copy #alongX */
+        protected var alongZ:Number;
 
         // -1 where an axis of the box is mirrored, else 1.
-        private var _signX:Number;
-        private var _signY:Number;
-        private var _signZ:Number;
+        private var _signX:Number = 1;
+        private var _signY:Number = 1;
+        private var _signZ:Number = 1;
 
-        // What turn() has turned.
+        // What turn() turns.
         private var _turnedX:Number;
         private var _turnedY:Number;
         private var _turnedZ:Number;
+
+        // From the box's middle to the segment's start, for findShare.
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
 
         /** Nothing related yet. */
         public function SegmentBox()
@@ -39,22 +48,34 @@ package starlogo.intersection
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
             var middle:Vector3D = box.center;
-            turn(box, end.x - start.x, end.y - start.y, end.z - start.z);
+            _turnedX = end.x - start.x;
+            _turnedY = end.y - start.y;
+            _turnedZ = end.z - start.z;
+            turn(box);
             var signX:Number = _turnedX < 0 ? -1 : 1;
             var signY:Number = _turnedY < 0 ? -1 : 1;
             var signZ:Number = _turnedZ < 0 ? -1 : 1;
-            _alongX = signX * _turnedX;
-            _alongY = signY * _turnedY;
-            _alongZ = signZ * _turnedZ;
-            turn(box, start.x - middle.x, start.y - middle.y, start.z - middle.z);
+            alongX = signX * _turnedX;
+            alongY = signY * _turnedY;
+            alongZ = signZ * _turnedZ;
+            _turnedX = start.x - middle.x;
+            _turnedY = start.y - middle.y;
+            _turnedZ = start.z - middle.z;
+            turn(box);
             fromX = _turnedX;
             fromY = _turnedY;
             fromZ = _turnedZ;
-            turn(box, motion.startX, motion.startY, motion.startZ);
+            _turnedX = motion.startX;
+            _turnedY = motion.startY;
+            _turnedZ = motion.startZ;
+            turn(box);
             fromX = signX * (fromX + _turnedX);
             fromY = signY * (fromY + _turnedY);
             fromZ = signZ * (fromZ + _turnedZ);
-            turn(box, motion.x, motion.y, motion.z);
+            _turnedX = motion.x;
+            _turnedY = motion.y;
+            _turnedZ = motion.z;
+            turn(box);
             motionX = signX * _turnedX;
             motionY = signY * _turnedY;
             motionZ = signZ * _turnedZ;
@@ -67,9 +88,12 @@ package starlogo.intersection
             radii = capsule.radius;
         }
 
-        // Turns a vector into the box's axes.
-        private function turn(box:Box, x:Number, y:Number, z:Number):void
+        // Turns a vector into the box's axes. A field, because V8 makes objects of Numbers that are passed.
+        private function turn(box:Box):void
         {
+            var x:Number = _turnedX;
+            var y:Number = _turnedY;
+            var z:Number = _turnedZ;
             var axis:Vector3D = box.axisX;
             _turnedX = axis.x * x + axis.y * y + axis.z * z;
             axis = box.axisY;
@@ -83,11 +107,14 @@ package starlogo.intersection
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
-            var along:Number = nearest(x, y, z);
-            share = along;
-            x += along * _alongX;
-            y += along * _alongY;
-            z += along * _alongZ;
+            _x = x;
+            _y = y;
+            _z = z;
+            findShare();
+            var along:Number = share;
+            x += along * alongX;
+            y += along * alongY;
+            z += along * alongZ;
             var half:Number = halfX;
             x = x > half ? x - half : (x < -half ? x + half : 0);
             half = halfY;
@@ -101,15 +128,15 @@ package starlogo.intersection
 
         override protected function get size():Number
         {
-            return _alongX + _alongY + _alongZ + halfX + halfY + halfZ + radii;
+            return alongX + alongY + alongZ + halfX + halfY + halfZ + radii;
         }
 
-        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
+        override protected function turnGap(b:BoundingStructure):void
         {
             gapX *= _signX;
             gapY *= _signY;
             gapZ *= _signZ;
-            return super.pointAlongGap(b, out);
+            super.turnGap(b);
         }
 
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
@@ -118,21 +145,20 @@ package starlogo.intersection
         }
 
         /**
-         * Where on the segment, from 0 to 1, the point is that is nearest to the box; of several, one in their midst. Along the segment
+         * Finds where on the segment, from 0 to 1, the point is that is nearest to the box; of several, one in their midst. Along the segment
          * the squared distance is convex, and quadratic between the planes of the box's faces; see capsuleBox.
-         *
-         * @param px from the box's middle to the segment's start, in these axes
-         * @param py likewise
-         * @param pz likewise
          */
-        private function nearest(px:Number, py:Number, pz:Number):Number
+        private function findShare():void
         {
+            var px:Number = _x;
+            var py:Number = _y;
+            var pz:Number = _z;
             var hx:Number = halfX;
             var hy:Number = halfY;
             var hz:Number = halfZ;
-            var dx:Number = _alongX;
-            var dy:Number = _alongY;
-            var dz:Number = _alongZ;
+            var dx:Number = alongX;
+            var dy:Number = alongY;
+            var dz:Number = alongZ;
             // Where the segment's line enters and leaves each slab of the box, and all of them.
             var inX:Number = -Infinity;
             var outX:Number = Infinity;
@@ -163,7 +189,8 @@ package starlogo.intersection
             {
                 lastIn = lastIn > 0 ? (lastIn < 1 ? lastIn : 1) : 0;
                 firstOut = firstOut > 0 ? (firstOut < 1 ? firstOut : 1) : 0;
-                return (lastIn + firstOut) / 2;
+                share = (lastIn + firstOut) / 2;
+                return;
             }
 
             // The line has left one slab before it enters another, and comes closest in between. Those two count; the third does where,
@@ -218,7 +245,7 @@ package starlogo.intersection
                 t = -(slope + dz * face) / (curvature + dz * dz);
             }
             // false for NaN too
-            return t > 0 ? (t < 1 ? t : 1) : 0;
+            share = t > 0 ? (t < 1 ? t : 1) : 0;
         }
     }
 }

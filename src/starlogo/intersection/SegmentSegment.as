@@ -5,6 +5,7 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
 
     /** The kernel of two capsules (Ericson, "Real-Time Collision Detection", §5.1.9). */
@@ -47,13 +48,50 @@ package starlogo.intersection
             motionY = motion.y;
             motionZ = motion.z;
             radii = capsule.radius + other.radius;
-            var ux:Number = end.x - startA.x;
-            var uy:Number = end.y - startA.y;
-            var uz:Number = end.z - startA.z;
+            _ux = end.x - startA.x;
+            _uy = end.y - startA.y;
+            _uz = end.z - startA.z;
             end = other.end;
-            var vx:Number = end.x - startB.x;
-            var vy:Number = end.y - startB.y;
-            var vz:Number = end.z - startB.z;
+            _vx = end.x - startB.x;
+            _vy = end.y - startB.y;
+            _vz = end.z - startB.z;
+            multiply();
+        }
+
+        /**
+         * Finds the closest points of two segments: the gap, and where on the first its point is.
+         *
+         * @param a has the ends of the first, x, y, z each
+         * @param startA where in a one end begins
+         * @param endA where the other does
+         * @param b has the ends of the second
+         * @param startB where in b one end begins
+         * @param endB where the other does
+         */
+        public function findEdges(a:Vector.<Number>, startA:int, endA:int, b:Vector.<Number>, startB:int, endB:int):void
+        {
+            fromX = a[startA] - b[startB];
+            fromY = a[int(startA + 1)] - b[int(startB + 1)];
+            fromZ = a[int(startA + 2)] - b[int(startB + 2)];
+            motionX = motionY = motionZ = 0;
+            _ux = a[endA] - a[startA];
+            _uy = a[int(endA + 1)] - a[int(startA + 1)];
+            _uz = a[int(endA + 2)] - a[int(startA + 2)];
+            _vx = b[endB] - b[startB];
+            _vy = b[int(endB + 1)] - b[int(startB + 1)];
+            _vz = b[int(endB + 2)] - b[int(startB + 2)];
+            multiply();
+            find(0);
+        }
+
+        private function multiply():void
+        {
+            var ux:Number = _ux;
+            var uy:Number = _uy;
+            var uz:Number = _uz;
+            var vx:Number = _vx;
+            var vy:Number = _vy;
+            var vz:Number = _vz;
             var uu:Number = ux * ux + uy * uy + uz * uz;
             var vv:Number = vx * vx + vy * vy + vz * vz;
             var uv:Number = ux * vx + uy * vy + uz * vz;
@@ -69,12 +107,6 @@ package starlogo.intersection
                 _crossZ = ux * vy - uy * vx;
                 _denominator = _crossX * _unit * _crossX + _crossY * _unit * _crossY + _crossZ * _unit * _crossZ;
             }
-            _ux = ux;
-            _uy = uy;
-            _uz = uz;
-            _vx = vx;
-            _vy = vy;
-            _vz = vz;
             _uu = uu;
             _vv = vv;
             _uv = uv;
@@ -129,6 +161,23 @@ package starlogo.intersection
             gapX = x + onA * ux - onB * vx;
             gapY = y + onA * uy - onB * vy;
             gapZ = z + onA * uz - onB * vz;
+        }
+
+        /** @inheritDoc */
+        override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
+        {
+            // always in one order: then rounding is the same in either
+            var startA:Vector3D = Capsule(a).start;
+            var startB:Vector3D = Capsule(b).start;
+            if (startA.x > startB.x || (startA.x == startB.x && isAfter(startA, startB)))
+            {
+                super.findClosest(b, a, out);
+                out.turn();
+            }
+            else
+            {
+                super.findClosest(a, b, out);
+            }
         }
 
         override protected function get size():Number

@@ -86,7 +86,7 @@ package starlogo.intersection
         {
             gapSquared += gap * gap;
         }
-        if (gapSquared > halfBX * halfBX + halfBY * halfBY + halfBZ * halfBZ)
+        if (!faceAxesOnly && gapSquared > halfBX * halfBX + halfBY * halfBY + halfBZ * halfBZ)
         {
             return false;
         }

@@ -22,7 +22,9 @@ package starlogo.models
          * The shapes come from <code>sphere()</code>, <code>cube()</code> and <code>cylinder()</code>; the
          * constructor serves them.
          *
-         * @copy Model#Model()
+         * @param name as Model's
+         * @param vertices as Model's
+         * @param triangles as Model's
          */
         public function BuiltInModel(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>)
         {

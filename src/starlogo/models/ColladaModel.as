@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.collada.ColladaReader;
-    import starlogo.steps.finish;
 
     /**
      * A model from a COLLADA document, 1.4 or 1.5.
@@ -28,15 +27,16 @@ package starlogo.models
          *
          * @param name what agents call the shape, not empty
          * @param source the document's text
+         * @param upAxis null for the axis that the document says; "x", "y", "z" or a ModelTransform in place of that
+         * @param scaling as for <code>Model</code>
          * @throws ModelError if the text is no COLLADA document or its scene has no geometry, a number, count, index
          *     or reference is wrong, nodes place each other in a circle, or as for <code>Model</code>; it names the
          *     element
          */
-        public function ColladaModel(name:String, source:String)
+        public function ColladaModel(name:String, source:String, upAxis:Object = null, scaling:String = Model.FOOTPRINT)
         {
-            var reader:ColladaReader = new ColladaReader(name, source);
-            finish(reader);
-            super(name, reader.vertices, reader.triangles);
+            super(name, ORIGIN);
+            setShape(new ColladaReader(name, source, upAxis).readShape(scaling, upAxis as ModelTransform));
         }
 
         /**
@@ -45,11 +45,13 @@ package starlogo.models
          *
          * @param name what agents call the shape, not empty
          * @param bytes the whole file; its position is left anywhere
+         * @param upAxis null for the axis that the document says; "x", "y", "z" or a ModelTransform in place of that
+         * @param scaling as for <code>Model</code>
          * @throws ModelError as the constructor does, or if an archive is damaged or has no document in it
          */
-        public static function fromBytes(name:String, bytes:ByteArray):ColladaModel
+        public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = null, scaling:String = Model.FOOTPRINT):ColladaModel
         {
-            return new ColladaModel(name, ModelFile.colladaText(name, bytes));
+            return new ColladaModel(name, ModelFile.colladaText(name, bytes), upAxis, scaling);
         }
     }
 }

@@ -1,56 +1,45 @@
 package starlogo.models
 {
-    import starlogo.engine;
     import starlogo.steps.finish;
-
-    use namespace engine;
 
     /**
      * The shape of a kind of agents, as the collision engine sees it: a name, vertices and, where known, triangles.
      *
-     * <p>The vertices are normalised (thesis §2.2): centred on the origin in x and y, the lowest at z = 0, and scaled
-     * uniformly so that the larger of the x and y extents is 1. In z a model may be taller than that. A model without
-     * extent in x and y (less than a millionth of its extent in z) is a vertical line: it is scaled to a z extent of
-     * 1. A single point is only moved to the origin.</p>
+     * <p>The vertices are normalised: <code>FOOTPRINT</code>, <code>VOLUME</code> and <code>AS_GIVEN</code> say how. An agent is the model,
+     * scaled by its size, turned about the model's origin and put in its place.</p>
      *
      * <p>A model never changes. Its coordinates are finite and its triangles name vertices that exist; triangles
      * without area are kept.</p>
      */
     public class Model
     {
-        private static const ORIGIN:Vector.<Number> = new <Number>[0, 0, 0];
+        /** The vertices of a model that takes its shape from elsewhere. */
+        internal static const ORIGIN:Vector.<Number> = new <Number>[0, 0, 0];
 
         /**
-         * The model's origin in the coordinates of the source that the model was made of.
-         *
-         * @private
+         * The scaling of the thesis (§2.2), and of every model unless told: centred on the origin in x and y, the lowest vertex at z = 0, and
+         * the larger of the x and y extents 1. In z a model may be taller than that. A model without extent in x and y (less than a
+         * millionth of its extent in z) is a vertical line: it is scaled to a z extent of 1. A single point is only moved to the origin. Of a
+         * ModelTransform its rotation and uneven scale are seen.
          */
-        engine var sourceX:Number;
+        public static const FOOTPRINT:String = "footprint";
 
         /**
-         * @copy #sourceX
-         *
-         * @private
+         * The scaling of the StarLogo Nova client of 2017: centred, and divided by the cube root of its box's volume, a length of 0 counting
+         * as 1; turned as a ModelTransform says, and the same again; multiplied by the transform's factors; its lowest vertex put at z = 0; and
+         * moved as the transform says.
          */
-        engine var sourceY:Number;
+        public static const VOLUME:String = "volume";
 
         /**
-         * @copy #sourceX
-         *
-         * @private
+         * No scaling: for vertices that are in the agent's own unit and place already. A ModelTransform turns, scales and moves them.
          */
-        engine var sourceZ:Number;
-
-        /**
-         * The length of the model's unit, in units of the source.
-         *
-         * @private
-         */
-        engine var sourceUnit:Number;
+        public static const AS_GIVEN:String = "as given";
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint> = null;
+        private var _source:SourceFrame;
 
         /**
          * Copies and normalises a shape.
@@ -59,26 +48,30 @@ package starlogo.models
          * @param vertices x, y, z, x, y, z, ... of at least one vertex, z up, in any unit; left as it is
          * @param triangles three vertex indices (0 is the first vertex) each, or null where only vertices are known; an
          *     empty one is taken for null; left as it is
+         * @param scaling <code>FOOTPRINT</code>, <code>VOLUME</code> or <code>AS_GIVEN</code>
          * @throws ModelError if the name is empty, there is no vertex, a coordinate is missing, not finite or so large
-         *     that the model's extent is not finite, or an index names no vertex
+         *     that the model's extent is not finite, an index names no vertex, or the scaling is none
+         * @throws ArgumentError in JavaScript, if an index is no integer from 0 to 4294967295, which all are in a Vector
          */
-        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null)
+        public function Model(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null, scaling:String = FOOTPRINT)
         {
-            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles);
+            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles, scaling);
             finish(shape);
             setShape(shape);
         }
 
-        /**
-         * A model made of a shape of which all steps are done.
-         *
-         * @private
-         */
+        /** A model made of a shape of which all steps are done. */
         internal static function of(shape:NormalisedShape):Model
         {
             var model:Model = new Model(shape.name, ORIGIN);
             model.setShape(shape);
             return model;
+        }
+
+        /** Where the model is in what it was made of, and how large: for a renderer that draws the source. The model's own. */
+        public function get source():SourceFrame
+        {
+            return _source;
         }
 
         /** What agents call the shape. */
@@ -102,7 +95,8 @@ package starlogo.models
             return _triangles;
         }
 
-        private function setShape(shape:NormalisedShape):void
+        /** Gives the model its shape, all steps of which are done. */
+        internal final function setShape(shape:NormalisedShape):void
         {
             _name = shape.name;
             _vertices = shape.vertices;
@@ -112,10 +106,7 @@ package starlogo.models
             {
                 _triangles.fixed = true;
             }
-            sourceX = shape.originX;
-            sourceY = shape.originY;
-            sourceZ = shape.originZ;
-            sourceUnit = shape.unit;
+            _source = shape.frame;
         }
     }
 }

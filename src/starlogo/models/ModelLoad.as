@@ -25,6 +25,7 @@ package starlogo.models
 
         // the address of a file: data:text/plain,... has none beside it
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
+        private static const EXTENSION:RegExp = /\.[^.\/]*$/;
 
         /** The model's name. */
         public var name:String;
@@ -32,10 +33,12 @@ package starlogo.models
         /** The model, from when it is read. */
         public var model:Model = null;
 
-        private var _upAxis:String;
+        private var _upAxis:Object;
+        private var _scaling:String;
         private var _receiver:ModelReceiver;
         private var _url:String = null;
         private var _fetch:ModelFetch = null;
+        private var _transformFetch:ModelFetch = null;
         private var _fitsFetch:ModelFetch = null;
         private var _readTime:int = 0;
         private var _bytes:ByteArray = null;
@@ -47,20 +50,22 @@ package starlogo.models
 
         /**
          * @param name the model's name
-         * @param upAxis the axis that points up, if it is an OBJ file
+         * @param upAxis the axis that points up, if the file does not say; or a ModelTransform
+         * @param scaling as Model's constructor has it
          * @param receiver takes the model in
          */
-        public function ModelLoad(name:String, upAxis:String, receiver:ModelReceiver)
+        public function ModelLoad(name:String, upAxis:Object, scaling:String, receiver:ModelReceiver)
         {
             this.name = name;
             _upAxis = upAxis;
+            _scaling = scaling;
             _receiver = receiver;
         }
 
         /** Whether the file that is needed next is fetched, or cannot be. */
         public function get isReady():Boolean
         {
-            if (_fetch != null && _fetch.isUnderWay)
+            if (isUnderWay(_fetch) || isUnderWay(_transformFetch))
             {
                 return false;
             }
@@ -91,8 +96,9 @@ package starlogo.models
          * @param url where it is
          * @param loader fetches it
          * @param fitsLoader fetches the .fits file beside it; null if none is wanted
+         * @param transformLoader fetches the transform file beside it; null if none is wanted
          */
-        public function fetch(url:String, loader:URLLoader, fitsLoader:URLLoader):void
+        public function fetch(url:String, loader:URLLoader, fitsLoader:URLLoader, transformLoader:URLLoader):void
         {
             _url = url || "";
             if (_url != "")
@@ -102,6 +108,11 @@ package starlogo.models
             if (fitsLoader != null && FILE.test(_url))
             {
                 _fitsFetch = new ModelFetch(_url.replace(FILE, "$1.fits$2"), fitsLoader);
+            }
+            if (transformLoader != null && FILE.test(_url))
+            {
+                var path:String = _url.replace(FILE, "$1").replace(EXTENSION, "");
+                _transformFetch = new ModelFetch(path + ".slb" + _url.replace(FILE, "$2"), transformLoader);
             }
             call(checkFetched);
             setFile(null, null);
@@ -125,7 +136,7 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelFetch in [_fetch, _fitsFetch])
+            for each (var each:ModelFetch in [_fetch, _fitsFetch, _transformFetch])
             {
                 if (each != null)
                 {
@@ -142,6 +153,19 @@ package starlogo.models
                 throw new ModelError(name, "", problem);
             }
             _bytes = _fetch.bytes;
+            takeTransform();
+        }
+
+        // A file that is not there, or says nothing, leaves the axis that was asked for.
+        private function takeTransform():void
+        {
+            var bytes:ByteArray = _transformFetch == null ? null : _transformFetch.bytes;
+            if (bytes != null)
+            {
+                bytes.position = 0;
+                var transform:ModelTransform = ModelTransform.fromText(bytes.readUTFBytes(bytes.length));
+                _upAxis = transform.isIdentity ? _upAxis : transform;
+            }
         }
 
         private function unpacking():Steps
@@ -161,7 +185,7 @@ package starlogo.models
         private function reading():Steps
         {
             var text:String = _document == null ? _text : _document.text;
-            _reader = isCollada(text) ? new ColladaReader(name, text) : new ObjReader(name, text, _upAxis);
+            _reader = isCollada(text) ? new ColladaReader(name, text, _upAxis as ModelTransform) : new ObjReader(name, text, _upAxis);
             _document = null;
             _text = null;
             _fetch = null;
@@ -170,7 +194,7 @@ package starlogo.models
 
         private function normalising():Steps
         {
-            _shape = new NormalisedShape(name, _reader.vertices, _reader.triangles);
+            _shape = new NormalisedShape(name, _reader.vertices, _reader.triangles, _scaling, _upAxis as ModelTransform);
             return _shape;
         }
 
@@ -197,6 +221,11 @@ package starlogo.models
             // a file that took too long
             _fitsFetch.cancel();
             return FitsReceiver(_receiver).receiveWithFits(model, _fitsFetch.bytes);
+        }
+
+        private static function isUnderWay(fetch:ModelFetch):Boolean
+        {
+            return fetch != null && fetch.isUnderWay;
         }
 
         /** What begins with a tag is no OBJ file, whatever its name. */

@@ -66,6 +66,13 @@ package starlogo.models
          */
         public var usesBakedFits:Boolean = true;
 
+        /**
+         * Whether <code>load()</code> asks for a transform file beside the model's too, as the StarLogo Nova client has them:
+         * <code>bear.slb</code> beside <code>bear.obj</code>. What is in it, a ModelTransform, stands in place of the up axis; one that is not
+         * there, or says nothing, is no error. It is not asked for where <code>load()</code> gets a ModelTransform.
+         */
+        public var usesTransforms:Boolean = false;
+
         private var _receiver:ModelReceiver;
         private var _budget:Number;
         private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
@@ -153,11 +160,13 @@ package starlogo.models
          *
          * @param name what agents call the shape
          * @param url where the file is: OBJ, COLLADA or zipped COLLADA
-         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"
+         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"; or, for any file, a ModelTransform
+         * @param scaling as for <code>Model</code>
          */
-        public function load(name:String, url:String, upAxis:String = "z"):void
+        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
-            add(name, upAxis).fetch(url, newURLLoader(), usesBakedFits && _receiver is FitsReceiver ? newFitsLoader() : null);
+            add(name, upAxis, scaling).fetch(url, newURLLoader(), usesBakedFits && _receiver is FitsReceiver ? newFitsLoader() : null,
+                    usesTransforms && !(upAxis is ModelTransform) ? newURLLoader() : null);
         }
 
         /**
@@ -165,11 +174,12 @@ package starlogo.models
          *
          * @param name what agents call the shape
          * @param bytes the whole file: OBJ, COLLADA or zipped COLLADA; not to be changed until the model is loaded
-         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"
+         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"; or, for any file, a ModelTransform
+         * @param scaling as for <code>Model</code>
          */
-        public function loadBytes(name:String, bytes:ByteArray, upAxis:String = "z"):void
+        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
-            add(name, upAxis).setFile(bytes, null);
+            add(name, upAxis, scaling).setFile(bytes, null);
         }
 
         /**
@@ -177,11 +187,12 @@ package starlogo.models
          *
          * @param name what agents call the shape
          * @param text OBJ or COLLADA
-         * @param upAxis the axis that points up in OBJ text: "x", "y" or "z"
+         * @param upAxis the axis that points up in OBJ text: "x", "y" or "z"; or, for any text, a ModelTransform
+         * @param scaling as for <code>Model</code>
          */
-        public function loadText(name:String, text:String, upAxis:String = "z"):void
+        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
-            add(name, upAxis).setFile(null, text);
+            add(name, upAxis, scaling).setFile(null, text);
         }
 
         /**
@@ -196,7 +207,7 @@ package starlogo.models
             {
                 throw new ArgumentError("the source of the model must not be null");
             }
-            add(source.name, "z").setSource(source);
+            add(source.name, "z", Model.FOOTPRINT).setSource(source);
         }
 
         /**
@@ -242,9 +253,9 @@ package starlogo.models
             return getTimer();
         }
 
-        private function add(name:String, upAxis:String):ModelLoad
+        private function add(name:String, upAxis:Object, scaling:String):ModelLoad
         {
-            var added:ModelLoad = new ModelLoad(name, upAxis, _receiver);
+            var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver);
             _receiver.expect(name);
             _queue.push(added);
             sFrames.addEventListener(Event.ENTER_FRAME, onFrame);

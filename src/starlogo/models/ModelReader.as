@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import starlogo.steps.StepSequence;
+    import starlogo.steps.finish;
 
     /**
      * Reads a model's file; a step takes about a millisecond, and throws a ModelError if the file is wrong. Each format has one.
@@ -24,6 +25,15 @@ package starlogo.models
         public function ModelReader(name:String)
         {
             this.name = name;
+        }
+
+        /** Does all steps; what is read, turned and scaled. */
+        internal final function readShape(scaling:String, transform:ModelTransform):NormalisedShape
+        {
+            finish(this);
+            var shape:NormalisedShape = new NormalisedShape(name, vertices, triangles, scaling, transform);
+            finish(shape);
+            return shape;
         }
 
         /** How much is read, from 0 to 1. */

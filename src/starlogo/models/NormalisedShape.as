@@ -1,10 +1,12 @@
 package starlogo.models
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
+    import starlogo.geometry.cubeRoot;
     import starlogo.steps.StepSequence;
 
-    /** What a model is made of: a shape checked, copied and normalised as Model says, in steps. */
+    /** What a model is made of: a shape checked, copied, turned and normalised as Model says, in steps. */
     internal final class NormalisedShape extends StepSequence
     {
         // below this ratio to z, extents in x and y are rounding errors of whatever placed the vertices
@@ -22,40 +24,60 @@ package starlogo.models
         /** When no step is left: three indices each, or null. */
         public var triangles:Vector.<uint> = null;
 
-        /** Where the origin was, when no step is left. */
-        public var originX:Number;
+        /** Where it is in what it was made of, when no step is left. */
+        public var frame:SourceFrame = new SourceFrame();
 
-        /** @copy #originX */
-        public var originY:Number;
+        private var _count:int;
+        private var _transform:ModelTransform;
+        private var _bounds:VertexBounds;
 
-        /** @copy #originX */
-        public var originZ:Number;
+        // what turn() multiplies by
+        private var _rows:Vector.<Number>;
 
-        /** How long the unit was, when no step is left. */
-        public var unit:Number;
-
-        private var _bounds:VertexBounds = new VertexBounds();
+        // what place() takes off, in two parts, and divides by
+        private var _low:Vector3D = new Vector3D();
+        private var _half:Vector3D = new Vector3D();
+        private var _divisor:Number = 1;
 
         /**
          * @param name what agents call the shape
          * @param vertices x, y, z, ..., in any unit; left as it is
          * @param triangles three indices each, null or empty; left as it is
-         * @throws ModelError if there is no name or no vertex, or a number is missing; what else Model's constructor throws, the steps do
+         * @param scaling as Model's constructor has it
+         * @param transform turns, scales and moves it; null for not at all
+         * @throws ModelError if there is no name or no vertex, the scaling is none, or a number is missing; what else Model's constructor throws,
+         *     the steps do
          */
-        public function NormalisedShape(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function NormalisedShape(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>, scaling:String,
+                transform:ModelTransform = null)
         {
             this.name = name || "";
             check(this.name == "" ? "a model needs a name, one that is not empty" : null);
             check(vertices == null || vertices.length == 0 ? "no vertices: a model needs at least one" : null);
             check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             this.vertices = vertices.slice();
-            var count:int = vertices.length / 3;
-            slices(count, VERTICES_PER_STEP, measure).call(findUnit).slices(count, VERTICES_PER_STEP, place);
+            _count = vertices.length / 3;
+            _transform = transform == null ? new ModelTransform() : transform;
+            measureAll();
+            switch (scaling)
+            {
+                case Model.FOOTPRINT:
+                    turnAll().scaleAll().call(findFootprint).slices(_count, VERTICES_PER_STEP, place);
+                    break;
+                case Model.VOLUME:
+                    centreAll().turnAll().centreAll().scaleAll().call(findGround).slices(_count, VERTICES_PER_STEP, place);
+                    break;
+                case Model.AS_GIVEN:
+                    turnAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
+                    break;
+                default:
+                    check("the scaling must be Model.FOOTPRINT, VOLUME or AS_GIVEN, not \"" + scaling + "\"");
+            }
             if (triangles != null && triangles.length > 0)
             {
-                check(triangles.length % 3 == 0 ? null : VertexData.triangleProblem(triangles, count));
+                check(triangles.length % 3 == 0 ? null : VertexData.triangleProblem(triangles, _count));
                 this.triangles = triangles.slice();
-                slices(triangles.length, CORNERS_PER_STEP, checkCorners);
+                slices(triangles.length, CORNERS_PER_STEP, checkCorners).call(turnRound);
             }
         }
 
@@ -67,27 +89,123 @@ package starlogo.models
             }
         }
 
+        private function measureAll():NormalisedShape
+        {
+            call(forget).slices(_count, VERTICES_PER_STEP, measure);
+            return this;
+        }
+
+        private function centreAll():NormalisedShape
+        {
+            call(findVolume).slices(_count, VERTICES_PER_STEP, place);
+            return measureAll();
+        }
+
+        private function turnAll():NormalisedShape
+        {
+            if (_transform.rotation.lengthSquared > 0)
+            {
+                call(findRotation).slices(_count, VERTICES_PER_STEP, turn);
+                measureAll();
+            }
+            return this;
+        }
+
+        private function scaleAll():NormalisedShape
+        {
+            var factors:Vector3D = _transform.scale;
+            if (factors.x != 1 || factors.y != 1 || factors.z != 1)
+            {
+                call(findScale).slices(_count, VERTICES_PER_STEP, turn);
+                measureAll();
+            }
+            return this;
+        }
+
+        private function forget():void
+        {
+            _bounds = new VertexBounds();
+        }
+
         private function measure(first:int, end:int):void
         {
             _bounds.add(vertices, first, end);
             check(_bounds.areFinite ? null : VertexData.vertexProblem(vertices));
         }
 
-        private function findUnit():void
+        private function findRotation():void
+        {
+            _rows = _transform.rotationRows();
+            frame.turn(_rows);
+        }
+
+        private function findScale():void
+        {
+            var factors:Vector3D = _transform.scale;
+            _rows = new <Number>[factors.x, 0, 0, 0, factors.y, 0, 0, 0, factors.z];
+            frame.scale(factors);
+        }
+
+        private function turn(first:int, end:int):void
+        {
+            var turned:Vector.<Number> = vertices;
+            var rows:Vector.<Number> = _rows;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
+            {
+                var j:int = i + 1;
+                var k:int = i + 2;
+                var x:Number = turned[i];
+                var y:Number = turned[j];
+                var z:Number = turned[k];
+                turned[i] = rows[0] * x + rows[1] * y + rows[2] * z;
+                turned[j] = rows[3] * x + rows[4] * y + rows[5] * z;
+                turned[k] = rows[6] * x + rows[7] * y + rows[8] * z;
+            }
+        }
+
+        private function findFootprint():void
         {
             var extentX:Number = _bounds.maxX - _bounds.minX;
             var extentY:Number = _bounds.maxY - _bounds.minY;
             var extentZ:Number = _bounds.maxZ - _bounds.minZ;
-            check(extentX + extentY + extentZ < Infinity ? null
-                    : "the coordinates are too large: the model's extent is not a finite number");
-            originX = _bounds.minX + extentX / 2;
-            originY = _bounds.minY + extentY / 2;
-            originZ = _bounds.minZ;
-            unit = Math.max(extentX, extentY);
+            var unit:Number = Math.max(extentX, extentY);
             if (unit <= extentZ * LINE_RATIO)
             {
                 unit = extentZ > 0 ? extentZ : 1;
             }
+            setPlace(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, 0, unit);
+        }
+
+        private function findVolume():void
+        {
+            var extentX:Number = _bounds.maxX - _bounds.minX;
+            var extentY:Number = _bounds.maxY - _bounds.minY;
+            var extentZ:Number = _bounds.maxZ - _bounds.minZ;
+            setPlace(_bounds.minX, _bounds.minY, _bounds.minZ, extentX / 2, extentY / 2, extentZ / 2, rootOf(extentX) * rootOf(extentY) *
+                    rootOf(extentZ));
+        }
+
+        private function findGround():void
+        {
+            var translation:Vector3D = _transform.translation;
+            setPlace(0, 0, _bounds.minZ, -translation.x, -translation.y, -translation.z, 1);
+        }
+
+        private function findTranslation():void
+        {
+            var translation:Vector3D = _transform.translation;
+            setPlace(0, 0, 0, -translation.x, -translation.y, -translation.z, 1);
+        }
+
+        private function setPlace(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):void
+        {
+            var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
+            check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
+            _low.setTo(lowX, lowY, lowZ);
+            _half.setTo(halfX, halfY, halfZ);
+            _divisor = divisor;
+            frame.place(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
         }
 
         // Differences first, division last: that makes the bounds exact, and works for the smallest and largest
@@ -96,26 +214,27 @@ package starlogo.models
         {
             var placed:Vector.<Number> = vertices;
             var last:int = 3 * end;
-            var minX:Number = _bounds.minX;
-            var minY:Number = _bounds.minY;
-            var minZ:Number = _bounds.minZ;
-            var halfX:Number = (_bounds.maxX - minX) / 2;
-            var halfY:Number = (_bounds.maxY - minY) / 2;
-            var divisor:Number = unit;
+            var lowX:Number = _low.x;
+            var lowY:Number = _low.y;
+            var lowZ:Number = _low.z;
+            var halfX:Number = _half.x;
+            var halfY:Number = _half.y;
+            var halfZ:Number = _half.z;
+            var divisor:Number = _divisor;
             for (var i:int = 3 * first; i < last; i += 3)
             {
                 var j:int = i + 1;
                 var k:int = i + 2;
-                placed[i] = (placed[i] - minX - halfX) / divisor;
-                placed[j] = (placed[j] - minY - halfY) / divisor;
-                placed[k] = (placed[k] - minZ) / divisor;
+                placed[i] = (placed[i] - lowX - halfX) / divisor;
+                placed[j] = (placed[j] - lowY - halfY) / divisor;
+                placed[k] = (placed[k] - lowZ - halfZ) / divisor;
             }
         }
 
         private function checkCorners(first:int, end:int):void
         {
-            var count:uint = vertices.length / 3;
             var corners:Vector.<uint> = triangles;
+            var count:uint = _count;
             for (var i:int = first; i < end; i++)
             {
                 if (corners[i] >= count)
@@ -123,6 +242,22 @@ package starlogo.models
                     check(VertexData.triangleProblem(corners, count));
                 }
             }
+        }
+
+        // A mirror image's triangles are turned round, so that they still face outwards.
+        private function turnRound():void
+        {
+            var factors:Vector3D = _transform.scale;
+            if (factors.x * factors.y * factors.z < 0)
+            {
+                triangles.reverse();
+            }
+        }
+
+        // the client's: what has no extent counts as one that has 1
+        private static function rootOf(extent:Number):Number
+        {
+            return extent == 0 ? 1 : cubeRoot(extent);
         }
     }
 }

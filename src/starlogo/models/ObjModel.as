@@ -2,7 +2,6 @@ package starlogo.models
 {
     import flash.utils.ByteArray;
     import starlogo.models.obj.ObjReader;
-    import starlogo.steps.finish;
 
     /**
      * A model from Wavefront OBJ text.
@@ -25,15 +24,15 @@ package starlogo.models
          *
          * @param name what agents call the shape, not empty
          * @param source the file's text
-         * @param upAxis the axis that points up in the file, "x", "y" or "z": OBJ files do not say
+         * @param upAxis the axis that points up in the file, "x", "y" or "z": OBJ files do not say; or a ModelTransform
+         * @param scaling as for <code>Model</code>
          * @throws ModelError if the text is no OBJ file or holds no vertex, a number or an index is wrong, or as for
          *     <code>Model</code>; it names the line
          */
-        public function ObjModel(name:String, source:String, upAxis:String = "z")
+        public function ObjModel(name:String, source:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT)
         {
-            var reader:ObjReader = new ObjReader(name, source, upAxis);
-            finish(reader);
-            super(name, reader.vertices, reader.triangles);
+            super(name, ORIGIN);
+            setShape(new ObjReader(name, source, upAxis).readShape(scaling, upAxis as ModelTransform));
         }
 
         /**
@@ -41,12 +40,13 @@ package starlogo.models
          *
          * @param name what agents call the shape, not empty
          * @param bytes the whole file; its position is left anywhere
-         * @param upAxis the axis that points up in the file
+         * @param upAxis the axis that points up in the file, or a ModelTransform
+         * @param scaling as for <code>Model</code>
          * @throws ModelError as the constructor does
          */
-        public static function fromBytes(name:String, bytes:ByteArray, upAxis:String = "z"):ObjModel
+        public static function fromBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):ObjModel
         {
-            return new ObjModel(name, ModelFile.text(name, bytes), upAxis);
+            return new ObjModel(name, ModelFile.text(name, bytes), upAxis, scaling);
         }
     }
 }

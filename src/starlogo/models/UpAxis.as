@@ -26,10 +26,22 @@ package starlogo.models
         {
         }
 
-        /** Whether a text names an axis. */
-        public static function isValid(axis:String):Boolean
+        /**
+         * The name of the axis that an argument of a model asks for.
+         *
+         * @param upAxis a name, or a ModelTransform, which takes the file as it is
+         * @param name the model's name
+         * @throws ModelError if it is neither
+         */
+        public static function of(upAxis:Object, name:String):String
         {
-            return axis == X || axis == Y || axis == Z;
+            if (upAxis is ModelTransform)
+            {
+                return Z;
+            }
+            refuseIf(upAxis != X && upAxis != Y && upAxis != Z, name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not \"" +
+                    upAxis + "\"");
+            return String(upAxis);
         }
 
         /**

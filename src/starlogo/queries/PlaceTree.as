@@ -1,5 +1,7 @@
 package starlogo.queries
 {
+    import starlogo.geometry.Trigonometry;
+
     /**
      * A balanced tree of boxes around the places of a table's rows: finds those that are near a place, or nearest to it, however they
      * are spread (Bentley, "Multidimensional Binary Search Trees", 1975, with boxes around what is on either side).
@@ -40,6 +42,12 @@ package starlogo.queries
 
         /** The square of the greatest distance that counts. */
         public var limit:Number = Infinity;
+
+        /** A row that does not count in any search, as a number of the list; or -1. */
+        public var skipped:int = -1;
+
+        /** The square of the distance beyond which rows count for <code>findNearest</code>; -1 for all. */
+        public var beyond:Number = -1;
 
         /** What the last search of several has found, as numbers of the list. */
         public var found:Vector.<int> = new Vector.<int>();
@@ -107,6 +115,52 @@ package starlogo.queries
             return (leaf - firstLeaf) * count / firstLeaf;
         }
 
+        /** The leaf that has a place in the order of the leaves. */
+        public function leafOf(at:int):int
+        {
+            return firstLeaf + int(((at + 1) * firstLeaf - 1) / count);
+        }
+
+        /** The place in the order of the leaves of a row, given as a number of the list. */
+        public function orderOf(member:int):int
+        {
+            return _order[member];
+        }
+
+        /** The squared distance from x, y, z of a row, given as a number of the list. */
+        public function squareOf(member:int):Number
+        {
+            return squareAt(_order[member]);
+        }
+
+        /**
+         * The angle at x, y, z between a direction and that to a row.
+         *
+         * @param member the row's number in the list
+         * @param directionX of length 1
+         * @param directionY likewise
+         * @param directionZ likewise
+         * @return degrees, 0 for a row that is at x, y, z
+         */
+        public function angleTo(member:int, directionX:Number, directionY:Number, directionZ:Number):Number
+        {
+            var at:int = _order[member];
+            var toX:Number = _x[at] - x;
+            var toY:Number = _y[at] - y;
+            var toZ:Number = _z[at] - z;
+            var acrossX:Number = directionY * toZ - directionZ * toY;
+            var acrossY:Number = directionZ * toX - directionX * toZ;
+            var acrossZ:Number = directionX * toY - directionY * toX;
+            var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
+            var along:Number = directionX * toX + directionY * toY + directionZ * toZ;
+            if (across == 0 && along == 0)
+            {
+                // which may be -0, and that has an angle
+                return 0;
+            }
+            return Trigonometry.arctangent(across, along);
+        }
+
         /**
          * Takes the place of one row anew: the boxes about it grow, so that the tree is right, if not as good as one made anew.
          *
@@ -170,7 +224,8 @@ package starlogo.queries
                 for (var at:int = startOf(node); at < end; at++)
                 {
                     var square:Number = squareAt(at);
-                    if (square > least || (square == least && nearest >= 0 && members[at] > nearest))
+                    if (square > least || (square == least && nearest >= 0 && members[at] > nearest) || members[at] == skipped
+                            || square <= beyond)
                     {
                         continue;
                     }
@@ -207,7 +262,7 @@ package starlogo.queries
                 for (var at:int = startOf(node); at < end; at++)
                 {
                     var square:Number = squareAt(at);
-                    if (square <= limit && (test == null || test.accepts(members[at])))
+                    if (square <= limit && members[at] != skipped && (test == null || test.accepts(members[at])))
                     {
                         found[length] = members[at];
                         squares[length] = square;
@@ -244,11 +299,15 @@ package starlogo.queries
                 var end:int = startOf(node + 1);
                 for (var at:int = startOf(node); at < end; at++)
                 {
-                    if (squareAt(at) <= limit && (test == null || test.accepts(members[at])))
+                    if (squareAt(at) <= limit && (test == null || (members[at] != skipped && test.accepts(members[at]))))
                     {
                         near++;
                     }
                 }
+            }
+            if (test == null && skipped >= 0 && squareAt(_order[skipped]) <= limit)
+            {
+                near--;
             }
             return near;
         }
@@ -356,11 +415,6 @@ package starlogo.queries
                 last = (last << 1) + 1;
             }
             return startOf(last + 1) - startOf(node);
-        }
-
-        private function leafOf(at:int):int
-        {
-            return firstLeaf + int(((at + 1) * firstLeaf - 1) / count);
         }
 
         private function grow():void

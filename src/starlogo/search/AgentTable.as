@@ -31,6 +31,9 @@ package starlogo.search
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
 
+        // In place of an agent's revision: for a row that is somewhere else for a while.
+        private static const DISPLACED:int = -3;
+
         private static const ROTATION_SIZE:int = 9;
 
         // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
@@ -102,6 +105,10 @@ package starlogo.search
         private var _foundExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _scratch:Placement = new Placement();
 
+        // Of a list that is checked: the agents' places in it. By kind: a structure for a row of a guest.
+        private var _checked:IdTable = new IdTable();
+        private var _spares:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
+
         /**
          * @param strategy finds the shapes of agents
          * @param shapes has the shape of each model
@@ -122,10 +129,7 @@ package starlogo.search
          */
         public function read(agents:Vector.<Agent>):void
         {
-            if (_shapes.forgetReplaced())
-            {
-                markVoidShapes();
-            }
+            forgetReplaced();
             if (count != agents.length || !readPlaces(agents))
             {
                 readList(agents);
@@ -138,6 +142,125 @@ package starlogo.search
                 _freedList = listNumber;
             }
             setPlaces();
+        }
+
+        /**
+         * Throws what <code>read</code> would throw, and changes nothing, so that a list can be refused before anything is lost.
+         *
+         * @throws ArgumentError as read does
+         */
+        public function check(list:Vector.<Agent>):void
+        {
+            if (isListed(list))
+            {
+                // read() finds new shapes before it changes a row
+                return;
+            }
+            forgetReplaced();
+            _checked.clear();
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var agent:Agent = list[i];
+                if (!(agent is Agent))
+                {
+                    throw isNoAgent(i, agent);
+                }
+                var before:int = _checked.valueOf(agent.number);
+                if (before >= 0)
+                {
+                    throw listedTwice(agent, before, i);
+                }
+                _checked.set (agent.number, i);
+                var row:int = rowOf(agent);
+                if (row < 0 || needsShape(row))
+                {
+                    _shapes.shapeOf(agent);
+                }
+            }
+        }
+
+        /**
+         * Makes one row as its agent is now; the others stay as they are.
+         *
+         * @throws ArgumentError if its model is unknown, or what is needed of it was not loaded; the row is then as it was
+         */
+        public function readRow(row:int):void
+        {
+            forgetReplaced();
+            var loading:int = loadingCount;
+            if (shapes[row] == null)
+            {
+                loading--;
+            }
+            var agent:Agent = agents[row];
+            _changedCount = 0;
+            if (agent.placement.extentsRevision != _extentsRevisions[row])
+            {
+                _changed[0] = row;
+                _changedCount = 1;
+                findShapes();
+                loadingCount += loading;
+            }
+            x[row] = agent.placement.x;
+            y[row] = agent.placement.y;
+            z[row] = agent.placement.z;
+            revisions[row] = agent.revision;
+            extents.x[row] = x[row] + _offsetX[row];
+            extents.y[row] = y[row] + _offsetY[row];
+            extents.z[row] = z[row] + _offsetZ[row];
+        }
+
+        /** Whether a row is as its agent is now. */
+        public function isOfNow(row:int):Boolean
+        {
+            return agents[row].revision == revisions[row] && shapes[row] != null;
+        }
+
+        /**
+         * Makes a row for an agent as it is now, beside that which it may have: of no list, until <code>endGuest()</code>.
+         *
+         * @return the row; its shape is null while its model is loading
+         * @throws ArgumentError as readRow does
+         */
+        public function readGuest(agent:Agent):int
+        {
+            var row:int = _rowCount;
+            makeRows(row + 1);
+            agents[row] = agent;
+            // a question that threw may have left one
+            shapes[row] = null;
+            _extentsRevisions[row] = STALE;
+            var structure:BoundingStructure = _placed[row];
+            if (structure != null)
+            {
+                // of guests of all kinds, one structure each is enough
+                _spares[structure.kind] = structure;
+            }
+            var shape:ModelShape = _shapes.shapeOf(agent);
+            if (shape != null && shape.decides)
+            {
+                _placed[row] = _spares[shape.structure.kind];
+            }
+            loadingCount++;
+            readRow(row);
+            if (shapes[row] == null)
+            {
+                loadingCount--;
+            }
+            return row;
+        }
+
+        /** Lets go of a guest. */
+        public function endGuest():void
+        {
+            agents[_rowCount] = null;
+            shapes[_rowCount] = null;
+        }
+
+        /** Whether a row is a box, and only that. */
+        public function isBox(row:int):Boolean
+        {
+            return boxes[row] != null;
         }
 
         /** The row of an agent that is listed, or -1. */
@@ -206,6 +329,25 @@ package starlogo.search
                 place(row);
             }
             return _placed[row];
+        }
+
+        /** Puts a row somewhere else, so that questions can be asked about it there, until <code>putBack()</code>. */
+        public function displace(row:int, toX:Number, toY:Number, toZ:Number):void
+        {
+            putBack(row, toX, toY, toZ, DISPLACED);
+        }
+
+        /** Puts a row back to where it was, with the revision that it had. */
+        public function putBack(row:int, toX:Number, toY:Number, toZ:Number, revision:int):void
+        {
+            x[row] = toX;
+            y[row] = toY;
+            z[row] = toZ;
+            extents.x[row] = toX + _offsetX[row];
+            extents.y[row] = toY + _offsetY[row];
+            extents.z[row] = toZ + _offsetZ[row];
+            revisions[row] = revision;
+            placedRevisions[row] = STALE;
         }
 
         /** Puts the structure of a row where its agent is. Not before a test asks for it: of thousands of agents few have others near them. */
@@ -329,7 +471,7 @@ package starlogo.search
                     // where there are no types, it may be anything
                     if (!(agent is Agent))
                     {
-                        refuseList("agents[" + i + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent)));
+                        refuseList(isNoAgent(i, agent));
                     }
                     row = rowOf(agent);
                 }
@@ -339,7 +481,7 @@ package starlogo.search
                 }
                 else if (_lists[row] == listNumber)
                 {
-                    refuseList(agent + " is listed twice: agents[" + list.indexOf(agent) + "] and agents[" + i + "]");
+                    refuseList(listedTwice(agent, list.indexOf(agent), i));
                 }
                 _lists[row] = listNumber;
                 rows[i] = row;
@@ -347,11 +489,42 @@ package starlogo.search
             count = list.length;
         }
 
-        private function refuseList(message:String):void
+        private function refuseList(error:Error):void
         {
             freeRows(true);
             listNumber++;
-            throw new ArgumentError(message);
+            throw error;
+        }
+
+        private function isListed(list:Vector.<Agent>):Boolean
+        {
+            var i:int = 0;
+            if (list.length == count)
+            {
+                while (i < count && agents[rows[i]] === list[i])
+                {
+                    i++;
+                }
+            }
+            return i == count && list.length == count;
+        }
+
+        private static function isNoAgent(place:int, agent:Agent):Error
+        {
+            return new ArgumentError("agents[" + place + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent)));
+        }
+
+        private static function listedTwice(agent:Agent, first:int, second:int):Error
+        {
+            return new ArgumentError(agent + " is listed twice: agents[" + first + "] and agents[" + second + "]");
+        }
+
+        private function forgetReplaced():void
+        {
+            if (_shapes.forgetReplaced())
+            {
+                markVoidShapes();
+            }
         }
 
         private function addRow(agent:Agent):int

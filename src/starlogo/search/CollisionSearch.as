@@ -83,17 +83,21 @@ package starlogo.search
          */
         public function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):void
         {
-            search(agents, breeds, out, false);
+            search(agents, breeds, null, out, false);
             if (out.length > 2 * _pairCount)
             {
                 out.length = 2 * _pairCount;
             }
         }
 
-        /** As find, with the places of the agents in the list and the numbers of their breeds. */
-        public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, out:FoundPairs):void
+        /**
+         * As find, with the places of the agents in the list and the numbers of their breeds.
+         *
+         * @param takePart which agents do, by their places in the list; null for all
+         */
+        public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
         {
-            search(agents, breeds, out.agents, true);
+            search(agents, breeds, takePart, out.agents, true);
             writeNumbers(out.places, out.breeds);
             out.end(2 * _pairCount);
         }
@@ -204,7 +208,8 @@ package starlogo.search
             }
         }
 
-        private function search(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, withNumbers:Boolean):void
+        private function search(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:Vector.<Agent>,
+                withNumbers:Boolean):void
         {
             _table.read(agents);
             _out = out;
@@ -218,7 +223,7 @@ package starlogo.search
             {
                 _breedNumbers.update(_table, breeds);
             }
-            chooseMembers(breeds);
+            chooseMembers(breeds, takePart);
             _breeds = breeds == null || breeds.areAll ? null : breeds;
             _pairCount = _skippedPairs = 0;
             _strategy.resetCounts();
@@ -233,12 +238,12 @@ package starlogo.search
             report(agents.length);
         }
 
-        // Mostly all breeds count.
-        private function chooseMembers(breeds:BreedPairs):void
+        // Mostly all agents take part.
+        private function chooseMembers(breeds:BreedPairs, takePart:Vector.<Boolean>):void
         {
             _members = _table.rows;
             _memberCount = _table.count;
-            if (_table.loadingCount == 0 && (breeds == null || _breedNumbers.outsiders == 0))
+            if (_table.loadingCount == 0 && takePart == null && (breeds == null || _breedNumbers.outsiders == 0))
             {
                 return;
             }
@@ -247,7 +252,7 @@ package starlogo.search
             for (var i:int = 0; i < _table.count; i++)
             {
                 var row:int = _table.rows[i];
-                if (_table.shapes[row] != null && (breeds == null || _table.breeds[row] >= 0))
+                if (_table.shapes[row] != null && (breeds == null || _table.breeds[row] >= 0) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
                     _places[_memberCount] = i;

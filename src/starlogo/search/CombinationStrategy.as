@@ -113,6 +113,30 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            return strategyOf(table, a, b).findImpact(table, a, b, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function set leavesDecide(value:Boolean):void
+        {
+            _hierarchy.leavesDecide = value;
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            strategyOf(table, a, b).findOuterContact(table, a, b, out);
+        }
+
+        /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            return strategyOf(table, a, b).hasExactContact(table, a, b);
+        }
+
+        /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
             return _hierarchy.depthOf(table, row);
@@ -122,6 +146,12 @@ package starlogo.search
         override public function get isExact():Boolean
         {
             return _hierarchy.isExact;
+        }
+
+        /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return _tightestFit.isRound;
         }
 
         /** @inheritDoc */

@@ -26,6 +26,7 @@ package starlogo.search
         /** Whether triangles decide. */
         public var exact:Boolean = false;
 
+        private var _leavesDecide:Boolean = false;
         private var _greatLand:GreatLand;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
@@ -129,8 +130,8 @@ package starlogo.search
             {
                 return _traversal.structureOverlaps(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB);
             }
-            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
-                    depthOf(table, b), exact);
+            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, levelsOf(table, a), shapeB.hierarchy, placementB,
+                    levelsOf(table, b), exact && !_leavesDecide);
         }
 
         /** @inheritDoc */
@@ -178,6 +179,42 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            if (isSecondFirst(table, a, b))
+            {
+                _turned.turn(motion);
+                var time:Number = findImpact(table, b, a, _turned, out);
+                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+                return time;
+            }
+            counts.hierarchyTests++;
+            var hierarchy:SolidHierarchy = table.shapes[a].hierarchy;
+            var shapeB:ModelShape = table.shapes[b];
+            var placementA:Placement = table.placementOf(a, _placementA);
+            var placementB:Placement = table.placementOf(b, _placementB);
+            if (shapeB.hierarchy == null)
+            {
+                return _swept.findStructureImpact(hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion, out);
+            }
+            return _swept.findImpact(hierarchy, placementA, levelsOf(table, a), shapeB.hierarchy, placementB, levelsOf(table, b),
+                    exact && !_leavesDecide, motion, out);
+        }
+
+        /** @inheritDoc */
+        override public function set leavesDecide(value:Boolean):void
+        {
+            _leavesDecide = value && exact;
+        }
+
+        /** @inheritDoc */
+        override public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            _swept.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
+                    table.placementOf(b, _placementB), out);
+        }
+
+        /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
             return table.depths[row] == 0 ? maxDepth : table.depths[row];
@@ -204,8 +241,17 @@ package starlogo.search
             counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The hierarchy is first; of two, that of the agent with the lower id. So rounding is the same in either order.
-        private static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
+        // Of one of two hierarchies.
+        private function levelsOf(table:AgentTable, row:int):int
+        {
+            return _leavesDecide ? int.MAX_VALUE : depthOf(table, row);
+        }
+
+        /**
+         * Whether the second of two rows is taken for the first: the hierarchy is, and of two shapes alike that of the agent with the lower number.
+         * So rounding is the same in either order.
+         */
+        public static function isSecondFirst(table:AgentTable, a:int, b:int):Boolean
         {
             var isHierarchy:Boolean = table.shapes[a].hierarchy != null;
             if (isHierarchy != (table.shapes[b].hierarchy != null))

@@ -1,16 +1,11 @@
 package starlogo.search
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.contactOfSpheres;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.pointPointImpact;
 
     use namespace engine;
 
@@ -36,8 +31,8 @@ package starlogo.search
         private var _enters:Number;
         private var _leaves:Number;
 
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
+        private var _sweep:RowSweep;
+        private var _separation:Separation;
 
         /**
          * @param strategy decides what is not a sphere
@@ -45,6 +40,8 @@ package starlogo.search
         public function Motions(strategy:ShapeStrategy)
         {
             _strategy = strategy;
+            _sweep = new RowSweep(strategy);
+            _separation = new Separation(strategy, _sweep);
         }
 
         /** Whether any agent of a list sweeps. */
@@ -114,7 +111,7 @@ package starlogo.search
             {
                 return _strategy.areTouching(table, a, b) ? 0 : RelativeMotion.NEVER;
             }
-            return areSpheres ? impactTimeOfSpheres(table, a, b) : _strategy.impactTime(table, a, b, motion);
+            return _sweep.impactTime(table, a, b, motion);
         }
 
         /**
@@ -138,17 +135,8 @@ package starlogo.search
             {
                 motion.endAfter(0, 0, 0);
             }
-            if (table.shapes[a].isSphere && table.shapes[b].isSphere)
-            {
-                readSphere(table.extents, a, _sphereA);
-                readSphere(table.extents, b, _sphereB);
-                contactOfSpheres(_sphereA, _sphereB, motion.startX + time * motion.x, motion.startY + time * motion.y,
-                        motion.startZ + time * motion.z, out);
-            }
-            else
-            {
-                _strategy.findContact(table, a, b, motion, time, out);
-            }
+            _sweep.findContact(table, a, b, motion, time, out);
+            _separation.find(table, a, b, motion, time, out);
             if (isPassing)
             {
                 // from where b is now to where it was
@@ -166,28 +154,6 @@ package starlogo.search
                 x.length = y.length = z.length = isSweeping.length = length;
                 extents.grow(length);
             }
-        }
-
-        private function impactTimeOfSpheres(table:AgentTable, a:int, b:int):Number
-        {
-            _strategy.counts.tests[0]++;
-            var motion:RelativeMotion = _motion;
-            var standing:Extents = table.extents;
-            var fromX:Number = standing.x[a] - standing.x[b] + motion.startX;
-            var fromY:Number = standing.y[a] - standing.y[b] + motion.startY;
-            var fromZ:Number = standing.z[a] - standing.z[b] + motion.startZ;
-            // the motion's own rounding too
-            var reach:Number = ShapeStrategy.reachOfSpheres(table, a, b)
-                + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            var time:Number = pointPointImpact(fromX, fromY, fromZ, motion.x, motion.y, motion.z, reach);
-            // no rounding hides what stands there
-            return time == RelativeMotion.NEVER && ShapeStrategy.areSpheresTouching(table, a, b) ? 1 : time;
-        }
-
-        private static function readSphere(standing:Extents, row:int, sphere:Sphere):void
-        {
-            sphere.center.setTo(standing.x[row], standing.y[row], standing.z[row]);
-            sphere.radius = standing.halfX[row];
         }
 
         // Whether the extents of two rows, which now are where they are at the end of the motion, never overlap in all directions at once.

@@ -184,6 +184,50 @@ package starlogo.search
             throw new IllegalOperationError(this + " does not implement findContact");
         }
 
+        /**
+         * When and how two rows, not both spheres, touch for the first time that do not touch at the beginning.
+         *
+         * @param motion as in impactTime
+         * @param out takes how, as in findContact
+         * @return as impactTime; but what rounding hides at the end of the motion may be left out
+         */
+        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            var time:Number = impactTime(table, a, b, motion);
+            if (time != RelativeMotion.NEVER)
+            {
+                findContact(table, a, b, motion, time, out);
+            }
+            return time;
+        }
+
+        /**
+         * How the structures around two rows overlap, where they are.
+         *
+         * @param out takes it, the normal pointing from b to a
+         */
+        public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            findContact(table, a, b, RelativeMotion.NONE, 0, out);
+        }
+
+        /**
+         * Whether the contact of two rows that are not both spheres is exact: moved by its depth they just touch. Otherwise it is that of parts of
+         * the two, and others may still overlap.
+         */
+        public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            return false;
+        }
+
+        /**
+         * Whether triangles are left out, and the leaves of hierarchies decide for them: all that triangles find, leaves find too, and in a
+         * tenth of the time.
+         */
+        public function set leavesDecide(value:Boolean):void
+        {
+        }
+
         /** How many levels are visited of a row's hierarchy. */
         public function depthOf(table:AgentTable, row:int):int
         {
@@ -192,6 +236,12 @@ package starlogo.search
 
         /** Whether triangles decide between two hierarchies. */
         public function get isExact():Boolean
+        {
+            return false;
+        }
+
+        /** Whether two boxes may touch, by the tests that are made, whose extents along x and y do not overlap, but circles around these do. */
+        public function get isRound():Boolean
         {
             return false;
         }

@@ -210,6 +210,22 @@ package starlogo.search
                     motion.startZ + time * motion.z, out);
         }
 
+        /** @inheritDoc */
+        override public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            if ((spheresFirst || capsulesFirst) && haveOuter(table, a, b))
+            {
+                return false;
+            }
+            return !boxFacesOnly || table.shapes[a].structure.kind != BoundingStructure.BOX || table.shapes[b].structure.kind != BoundingStructure.BOX;
+        }
+
+        /** @inheritDoc */
+        override public function get isRound():Boolean
+        {
+            return boxFacesOnly;
+        }
+
         private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
         {
             var outerA:OuterStructures = table.outer[a];

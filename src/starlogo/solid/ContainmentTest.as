@@ -21,6 +21,9 @@ package starlogo.solid
      */
     internal final class ContainmentTest
     {
+        /** Whether the last point is in the space of the second model. */
+        public var isPointOfSecond:Boolean = false;
+
         private var _pose:RelativePose;
         private var _middle:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
@@ -31,6 +34,12 @@ package starlogo.solid
         public function ContainmentTest(pose:RelativePose)
         {
             _pose = pose;
+        }
+
+        /** The point that was inside, where the last answer is that something is: in the space of the model around it. */
+        public function get innerPoint():Vector3D
+        {
+            return _point;
         }
 
         /** Whether a part of one model is inside of the other; false if one has no triangles. */
@@ -93,6 +102,7 @@ package starlogo.solid
             var py:Number = middle.y * relative.size;
             var pz:Number = middle.z * relative.size;
             var point:Vector3D = _point;
+            isPointOfSecond = false;
             point.x = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
             point.y = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
             point.z = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
@@ -128,6 +138,7 @@ package starlogo.solid
             moveX -= root.x;
             moveY -= root.y;
             moveZ -= root.z;
+            isPointOfSecond = isOfFirst;
             var points:Vector.<Number> = inner.partPoints;
             var length:int = points.length;
             var stride:int = 3 * Solid.POINTS_PER_PART;

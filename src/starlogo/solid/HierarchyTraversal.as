@@ -41,6 +41,7 @@ package starlogo.solid
         private var _boxes:BoxTraversal;
         private var _structures:StructureTraversal;
         private var _exact:ExactPairTest;
+        private var _triangles:StructureTriangles;
         private var _containment:ContainmentTest;
 
         // Stands for a structure: a box in the space of its axes, or any.
@@ -56,6 +57,7 @@ package starlogo.solid
             _boxes = new BoxTraversal(_pose);
             _structures = new StructureTraversal(_pose, false);
             _exact = new ExactPairTest(_pose);
+            _triangles = new StructureTriangles(_pose);
             _containment = new ContainmentTest(_pose);
             _leaf.x = _leaf.y = _leaf.z = 0;
         }
@@ -122,27 +124,35 @@ package starlogo.solid
          * @param depth how many levels of it are visited
          * @param structure represents another model, in that model's space
          * @param placementB where the other model stands
+         * @param exact whether, for a hierarchy of triangles, depths do not count and triangles decide: whether one meets the solid structure
          */
         public function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement):Boolean
+                placementB:Placement, exact:Boolean = false):Boolean
         {
             if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
             {
                 return isPointInStructure(a.root, placementA, structure, placementB);
             }
             _pose.relate(placementA, placementB);
+            var decider:StructureTriangles = null;
+            if (exact && _triangles.prepare(a, structure))
+            {
+                decider = _triangles;
+                depth = int.MAX_VALUE;
+            }
             if (structure.kind != BoundingStructure.BOX || a.boundsKind != BoundingStructure.BOX)
             {
                 if (_leaf.structure !== structure)
                 {
                     _leaf.structure = structure;
                 }
-                return _structures.find(a.root, depth, _leaf, 1, null)
-                    || (_structures.rootsOverlapped && _containment.isStructureInside(a, structure));
+                return _structures.find(a.root, depth, _leaf, 1, decider)
+                    || ((_structures.rootsOverlapped || decider != null) && _containment.isStructureInside(a, structure));
             }
             setLeaf(Box(structure));
             _pose.relateToAxesOf(Box(structure));
-            return _boxes.find(a.root, depth, _leaf, 1, null) || (_boxes.rootsOverlapped && _containment.isLeafInside(a, _leaf));
+            return _boxes.find(a.root, depth, _leaf, 1, decider)
+                || ((_boxes.rootsOverlapped || decider != null) && _containment.isLeafInside(a, _leaf));
         }
 
         // The first model is so small that it is a point of the second's space.

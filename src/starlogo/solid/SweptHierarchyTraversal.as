@@ -30,6 +30,8 @@ package starlogo.solid
      *
      * <p>Scratch objects are reused: nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
      *
+     * <p>This file is long because each question is asked of two hierarchies, and of one and a structure.</p>
+     *
      * @private
      */
     public final class SweptHierarchyTraversal
@@ -177,13 +179,9 @@ package starlogo.solid
             {
                 findContactOf(a.root.bounds, b.root.bounds, time, out);
             }
-            else if (_isByTriangles)
-            {
-                _exact.findContact(time, out);
-            }
             else
             {
-                findContactOf(_traversal.firstA.bounds, _traversal.firstB.bounds, time, out);
+                findContactOfFirst(time, out);
             }
             moveToWorld(placementA, motion, time, out);
         }
@@ -204,6 +202,71 @@ package starlogo.solid
             var node:HierarchyNode = isFound ? _structures.firstA : a.root;
             findContactOf(node.bounds, structure, time, out);
             moveToWorld(placementA, motion, time, out);
+        }
+
+        /**
+         * When two models touch for the first time that do not touch at the beginning, and where.
+         *
+         * @param a as in hierarchiesTouch, and so are the others
+         * @param out takes it, in the world
+         * @return from 0 to 1, or RelativeMotion.NEVER
+         */
+        public function findImpact(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
+                exact:Boolean, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
+            {
+                _turned.turn(motion);
+                var time:Number = findImpact(b, placementB, depthB, a, placementA, depthA, exact, _turned, out);
+                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+                return time;
+            }
+            relate(placementA, placementB, motion);
+            if (!findTrees(a, depthA, b, depthB, exact))
+            {
+                return RelativeMotion.NEVER;
+            }
+            time = _traversal.time;
+            findContactOfFirst(time, out);
+            moveToWorld(placementA, motion, time, out);
+            return time;
+        }
+
+        /**
+         * When a model's hierarchy touches a structure for the first time that it does not touch at the beginning, and where.
+         *
+         * @param a as in structureTouches, and so are the others
+         * @param out takes it, in the world
+         * @return from 0 to 1, or RelativeMotion.NEVER
+         */
+        public function findStructureImpact(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
+                placementB:Placement, motion:RelativeMotion, out:ContactPoint):Number
+        {
+            relate(placementA, placementB, motion);
+            if (!findStructure(a.root, depth, structure))
+            {
+                return RelativeMotion.NEVER;
+            }
+            findContactOf(_structures.firstA.bounds, structure, _structures.time, out);
+            moveToWorld(placementA, motion, _structures.time, out);
+            return _structures.time;
+        }
+
+        /**
+         * How the structures around two models overlap that stand still.
+         *
+         * @param a is around the first model, in its space
+         * @param placementA where that stands
+         * @param b is around the second model, in its space
+         * @param placementB where that stands
+         * @param out takes it, in the world
+         */
+        public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
+                out:ContactPoint):void
+        {
+            relate(placementA, placementB, RelativeMotion.NONE);
+            findContactOf(a, b, 0, out);
+            moveToWorld(placementA, RelativeMotion.NONE, 0, out);
         }
 
         private function findTrees(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, exact:Boolean):Boolean
@@ -227,6 +290,17 @@ package starlogo.solid
         {
             _leaf.structure = structure;
             return _structures.find(root, depth, _leaf, 1, null);
+        }
+
+        // Of the first two triangles or nodes that findTrees has found.
+        private function findContactOfFirst(time:Number, out:ContactPoint):void
+        {
+            if (_isByTriangles)
+            {
+                _exact.findContact(time, out);
+                return;
+            }
+            findContactOf(_traversal.firstA.bounds, _traversal.firstB.bounds, time, out);
         }
 
         // Of two structures in their models' spaces, at a time, in the space of the first.

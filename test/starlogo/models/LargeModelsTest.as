@@ -92,7 +92,7 @@ package starlogo.models
                     }));
             assertSame(new Model("a", all, triangles), new ColladaModel("a", text));
             assertTrue(text.length > 200000);
-            assertTrue(steps(new ColladaReader("a", text)) > text.length / 60000 + 20);
+            assertTrue(steps(new ColladaReader("a", text, null)) > text.length / 60000 + 20);
         }
 
         [Test]

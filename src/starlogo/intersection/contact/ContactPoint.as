@@ -35,6 +35,18 @@ package starlogo.intersection.contact
         {
         }
 
+        /** Takes over all of another. */
+        public function copyFrom(other:ContactPoint):void
+        {
+            x = other.x;
+            y = other.y;
+            z = other.z;
+            normalX = other.normalX;
+            normalY = other.normalY;
+            normalZ = other.normalZ;
+            depth = other.depth;
+        }
+
         /**
          * Makes it the contact of the same structures in the other order: then the other structure is displaced, by the opposite vector.
          *

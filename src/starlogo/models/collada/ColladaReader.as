@@ -14,6 +14,7 @@ package starlogo.models.collada
     public final class ColladaReader extends ModelReader
     {
         private var _source:String;
+        private var _upAxis:String;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
         private var _instance:int = 0;
@@ -29,11 +30,13 @@ package starlogo.models.collada
         /**
          * @param name the model's name
          * @param source the document's text
+         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the document is left as it is; null for what it says
          */
-        public function ColladaReader(name:String, source:String)
+        public function ColladaReader(name:String, source:String, upAxis:Object)
         {
             super(name);
             _source = source;
+            _upAxis = upAxis == null ? null : UpAxis.of(upAxis, name);
             begin(measuring).call(parse).begin(walking).repeat(readInstances).begin(turningUp);
         }
 
@@ -106,10 +109,10 @@ package starlogo.models.collada
                 vertices = _loosePoints;
             }
             refuseIf(vertices.length == 0, name, "no vertices: expected a scene or a library with a geometry in it");
-            return UpAxis.turning(vertices, upAxis());
+            return UpAxis.turning(vertices, _upAxis || upAxisOfDocument());
         }
 
-        private function upAxis():String
+        private function upAxisOfDocument():String
         {
             var asset:ColladaElement = _document.root.child("asset");
             var element:ColladaElement = asset == null ? null : asset.child("up_axis");

@@ -41,13 +41,12 @@ package starlogo.models.obj
         /**
          * @param name the model's name
          * @param source the text
-         * @param upAxis "x", "y" or "z"
+         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the file is left as it is
          */
-        public function ObjReader(name:String, source:String, upAxis:String)
+        public function ObjReader(name:String, source:String, upAxis:Object)
         {
             super(name);
-            _upAxis = upAxis;
-            refuseIf(!UpAxis.isValid(upAxis), name, "the up axis must be \"x\", \"y\" or \"z\", not \"" + upAxis + "\"");
+            _upAxis = UpAxis.of(upAxis, name);
             refuseIf(source == null, name, "there is no text to read");
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is no OBJ text but some binary file");
             _tokens = new ObjTokens(source);

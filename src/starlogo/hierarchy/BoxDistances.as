@@ -1,0 +1,183 @@
+package starlogo.hierarchy
+{
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
+
+    /**
+     * Finds how far two trees of boxes are apart. What two boxes are apart at least is what their extents are along the axes of one or of the
+     * other, which takes few products; only those that end are measured. Of two nodes the larger is divided.
+     *
+     * @private
+     */
+    public final class BoxDistances extends DistanceTraversal
+    {
+        // How much less an estimate is than the distances below, as a fraction: more than rounding and nesting come to.
+        private static const SLACK:Number = 1e-12;
+
+        // The rotation times the scale, and its absolute values; the scale.
+        private var _m00:Number;
+        private var _m01:Number;
+        private var _m02:Number;
+        private var _m10:Number;
+        private var _m11:Number;
+        private var _m12:Number;
+        private var _m20:Number;
+        private var _m21:Number;
+        private var _m22:Number;
+        private var _abs00:Number;
+        private var _abs01:Number;
+        private var _abs02:Number;
+        private var _abs10:Number;
+        private var _abs11:Number;
+        private var _abs12:Number;
+        private var _abs20:Number;
+        private var _abs21:Number;
+        private var _abs22:Number;
+        private var _scale:Number;
+
+        /** @inheritDoc */
+        public function BoxDistances(pose:RelativePose)
+        {
+            super(pose);
+        }
+
+        /** @inheritDoc */
+        override protected function begin():void
+        {
+            var relative:Placement = pose.placement;
+            var scale:Number = relative.size;
+            _scale = scale;
+            _m00 = relative.r00 * scale;
+            _m01 = relative.r01 * scale;
+            _m02 = relative.r02 * scale;
+            _m10 = relative.r10 * scale;
+            _m11 = relative.r11 * scale;
+            _m12 = relative.r12 * scale;
+            _m20 = relative.r20 * scale;
+            _m21 = relative.r21 * scale;
+            _m22 = relative.r22 * scale;
+            _abs00 = Math.abs(_m00);
+            _abs01 = Math.abs(_m01);
+            _abs02 = Math.abs(_m02);
+            _abs10 = Math.abs(_m10);
+            _abs11 = Math.abs(_m11);
+            _abs12 = Math.abs(_m12);
+            _abs20 = Math.abs(_m20);
+            _abs21 = Math.abs(_m21);
+            _abs22 = Math.abs(_m22);
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * <p>In this order: from the middle of a's box to that of b's; the gaps along a's axes; those along b's; that along the line between the closest
+         * points so far.</p>
+         */
+        override protected function estimate(a:HierarchyNode, b:HierarchyNode):void
+        {
+            var bX:Number = b.x;
+            var bY:Number = b.y;
+            var bZ:Number = b.z;
+            var x:Number = _m00 * bX + _m01 * bY + _m02 * bZ + pose.placement.x - a.x;
+            var y:Number = _m10 * bX + _m11 * bY + _m12 * bZ + pose.placement.y - a.y;
+            var z:Number = _m20 * bX + _m21 * bY + _m22 * bZ + pose.placement.z - a.z;
+
+            bX = b.halfX;
+            bY = b.halfY;
+            bZ = b.halfZ;
+            var halfX:Number = a.halfX;
+            var halfY:Number = a.halfY;
+            var halfZ:Number = a.halfZ;
+            var squared:Number = 0;
+            var gap:Number = x < 0 ? -x : x;
+            gap -= halfX + _abs00 * bX + _abs01 * bY + _abs02 * bZ;
+            if (gap > 0)
+            {
+                squared = gap * gap;
+            }
+            gap = y < 0 ? -y : y;
+            gap -= halfY + _abs10 * bX + _abs11 * bY + _abs12 * bZ;
+            if (gap > 0)
+            {
+                squared += gap * gap;
+            }
+            gap = z < 0 ? -z : z;
+            gap -= halfZ + _abs20 * bX + _abs21 * bY + _abs22 * bZ;
+            if (gap > 0)
+            {
+                squared += gap * gap;
+            }
+
+            // the products are larger by the scale
+            var scale:Number = _scale;
+            var squaredInB:Number = 0;
+            gap = _m00 * x + _m10 * y + _m20 * z;
+            gap = gap < 0 ? -gap : gap;
+            gap = (gap - _abs00 * halfX - _abs10 * halfY - _abs20 * halfZ) / scale - scale * bX;
+            if (gap > 0)
+            {
+                squaredInB = gap * gap;
+            }
+            gap = _m01 * x + _m11 * y + _m21 * z;
+            gap = gap < 0 ? -gap : gap;
+            gap = (gap - _abs01 * halfX - _abs11 * halfY - _abs21 * halfZ) / scale - scale * bY;
+            if (gap > 0)
+            {
+                squaredInB += gap * gap;
+            }
+            gap = _m02 * x + _m12 * y + _m22 * z;
+            gap = gap < 0 ? -gap : gap;
+            gap = (gap - _abs02 * halfX - _abs12 * halfY - _abs22 * halfZ) / scale - scale * bZ;
+            if (gap > 0)
+            {
+                squaredInB += gap * gap;
+            }
+            var least:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
+
+            // along the line between the closest points so far: what is not nearer is mostly not so along that
+            var toX:Number = directionX;
+            var toY:Number = directionY;
+            var toZ:Number = directionZ;
+            var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
+            if (length > 0)
+            {
+                var reachX:Number = toX * _m00 + toY * _m10 + toZ * _m20;
+                var reachY:Number = toX * _m01 + toY * _m11 + toZ * _m21;
+                var reachZ:Number = toX * _m02 + toY * _m12 + toZ * _m22;
+                reachX = reachX < 0 ? -reachX : reachX;
+                reachY = reachY < 0 ? -reachY : reachY;
+                reachZ = reachZ < 0 ? -reachZ : reachZ;
+                gap = x * toX + y * toY + z * toZ - reachX * bX - reachY * bY - reachZ * bZ;
+                toX = toX < 0 ? -toX : toX;
+                toY = toY < 0 ? -toY : toY;
+                toZ = toZ < 0 ? -toZ : toZ;
+                gap = (gap - halfX * toX - halfY * toY - halfZ * toZ) / length;
+                if (gap > least)
+                {
+                    least = gap;
+                }
+            }
+            least -= SLACK * (least + reach) + pose.gap;
+            if (least > bound)
+            {
+                bound = least;
+            }
+        }
+
+        /** @inheritDoc */
+        override protected function dividesFirst(a:HierarchyNode, b:HierarchyNode):Boolean
+        {
+            return a.radius >= _scale * b.radius;
+        }
+
+        /** @inheritDoc */
+        override protected function settle(a:HierarchyNode, b:HierarchyNode):void
+        {
+            measure(a, b);
+            bound = 0;
+            raise(a, b);
+        }
+    }
+}

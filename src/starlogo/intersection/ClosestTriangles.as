@@ -1,0 +1,209 @@
+package starlogo.intersection
+{
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.distance.ClosestPair;
+
+    /**
+     * Finds the closest points of triangles, of many pairs the closest ones: a corner of one and a point of the other's face, points of two edges,
+     * or where an edge of one passes through the other.
+     *
+     * <p>Exact but for rounding, 1e-15 of the triangles' size and of the distance: a point over a triangle is found along its longest edge and
+     * then at right angles to that, so that needles, whose normals are imprecise, lose nothing. A triangle that is no wider than rounding
+     * (Tolerances.FLAT_TRIANGLE) is its edges.</p>
+     *
+     * @private
+     */
+    public final class ClosestTriangles
+    {
+        // Numbers of a corner in _over.
+        private static const PER_CORNER:int = 5;
+
+        /** The square of the least distance of the pairs since begin. */
+        public var squared:Number = Infinity;
+
+        /** The points of that pair; not its distance. */
+        public var points:ClosestPair = new ClosestPair();
+
+        private var _edges:SegmentSegment = new SegmentSegment();
+
+        // By corner of one triangle: where it is over the other, along its longest edge and at right angles to it, as shares of the edge and of the
+        // height; from there to the corner.
+        private var _over:Vector.<Number> = new Vector.<Number>(3 * PER_CORNER, true);
+
+        // A triangle's longest edge, from its beginning; its height, from the edge; where on the edge that stands.
+        private var _base:int;
+        private var _u:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _h:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _foot:Number;
+
+        /** No pair yet. */
+        public function ClosestTriangles()
+        {
+        }
+
+        /** Begins anew. */
+        public function begin():void
+        {
+            squared = Infinity;
+        }
+
+        /**
+         * Adds a pair.
+         *
+         * @param a has nine numbers of a triangle: x, y, z of each corner
+         * @param atA where in a they begin
+         * @param b has nine numbers of the other, in the same space
+         * @param atB where in b they begin
+         */
+        public function add(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
+        {
+            addFace(a, atA, b, atB, false);
+            addFace(b, atB, a, atA, true);
+            var endA:int = atA + 6;
+            for (var i:int = atA; i <= atA + 6; i += 3)
+            {
+                var endB:int = atB + 6;
+                for (var k:int = atB; k <= atB + 6; k += 3)
+                {
+                    _edges.findEdges(a, endA, i, b, endB, k);
+                    var x:Number = _edges.gapX;
+                    var y:Number = _edges.gapY;
+                    var z:Number = _edges.gapZ;
+                    var length:Number = x * x + y * y + z * z;
+                    if (length < squared)
+                    {
+                        squared = length;
+                        var share:Number = _edges.share;
+                        points.aX = a[endA] + share * (a[i] - a[endA]);
+                        points.aY = a[int(endA + 1)] + share * (a[int(i + 1)] - a[int(endA + 1)]);
+                        points.aZ = a[int(endA + 2)] + share * (a[int(i + 2)] - a[int(endA + 2)]);
+                        points.bX = points.aX - x;
+                        points.bY = points.aY - y;
+                        points.bZ = points.aZ - z;
+                    }
+                    endB = k;
+                }
+                endA = i;
+            }
+        }
+
+        // The corners of q over the face of p, and the edges of q through it.
+        private function addFace(p:Vector.<Number>, atP:int, q:Vector.<Number>, atQ:int, isTurned:Boolean):void
+        {
+            if (!findBase(p, atP))
+            {
+                return;
+            }
+            var over:Vector.<Number> = _over;
+            for (var i:int = 0; i < 3; i++)
+            {
+                place(p, q, atQ + 3 * i, PER_CORNER * i);
+            }
+            for (i = 0; i < 3; i++)
+            {
+                var at:int = PER_CORNER * i;
+                var gapX:Number = over[int(at + 2)];
+                var gapY:Number = over[int(at + 3)];
+                var gapZ:Number = over[int(at + 4)];
+                var length:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
+                var along:Number = over[at];
+                var up:Number = over[int(at + 1)];
+                var corner:int = atQ + 3 * i;
+                if (length < squared && up >= 0 && up <= 1 && along >= _foot * up && along <= 1 - (1 - _foot) * up)
+                {
+                    squared = length;
+                    points.aX = q[corner] - gapX;
+                    points.aY = q[int(corner + 1)] - gapY;
+                    points.aZ = q[int(corner + 2)] - gapZ;
+                    points.bX = q[corner];
+                    points.bY = q[int(corner + 1)];
+                    points.bZ = q[int(corner + 2)];
+                    if (isTurned)
+                    {
+                        points.turn();
+                    }
+                }
+
+                // the edge to the next corner, which may be on the other side
+                var next:int = i < 2 ? at + PER_CORNER : 0;
+                if (gapX * over[int(next + 2)] + gapY * over[int(next + 3)] + gapZ * over[int(next + 4)] < 0)
+                {
+                    var beyond:Number = over[int(next + 2)] * over[int(next + 2)] + over[int(next + 3)] * over[int(next + 3)]
+                        + over[int(next + 4)] * over[int(next + 4)];
+                    beyond = Math.sqrt(beyond);
+                    length = Math.sqrt(length);
+                    var share:Number = length / (length + beyond);
+                    along += share * (over[next] - along);
+                    up += share * (over[int(next + 1)] - up);
+                    if (up >= 0 && up <= 1 && along >= _foot * up && along <= 1 - (1 - _foot) * up)
+                    {
+                        squared = 0;
+                        var end:int = i < 2 ? corner + 3 : atQ;
+                        points.aX = points.bX = q[corner] + share * (q[end] - q[corner]);
+                        points.aY = points.bY = q[int(corner + 1)] + share * (q[int(end + 1)] - q[int(corner + 1)]);
+                        points.aZ = points.bZ = q[int(corner + 2)] + share * (q[int(end + 2)] - q[int(corner + 2)]);
+                        return;
+                    }
+                }
+            }
+        }
+
+        // Finds a triangle's longest edge and its height; false if it has no height.
+        private function findBase(p:Vector.<Number>, at:int):Boolean
+        {
+            var longest:Number = -1;
+            var apex:int = at;
+            var start:int = at + 3;
+            var end:int = at + 6;
+            _base = at;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var ux:Number = p[end] - p[start];
+                var uy:Number = p[int(end + 1)] - p[int(start + 1)];
+                var uz:Number = p[int(end + 2)] - p[int(start + 2)];
+                var uu:Number = ux * ux + uy * uy + uz * uz;
+                if (uu > longest)
+                {
+                    longest = uu;
+                    _base = start;
+                    _u[0] = ux;
+                    _u[1] = uy;
+                    _u[2] = uz;
+                    _h[0] = p[apex] - p[start];
+                    _h[1] = p[int(apex + 1)] - p[int(start + 1)];
+                    _h[2] = p[int(apex + 2)] - p[int(start + 2)];
+                }
+                var first:int = apex;
+                apex = start;
+                start = end;
+                end = first;
+            }
+            _foot = (_u[0] * _h[0] + _u[1] * _h[1] + _u[2] * _h[2]) / longest;
+            _h[0] -= _foot * _u[0];
+            _h[1] -= _foot * _u[1];
+            _h[2] -= _foot * _u[2];
+            return _h[0] * _h[0] + _h[1] * _h[1] + _h[2] * _h[2] > Tolerances.FLAT_TRIANGLE * longest;
+        }
+
+        // Where a corner of q is over p.
+        private function place(p:Vector.<Number>, q:Vector.<Number>, corner:int, to:int):void
+        {
+            var ux:Number = _u[0];
+            var uy:Number = _u[1];
+            var uz:Number = _u[2];
+            var hx:Number = _h[0];
+            var hy:Number = _h[1];
+            var hz:Number = _h[2];
+            var x:Number = q[corner] - p[_base];
+            var y:Number = q[int(corner + 1)] - p[int(_base + 1)];
+            var z:Number = q[int(corner + 2)] - p[int(_base + 2)];
+            var along:Number = (x * ux + y * uy + z * uz) / (ux * ux + uy * uy + uz * uz);
+            var up:Number = (x * hx + y * hy + z * hz) / (hx * hx + hy * hy + hz * hz);
+            _over[to] = along;
+            _over[int(to + 1)] = up;
+            _over[int(to + 2)] = x - along * ux - up * hx;
+            _over[int(to + 3)] = y - along * uy - up * hy;
+            _over[int(to + 4)] = z - along * uz - up * hz;
+        }
+    }
+}

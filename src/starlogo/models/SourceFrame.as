@@ -1,0 +1,113 @@
+package starlogo.models
+{
+    import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
+    import starlogo.geometry.cubeRoot;
+
+    /**
+     * Where a model is in what it was made of, and how large: what another renderer's object needs that draws the source as it is. The
+     * source's coordinates are those that <code>Model</code>'s constructor takes, z up; of a file that has another axis up, those after it was
+     * turned, and before a ModelTransform.
+     */
+    public final class SourceFrame
+    {
+        // row by row: a point p of the source is at rows * (p - (x, y, z)) in the model
+        private var _rows:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+        private var _unit:Number = 1;
+
+        /** The frame of a model that is its source, unchanged. Frames come from <code>Model.source</code>. */
+        public function SourceFrame()
+        {
+        }
+
+        /** The point of the source that is the model's origin. */
+        public function get offset():Vector3D
+        {
+            return new Vector3D(_x, _y, _z);
+        }
+
+        /** The length of the model's unit, in units of the source; of an uneven scale its geometric mean. */
+        public function get unit():Number
+        {
+            return _unit;
+        }
+
+        /** The matrix that takes points of the source to where the model has them. */
+        public function get matrix():Matrix3D
+        {
+            var rows:Vector.<Number> = _rows;
+            var columns:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 3; i++)
+            {
+                columns.push(rows[i], rows[i + 3], rows[i + 6], 0);
+            }
+            for (i = 0; i < 9; i += 3)
+            {
+                columns.push(-rows[i] * _x - rows[i + 1] * _y - rows[i + 2] * _z);
+            }
+            columns.push(1);
+            return new Matrix3D(columns);
+        }
+
+        /**
+         * Takes in that a point of the model so far became the origin, and that all was divided by a length.
+         *
+         * @private
+         */
+        internal function place(x:Number, y:Number, z:Number, divisor:Number):void
+        {
+            // the inverse of a turn with factors along the axes that it ends in
+            for (var row:int = 0; row < 9; row += 3)
+            {
+                var rowX:Number = _rows[row];
+                var rowY:Number = _rows[row + 1];
+                var rowZ:Number = _rows[row + 2];
+                var along:Number = row == 0 ? x : (row == 3 ? y : z);
+                var share:Number = along / (rowX * rowX + rowY * rowY + rowZ * rowZ);
+                _x += rowX * share;
+                _y += rowY * share;
+                _z += rowZ * share;
+                _rows[row] /= divisor;
+                _rows[row + 1] /= divisor;
+                _rows[row + 2] /= divisor;
+            }
+            _unit *= divisor;
+        }
+
+        /**
+         * Takes in a turn, about the origin, of what has no uneven scale yet.
+         *
+         * @private
+         */
+        internal function turn(rows:Vector.<Number>):void
+        {
+            var before:Vector.<Number> = _rows;
+            _rows = new Vector.<Number>();
+            for (var i:int = 0; i < 9; i++)
+            {
+                var row:int = i - i % 3;
+                var column:int = i % 3;
+                _rows.push(rows[row] * before[column] + rows[row + 1] * before[column + 3] + rows[row + 2] * before[column + 6]);
+            }
+        }
+
+        /**
+         * Takes in factors along the axes.
+         *
+         * @private
+         */
+        internal function scale(factors:Vector3D):void
+        {
+            for (var i:int = 0; i < 3; i++)
+            {
+                _rows[i] *= factors.x;
+                _rows[i + 3] *= factors.y;
+                _rows[i + 6] *= factors.z;
+            }
+            _unit /= cubeRoot(Math.abs(factors.x)) * cubeRoot(Math.abs(factors.y)) * cubeRoot(Math.abs(factors.z));
+        }
+    }
+}

@@ -1,0 +1,240 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.intersection.distance.ClosestPair;
+
+    /**
+     * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
+     * sizes, tightest fits, trees or triangles.
+     *
+     * <p>Agents are those of the last <code>update()</code>, where and how they were then, or at their last <code>moved()</code>; but an agent
+     * that asks is where it is now, and it need not be in the list. It is never in an answer to its own question. Nothing of a Collision or of a
+     * collision system changes by asking.</p>
+     *
+     * <p>Every list is sorted by distance, those that are equally far by their order in the list of agents, and it is complete, however long. The
+     * distance of two agents is that of their places, <code>(x, y, z)</code>; a border belongs to what it encloses. With <code>out</code> given
+     * nothing is allocated. An agent whose model is loading has a place, and touches nothing.</p>
+     *
+     * <p>An agent's breed and what a filter's <code>accepts</code> looks at are of the moment of the question.</p>
+     *
+     * <p>The cost of an update is a few tenths of a microsecond for each agent; the first question after it makes a tree of the places, or of the
+     * extents. A question takes time in proportion to the logarithm of the number of agents, and to its answer.</p>
+     */
+    public class AgentQueries
+    {
+        private var _seen:SeenAgents;
+        private var _places:PlaceQuestions;
+        private var _touches:TouchQuestions;
+        private var _distances:DistanceQuestions;
+
+        /**
+         * Questions about no agents yet.
+         *
+         * @param collisionOrSystem a Collision, whose collision system says what agents look like: when it is exchanged, questions follow at the
+         *     next update; or one of the engine's collision systems
+         * @throws ArgumentError if it is neither, or the Collision has a system that is not one of the engine's
+         */
+        public function AgentQueries(collisionOrSystem:Object)
+        {
+            _seen = new SeenAgents(collisionOrSystem);
+            var rows:FilteredRows = new FilteredRows(_seen);
+            var answers:Answers = new Answers(_seen);
+            _places = new PlaceQuestions(_seen, rows, answers);
+            _touches = new TouchQuestions(_seen, rows, answers);
+            _distances = new DistanceQuestions(_seen);
+        }
+
+        /**
+         * Takes the agents that questions are about, as they are now.
+         *
+         * @param agents the list; it may change afterwards, without consequence
+         * @throws ArgumentError if the list or an agent is null, an agent is listed twice, or a model is unknown or lacks what the
+         *     collision system needs; or if a Collision's system is not one of the engine's; questions are then about what they were before
+         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
+         */
+        public function update(agents:Vector.<Agent>):void
+        {
+            _seen.update(agents);
+        }
+
+        /**
+         * Takes one agent anew, as it is now.
+         *
+         * @param agent one of the last update's list
+         * @throws ArgumentError if it is null or not in that list, or its model is unknown or lacks what the collision system needs; it is then
+         *     seen as before
+         */
+        public function moved(agent:Agent):void
+        {
+            _seen.moved(agent);
+        }
+
+        /**
+         * Lists the agents that are near an agent.
+         *
+         * @param agent in the middle
+         * @param radius the greatest distance, not negative; may be Infinity
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if the radius is negative or not a number
+         */
+        public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _places.near(agent, radius, filter, out);
+        }
+
+        /**
+         * Counts the agents that are near an agent; parameters and errors as in <code>near()</code>.
+         *
+         * @param agent in the middle
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         */
+        public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
+        {
+            return _places.countNear(agent, radius, filter);
+        }
+
+        /**
+         * The agent that is nearest to an agent: the first of those that <code>near()</code> lists, found without listing them.
+         *
+         * @param agent to which
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @return null if there is none
+         */
+        public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
+        {
+            return _places.nearest(agent, radius, filter);
+        }
+
+        /**
+         * Lists the agents that are near a point; else as <code>near()</code>.
+         *
+         * @param point in the world, finite
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         */
+        public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _places.nearPoint(point, radius, filter, out);
+        }
+
+        /**
+         * Counts the agents that are near a point; else as <code>near()</code>.
+         *
+         * @param point in the world, finite
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         */
+        public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
+        {
+            return _places.countNearPoint(point, radius, filter);
+        }
+
+        /**
+         * The agent that is nearest to a point; else as <code>nearest()</code>.
+         *
+         * @param point in the world, finite
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @return null if there is none
+         */
+        public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
+        {
+            return _places.nearestToPoint(point, radius, filter);
+        }
+
+        /**
+         * Lists the agents in a cone in front of an agent: about the x axis of its rotation, pitch included. Agents at its very place are in
+         * every cone.
+         *
+         * @param agent at the cone's tip
+         * @param radius the greatest distance
+         * @param degrees the angle of the cone's opening, half of it to either side, not negative; from 360 on the answer is that of near()
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if the radius or the angle is negative or not a number
+         */
+        public function inCone(agent:Agent, radius:Number, degrees:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _places.inCone(agent, radius, degrees, filter, out);
+        }
+
+        /**
+         * Lists the agents that touch an agent: those that the collision system's findCollisions pairs it with if all stand where they are.
+         *
+         * @param agent which; its shape is of now too
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         */
+        public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _touches.touching(agent, filter, out);
+        }
+
+        /**
+         * Lists the agents that overlap a structure or touch it, each as the collision system sees it; in exact mode their triangles decide, and
+         * whether the structure is inside of a closed model. Sorted by the distance of their places from the middle of the structure.
+         *
+         * @param structure a Sphere, Box or Capsule in the world
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the structure is null or of another kind
+         * @throws RangeError if it is not finite
+         */
+        public function overlapping(structure:BoundingStructure, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _touches.overlapping(structure, filter, out);
+        }
+
+        /**
+         * How far two agents are apart, between their surfaces as the collision system sees them: 0 if they touch, and only then.
+         *
+         * <p>A tree is the nodes at which a test of it ends; in exact mode, where both have triangles, these count. Greater depths never give less,
+         * and exact mode never less than any other but the BinCollider. The first agent is where it is now, the second where and how it was in the
+         * last update, or at its last <code>moved()</code>; if it is not in the list, it is where it is now too. As both are now,
+         * <code>distance(b, a)</code> is the same number.</p>
+         *
+         * <p>Exact but for rounding: 1e-12 of the agents' sizes, and of the coordinates what Numbers leave. It takes a tenth to one microsecond
+         * for structures, some ten for trees at depth 5 and hundreds in exact mode. Allocates nothing.</p>
+         *
+         * @param a the one
+         * @param b another one
+         * @param pointA takes the point of the first that is nearest to the second, in the world; or null. Of several, one. Where the two touch, a
+         *     point of both: in their overlap, or on the inner one of two of which one is inside of the other
+         * @param pointB takes that of the second; where the two touch, the same point
+         * @return in patches; Infinity while the model of one is loading, and then no point is written
+         * @throws ArgumentError if an agent is null, or both are one, or a model is unknown or lacks what the collision system needs
+         */
+        public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
+        {
+            _distances.find(a, b, pointA != null || pointB != null);
+            var closest:ClosestPair = _distances.closest;
+            if (pointA != null && closest.distance < Infinity)
+            {
+                pointA.x = closest.aX;
+                pointA.y = closest.aY;
+                pointA.z = closest.aZ;
+            }
+            if (pointB != null && closest.distance < Infinity)
+            {
+                pointB.x = closest.bX;
+                pointB.y = closest.bY;
+                pointB.z = closest.bZ;
+            }
+            return closest.distance;
+        }
+    }
+}

@@ -1,0 +1,124 @@
+package starlogo.queries
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.touchingGap;
+    import starlogo.intersection.intersects;
+    import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
+    import starlogo.search.ShapeStrategy;
+    import starlogo.solid.HierarchyTraversal;
+
+    use namespace engine;
+
+    /**
+     * A sphere, box or capsule in the world that a question is about: whether it touches rows of a table, as a collision system sees them.
+     *
+     * @private
+     */
+    public final class AskedStructure
+    {
+        /** Its middle. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** Its extents: least x, greatest x, least y, ... */
+        public var extents:Vector.<Number> = new Vector.<Number>(6, true);
+
+        // By kind: as wide as it is for touching; with its middle at the origin of a space that is placed where it is.
+        private var _inWorld:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
+        private var _centred:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
+        private var _kind:int = 0;
+        private var _placement:Placement = new Placement();
+
+        private var _toWorld:Placement = new Placement();
+        private var _toCentre:Placement = new Placement();
+        private var _rowPlacement:Placement = new Placement();
+        private var _sphere:Sphere = new Sphere(new Vector3D(), 0);
+        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+
+        /** No structure yet. */
+        public function AskedStructure()
+        {
+        }
+
+        /**
+         * Takes a structure.
+         *
+         * @throws ArgumentError if it is null, or no sphere, box or capsule
+         * @throws RangeError if it is not finite
+         */
+        public function setTo(structure:BoundingStructure):void
+        {
+            if (structure == null || structure.kind > BoundingStructure.BOX)
+            {
+                throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
+            }
+            structure.extentsInto(extents);
+            for (var i:int = 0; i < 6; i++)
+            {
+                if (!isFinite(extents[i]))
+                {
+                    throw new RangeError("a structure must be finite: " + structure);
+                }
+            }
+            _kind = structure.kind;
+            findMiddle(structure);
+            _placement.x = x;
+            _placement.y = y;
+            _placement.z = z;
+            _toCentre.x = -x;
+            _toCentre.y = -y;
+            _toCentre.z = -z;
+            _centred[_kind] = structure.place(_toCentre, _centred[_kind]);
+            _inWorld[_kind] = structure.place(_toWorld, _inWorld[_kind]);
+            _inWorld[_kind].widen(touchingGap(x, y, z, 0, 0, 0));
+        }
+
+        /** Whether a row, whose model is not loading, touches the structure; in exact mode triangles decide. */
+        public function touches(table:AgentTable, row:int, strategy:ShapeStrategy):Boolean
+        {
+            var shape:ModelShape = table.shapes[row];
+            if (shape.hierarchy == null)
+            {
+                return intersects(RowDistances.structureOf(table, row, _sphere), _inWorld[_kind]);
+            }
+            return _traversal.structureOverlaps(shape.hierarchy, table.placementOf(row, _rowPlacement), strategy.depthOf(table, row),
+                    _centred[_kind], _placement, strategy.isExact);
+        }
+
+        private function findMiddle(structure:BoundingStructure):void
+        {
+            var middle:Vector3D;
+            if (structure.kind == BoundingStructure.CAPSULE)
+            {
+                var capsule:Capsule = Capsule(structure);
+                x = (capsule.start.x + capsule.end.x) / 2;
+                y = (capsule.start.y + capsule.end.y) / 2;
+                z = (capsule.start.z + capsule.end.z) / 2;
+                return;
+            }
+            if (structure.kind == BoundingStructure.SPHERE)
+            {
+                middle = Sphere(structure).center;
+            }
+            else
+            {
+                middle = Box(structure).center;
+            }
+            x = middle.x;
+            y = middle.y;
+            z = middle.z;
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package starlogo.queries
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.search.AgentTable;
+
+    use namespace engine;
+
+    /**
+     * The question how far two agents are apart.
+     *
+     * @private
+     */
+    public final class DistanceQuestions
+    {
+        /** What was found last. */
+        public var closest:ClosestPair;
+
+        private var _seen:SeenAgents;
+        private var _rows:RowDistances = new RowDistances();
+
+        /**
+         * @param seen the agents that are asked about
+         */
+        public function DistanceQuestions(seen:SeenAgents)
+        {
+            _seen = seen;
+            closest = _rows.closest;
+        }
+
+        /**
+         * Finds how far two agents are apart, as AgentQueries.distance says.
+         *
+         * @param withPoints whether the points are needed too
+         */
+        public function find(a:Agent, b:Agent, withPoints:Boolean):void
+        {
+            if (a == null || b == null || a === b)
+            {
+                throw new ArgumentError("two agents are needed, not " + a + " and " + b);
+            }
+            var table:AgentTable = _seen.table;
+            var row:int = table.rowOf(b);
+            if (row < 0)
+            {
+                table = _seen.pairTable;
+                table.readPair(a, b);
+                measure(table, 0, 1, withPoints);
+                table.endPair();
+                return;
+            }
+            var asker:int = _seen.rowOfNow(a);
+            measure(table, asker, row, withPoints);
+            _seen.endRowOfNow(a, asker);
+        }
+
+        private function measure(table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        {
+            if (table.shapes[a] == null || table.shapes[b] == null)
+            {
+                closest.distance = Infinity;
+            }
+            else
+            {
+                _rows.find(_seen.strategy, table, a, b, withPoints);
+            }
+        }
+    }
+}

@@ -1,0 +1,336 @@
+package starlogo.search
+{
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Makes the depth of a contact separate: how far the first of two rows has to be moved along the normal until nothing of it touches the
+     * second any more, however many parts of the two overlap.
+     *
+     * <p>Along a direction, places farther and farther out are tried until the two are apart; the sweep back from there touches where they part.
+     * Where that is, the surfaces have a normal, and along it the way out is shorter than before, of convex bodies always (as the plane through the
+     * point is crossed at the cosine of the angle). So the direction is improved until that ends. It begins with the normal of the contact that is
+     * given, and with that axis of the world along which the extents overlap least, so that the depth is never more than that.</p>
+     *
+     * @private
+     */
+    public final class Separation
+    {
+        // Contacts less deep than this share of the larger extent keep their normal; the way out is looked for in steps from it on.
+        private static const SHALLOW:Number = 1 / 256;
+
+        // How often a normal is improved, and by how much a depth has to be less for it to count.
+        private static const IMPROVEMENTS:int = 2;
+        private static const GAIN:Number = 0.95;
+
+        // How narrow the interval is that the way out ends in before it is swept, as a share of the larger extent.
+        private static const NARROW:Number = 1 / 16;
+
+        // Halvings, of which 53 leave nothing of a Number.
+        private static const MOST_STEPS:int = 60;
+
+        private var _strategy:ShapeStrategy;
+        private var _sweep:RowSweep;
+
+        // The pair under way, where its first row is when they touch, and their larger extent.
+        private var _table:AgentTable;
+        private var _a:int;
+        private var _b:int;
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 0;
+        private var _extent:Number = 0;
+
+        // The direction that is tried; how far along it they touch, how far they do not, and where in between they part.
+        private var _alongX:Number = 0;
+        private var _alongY:Number = 0;
+        private var _alongZ:Number = 0;
+        private var _touching:Number = 0;
+        private var _free:Number = 0;
+        private var _exit:Number = 0;
+
+        // The sweep back, and the contact in which it ends.
+        private var _back:RelativeMotion = new RelativeMotion();
+        private var _left:ContactPoint = new ContactPoint();
+
+        // The contact that was given; how the two part along the best normal so far.
+        private var _start:ContactPoint = new ContactPoint();
+        private var _parting:ContactPoint = new ContactPoint();
+
+        /**
+         * @param strategy decides whether rows touch
+         * @param sweep when they do as one moves
+         */
+        public function Separation(strategy:ShapeStrategy, sweep:RowSweep)
+        {
+            _strategy = strategy;
+            _sweep = sweep;
+        }
+
+        /**
+         * Makes a contact's normal and depth separate.
+         *
+         * @param motion of the first row, which ends where it is in the table, relative to the second
+         * @param time when they touch
+         * @param out the contact of two parts that touch then
+         */
+        public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        {
+            if ((table.shapes[a].isSphere && table.shapes[b].isSphere) || _strategy.hasExactContact(table, a, b))
+            {
+                OverlapMiddle.setAlong(table, a, b, out);
+                return;
+            }
+            var x:Number = table.x[a];
+            var y:Number = table.y[a];
+            var z:Number = table.z[a];
+            var revision:int = table.revisions[a];
+            begin(table, a, b, x + (motion.startX + time * motion.x), y + (motion.startY + time * motion.y), z + (motion.startZ + time * motion.z));
+            if (touchAt(0))
+            {
+                findLeast(motion, time, out);
+            }
+            else
+            {
+                findTouch(motion, time, out);
+            }
+            displace(0);
+            OverlapMiddle.setAlong(table, a, b, out);
+            OverlapMiddle.keepWithin(table.extents, a, out);
+            OverlapMiddle.keepWithin(table.extents, b, out);
+            table.putBack(a, x, y, z, revision);
+            _table = null;
+        }
+
+        private function begin(table:AgentTable, a:int, b:int, x:Number, y:Number, z:Number):void
+        {
+            _table = table;
+            _a = a;
+            _b = b;
+            _x = x;
+            _y = y;
+            _z = z;
+            _extent = 2 * Math.max(longestHalf(table.extents, a), longestHalf(table.extents, b));
+        }
+
+        private static function longestHalf(extents:Extents, row:int):Number
+        {
+            return Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
+        }
+
+        // Rounding has them just not touching: there is no depth, and the motion's direction is the normal unless the two touch along theirs.
+        private function findTouch(motion:RelativeMotion, time:Number, out:ContactPoint):void
+        {
+            out.depth = 0;
+            point(out);
+            if (isComing(motion, time) && !touchAt(-Tolerances.SEPARATION / 4 * _extent))
+            {
+                out.pointAlong(-motion.x, -motion.y, -motion.z);
+            }
+        }
+
+        // Whether there was no touch before the time.
+        private static function isComing(motion:RelativeMotion, time:Number):Boolean
+        {
+            return time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
+        }
+
+        // Leaves find a direction first, where triangles decide: they are quick.
+        private function findLeast(motion:RelativeMotion, time:Number, out:ContactPoint):void
+        {
+            var isDeep:Boolean = isDeepAlong(out);
+            if (isDeep && isComing(motion, time))
+            {
+                _left.pointAlong(-motion.x, -motion.y, -motion.z);
+                isDeep = isDeepAlong(_left);
+            }
+            if (isDeep)
+            {
+                _strategy.leavesDecide = true;
+                findDirection(out);
+                _strategy.leavesDecide = false;
+                if (_strategy.isExact)
+                {
+                    point(out);
+                    goOut(out.depth);
+                    sweepBack(out);
+                    improve(out);
+                }
+            }
+            else
+            {
+                sweepBack(out);
+            }
+            if (isDeep)
+            {
+                // the middle between where they part and where the same of the first row is
+                out.x = _left.x - out.depth / 2 * out.normalX;
+                out.y = _left.y - out.depth / 2 * out.normalY;
+                out.z = _left.z - out.depth / 2 * out.normalZ;
+            }
+            point(out);
+            _exit = out.depth;
+            makeSure();
+            out.depth = _exit;
+        }
+
+        // Whether the two still touch a short way along a contact's normal.
+        private function isDeepAlong(contact:ContactPoint):Boolean
+        {
+            point(contact);
+            _touching = 0;
+            _free = SHALLOW * _extent;
+            return touchAt(_free);
+        }
+
+        private function findDirection(out:ContactPoint):void
+        {
+            _start.copyFrom(out);
+            displace(0);
+            _strategy.findOuterContact(_table, _a, _b, _left);
+            point(_left);
+            goOut(_left.depth);
+            sweepBack(out);
+            _parting.copyFrom(_left);
+            point(_start);
+            if (!tryUpTo(GAIN * out.depth, out))
+            {
+                _left.copyFrom(_parting);
+            }
+            var left:int = IMPROVEMENTS;
+            while (left > 0 && improve(out))
+            {
+                left--;
+            }
+        }
+
+        // Takes the normal of the surfaces where the two part along the contact's, if that is a shorter way out. Returns whether it is.
+        private function improve(out:ContactPoint):Boolean
+        {
+            var cosine:Number = _left.normalX * out.normalX + _left.normalY * out.normalY + _left.normalZ * out.normalZ;
+            if (!(cosine > 0 && cosine < GAIN))
+            {
+                return false;
+            }
+            point(_left);
+            return tryUpTo(cosine * out.depth + Tolerances.SEPARATION * _extent, out);
+        }
+
+        // Takes the direction if the two do not touch at a distance along it. Returns whether it is.
+        private function tryUpTo(distance:Number, out:ContactPoint):Boolean
+        {
+            if (touchAt(distance))
+            {
+                return false;
+            }
+            _touching = 0;
+            _free = distance;
+            sweepBack(out);
+            return true;
+        }
+
+        // Goes out along the direction until the two do not touch.
+        private function goOut(guess:Number):void
+        {
+            var step:Number = SHALLOW * _extent;
+            _touching = 0;
+            _free = guess + Tolerances.SEPARATION * _extent;
+            while (touchAt(_free) && _free < 1e300)
+            {
+                _touching = _free;
+                _free += step;
+                step *= 2;
+            }
+        }
+
+        // Finds where the two part between where they touch and where they do not, and takes that for the contact's depth.
+        private function sweepBack(out:ContactPoint):void
+        {
+            while (_free - _touching > NARROW * _extent)
+            {
+                halve();
+            }
+            displace(_touching);
+            var way:Number = _touching - _free;
+            _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
+            var time:Number = _sweep.findImpact(_table, _a, _b, _back, _left);
+            if (!(time < 1))
+            {
+                time = 1;
+            }
+            out.normalX = _alongX;
+            out.normalY = _alongY;
+            out.normalZ = _alongZ;
+            out.depth = _free + time * way;
+        }
+
+        private function halve():void
+        {
+            var middle:Number = (_touching + _free) / 2;
+            if (touchAt(middle))
+            {
+                _touching = middle;
+            }
+            else
+            {
+                _free = middle;
+            }
+        }
+
+        // Makes sure that the two are apart a little beyond the exit, and touch a little before it, in spite of rounding.
+        private function makeSure():void
+        {
+            var slack:Number = Tolerances.SEPARATION / 4 * _extent;
+            _touching = 0;
+            _free = _exit + slack;
+            if (touchAt(_free))
+            {
+                var step:Number = slack;
+                do
+                {
+                    _touching = _free;
+                    _free += step;
+                    step *= 2;
+                }
+                while (touchAt(_free) && _free < 1e300);
+            }
+            else
+            {
+                if (_exit <= slack || touchAt(_exit - slack))
+                {
+                    return;
+                }
+                _free = _exit - slack;
+            }
+            for (var i:int = 0; i < MOST_STEPS && _free - _touching > slack; i++)
+            {
+                halve();
+            }
+            _exit = (_free + _touching) / 2;
+        }
+
+        private function point(contact:ContactPoint):void
+        {
+            _alongX = contact.normalX;
+            _alongY = contact.normalY;
+            _alongZ = contact.normalZ;
+        }
+
+        // Whether the two touch when the first has been moved along the direction.
+        private function touchAt(distance:Number):Boolean
+        {
+            displace(distance);
+            return _strategy.areTouching(_table, _a, _b);
+        }
+
+        private function displace(distance:Number):void
+        {
+            _table.displace(_a, _x + distance * _alongX, _y + distance * _alongY, _z + distance * _alongZ);
+        }
+    }
+}

@@ -1,0 +1,168 @@
+package benchmark
+{
+    import evaluation.Measurement;
+    import evaluation.Table;
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.findClosest;
+    import starlogo.intersection.intersects;
+    import starlogo.libraries.HierarchiesLibrary;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import starlogo.solid.HierarchyDistances;
+    import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.SolidHierarchy;
+    import support.Fixtures;
+
+    use namespace engine;
+
+    /**
+     * What the distance of two structures costs, beside the test whether they touch; and that of two trees, of bears and of dragons that lean and
+     * are apart: their nodes at depth 5, those and a box, and their triangles.
+     */
+    public class DistanceBenchmark
+    {
+        /** What is read. */
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/dragon.dae"];
+
+        private static const ROUNDS:int = 15;
+        private static const STRUCTURES:int = 1000;
+        private static const PAIRS:int = 100;
+        private static const DEPTH:int = 5;
+        private static const KINDS:Array = ["sphere", "capsule", "box"];
+
+        private var _random:SeededRandom = new SeededRandom(2210);
+        private var _distances:HierarchyDistances = new HierarchyDistances();
+        private var _touches:HierarchyTraversal = new HierarchyTraversal();
+        private var _closest:ClosestPair = new ClosestPair();
+        private var _all:Vector.<Measurement> = new Vector.<Measurement>();
+        private var _visits:Array = [];
+
+        /** The table. */
+        public function run():String
+        {
+            for (var a:int = 0; a < 3; a++)
+            {
+                for (var b:int = a; b < 3; b++)
+                {
+                    addStructures(a, b);
+                }
+            }
+            var bear:SolidHierarchy = built(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
+            var dragon:SolidHierarchy = built(new ColladaModel("dragon", Fixtures.text(FIXTURES[1])));
+            addTrees("bears", bear, 1.5);
+            addTrees("bears far away", bear, 20);
+            addTrees("dragons", dragon, 0.7);
+            addTrees("dragons far away", dragon, 20);
+            Measurement.runAll(_all, ROUNDS);
+            var table:Table = new Table("a pair", "ns", "visits, triangles");
+            for (var i:int = 0; i < _all.length; i++)
+            {
+                table.add(_all[i].name, _all[i].samples.low.toFixed(0), _visits[i]);
+            }
+            return String(table);
+        }
+
+        private function addStructures(kindA:int, kindB:int):void
+        {
+            var shapes:RandomStructures = new RandomStructures(_random);
+            var firsts:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            var seconds:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            for (var i:int = 0; i < STRUCTURES; i++)
+            {
+                firsts.push(shapes.ofKind(kindA, 1, 2));
+                seconds.push(shapes.ofKind(kindB, 1, 2));
+            }
+            var name:String = KINDS[kindA] + " and " + KINDS[kindB];
+            _all.push(new Measurement(name, function():void
+                    {
+                        for (var k:int = 0; k < STRUCTURES; k++)
+                        {
+                            findClosest(firsts[k], seconds[k], _closest);
+                        }
+                    }, STRUCTURES));
+            _all.push(new Measurement("  whether they touch", function():void
+                    {
+                        for (var k:int = 0; k < STRUCTURES; k++)
+                        {
+                            intersects(firsts[k], seconds[k]);
+                        }
+                    }, STRUCTURES));
+            _visits.push("", "");
+        }
+
+        private function addTrees(name:String, tree:SolidHierarchy, spread:Number):void
+        {
+            var firsts:Vector.<Placement> = new Vector.<Placement>();
+            var seconds:Vector.<Placement> = new Vector.<Placement>();
+            while (firsts.length < PAIRS)
+            {
+                var a:Placement = place(spread);
+                var b:Placement = place(spread);
+                if (!_touches.hierarchiesOverlap(tree, a, DEPTH, tree, b, DEPTH, false))
+                {
+                    firsts.push(a);
+                    seconds.push(b);
+                }
+            }
+            add(name + " at depth 5", function(i:int):void
+                {
+                    _distances.betweenHierarchies(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, false, false, _closest);
+                });
+            add("  by triangles", function(i:int):void
+                {
+                    _distances.betweenHierarchies(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true, false, _closest);
+                });
+            add("  the other one a box", function(i:int):void
+                {
+                    _distances.toStructure(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i], false, _closest);
+                });
+            add("  whether they touch, by triangles", function(i:int):void
+                {
+                    _touches.hierarchiesOverlap(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true);
+                });
+        }
+
+        private function add(name:String, pair:Function):void
+        {
+            var visits:int = _distances.nodeVisits;
+            var tests:int = _distances.triangleTests;
+            for (var i:int = 0; i < PAIRS; i++)
+            {
+                pair(i);
+            }
+            _visits.push(((_distances.nodeVisits - visits) / PAIRS).toFixed(1) + ", " + ((_distances.triangleTests - tests) / PAIRS).toFixed(1));
+            _all.push(new Measurement(name, function():void
+                    {
+                        for (var k:int = 0; k < PAIRS; k++)
+                        {
+                            pair(k);
+                        }
+                    }, PAIRS));
+        }
+
+        private function place(spread:Number):Placement
+        {
+            var placement:Placement = new Placement();
+            placement.size = _random.logBetween(0.7, 1.4);
+            placement.x = spread * _random.between(-1, 1);
+            placement.y = spread * _random.between(-1, 1);
+            placement.z = spread * _random.between(-1, 1);
+            placement.setRotation(_random.between(0, 360), _random.between(0, 360), _random.between(0, 360));
+            return placement;
+        }
+
+        private static function built(model:Model):SolidHierarchy
+        {
+            var library:HierarchiesLibrary = new HierarchiesLibrary();
+            library.prepareExact = true;
+            library.add(model.name, model.vertices, model.triangles);
+            return library.hierarchy(model.name);
+        }
+    }
+}

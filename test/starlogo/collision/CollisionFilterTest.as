@@ -1,0 +1,151 @@
+package starlogo.collision
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
+    import support.EachCollider;
+    import support.RandomWorlds;
+    import support.assertThrows;
+
+    /** A Collision with a filter is one of a list without the agents that it excludes. */
+    public class CollisionFilterTest
+    {
+        private static const BREEDS:Array = ["turtles", "wolves", "sheep"];
+
+        private var _greatLand:GreatLand;
+        private var _calls:Array;
+
+        [Before]
+        public function begin():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.cube());
+        }
+
+        [Test]
+        public function excludedAgentsAreAsNotListed():void
+        {
+            var random:SeededRandom = new SeededRandom(2210);
+            var called:int = 0;
+            for each (var name:String in EachCollider.NAMES.concat("own"))
+            {
+                for each (var kind:String in ["scattered", "mixed sizes", "clusters"])
+                {
+                    var agents:Vector.<Agent> = RandomWorlds.make(kind, 60, "cube", random);
+                    for each (var agent:Agent in agents)
+                    {
+                        agent.breed = random.pick(BREEDS);
+                        agent.sweeps = random.chance(0.1);
+                    }
+                    var filtered:Collision = collisionOf(name);
+                    var filter:AgentFilter = new AgentFilter();
+                    filter.exceptBreeds = new <String>["wolves"];
+                    filter.except = new <Agent>[agents[0], agents[1]];
+                    filter.accepts = function(agent:Agent):Boolean
+                    {
+                        return agent.id % 5 > 0;
+                    };
+                    filtered.filter = filter;
+                    _calls = [];
+                    filtered.update(agents);
+                    var found:String = _calls.join();
+                    called += _calls.length;
+                    var left:Vector.<Agent> = new Vector.<Agent>();
+                    for each (agent in agents)
+                    {
+                        if (filter.admits(agent))
+                        {
+                            left.push(agent);
+                        }
+                    }
+                    var plain:Collision = collisionOf(name);
+                    _calls = [];
+                    plain.update(left);
+                    assertEquals(name + ", " + kind, _calls.join(), found);
+                    assertTrue("agents were left out", left.length < agents.length - 5);
+                    if (name != "own")
+                    {
+                        assertEquals("candidates", plain.statistics.candidatePairs, filtered.statistics.candidatePairs);
+                        assertEquals("skipped", agents.length - left.length, filtered.statistics.agentsSkipped);
+                    }
+                }
+            }
+            assertTrue(called + " calls", called > 100);
+        }
+
+        [Test]
+        public function aFilterThatThrowsEndsTheFrameBeforeAnything():void
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent("cube"), new Agent("cube")];
+            var collision:Collision = collisionOf("tightest fits");
+            var filter:AgentFilter = new AgentFilter();
+            collision.filter = filter;
+            _calls = [];
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                throw new RangeError("no");
+            };
+            assertThrows(RangeError, /no/, collision.update, agents);
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                collision.update(agents);
+                return true;
+            };
+            assertThrows(IllegalOperationError, /filter/, collision.update, agents);
+            assertEquals(0, _calls.length);
+            filter.accepts = null;
+            collision.update(agents);
+            assertEquals(2, _calls.length);
+            agents[1] = null;
+            assertThrows(ArgumentError, /null/, collision.update, agents);
+        }
+
+        private function collisionOf(name:String):Collision
+        {
+            var system:CollisionSystem = name == "own" ? new OwnSystem(_greatLand) : EachCollider.make(name, _greatLand);
+            var collision:Collision = new Collision(system);
+            var calls:Function = function(collider:Agent, collidee:Agent):void
+            {
+                _calls.push(collider.id + "-" + collidee.id);
+            };
+            collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, calls);
+            return collision;
+        }
+    }
+}
+
+import starlogo.GreatLand;
+import starlogo.agents.Agent;
+import starlogo.collision.CollisionStatistics;
+import starlogo.collision.CollisionSystem;
+import starlogo.collision.TightestFitCollider;
+
+class OwnSystem implements CollisionSystem
+{
+    private var _system:TightestFitCollider;
+
+    public function OwnSystem(greatLand:GreatLand)
+    {
+        _system = new TightestFitCollider(greatLand);
+    }
+
+    public function get statistics():CollisionStatistics
+    {
+        return _system.statistics;
+    }
+
+    public function areColliding(a:Agent, b:Agent):Boolean
+    {
+        return _system.areColliding(a, b);
+    }
+
+    public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+    {
+        return _system.findCollisions(agents, out);
+    }
+}

@@ -1,0 +1,254 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Garbage;
+    import support.MemoryGrowth;
+    import support.SolidModels;
+    import support.assertThrows;
+
+    /** AgentQueries.distance: of when the agents are, what is refused, the same on every machine, and no garbage. */
+    public class AgentDistanceTest
+    {
+        // of all distances, to a billionth
+        private static const GOLDEN:String = "f3c22d0f";
+
+        private static const PAIRS:int = 400;
+        private static const NOTHING:Number = 2.5;
+
+        private static var sGreatLand:GreatLand;
+        private static var sNames:Array;
+
+        private var _random:SeededRandom;
+
+        [BeforeClass]
+        public static function load():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.orientedBoxDegIncrement = 45;
+            sNames = [];
+            for each (var model:Model in SolidModels.all().concat(BuiltInModel.cylinder()))
+            {
+                sGreatLand.addModel(model);
+                sNames.push(model.name);
+            }
+        }
+
+        [AfterClass]
+        public static function forget():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(2240);
+        }
+
+        [Test]
+        public function cubesBesideEachOther():void
+        {
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(sGreatLand));
+            var a:Agent = new Agent("cube");
+            var b:Agent = new Agent("cube");
+            b.moveTo(3, 0, 0.25);
+            queries.update(new <Agent>[a, b]);
+            var pointA:Vector3D = new Vector3D();
+            var pointB:Vector3D = new Vector3D();
+            assertNear("apart", 2, queries.distance(a, b, pointA, pointB));
+            assertNear("x", 0.5, pointA.x);
+            assertNear("x", 2.5, pointB.x);
+            assertNear("beside", 0, Vector3D.distance(pointA, new Vector3D(0.5, pointB.y, pointB.z)));
+            b.moveTo(1, 0, 0);
+            queries.moved(b);
+            assertTrue("touching is 0", queries.distance(a, b, pointA, pointB) === 0);
+            assertTrue("one point", pointA.equals(pointB));
+            assertNear("x", 0.5, pointA.x);
+        }
+
+        [Test]
+        public function theAskerIsOfNowTheOtherAsSeen():void
+        {
+            for each (var collider:Collider in colliders())
+            {
+                var queries:AgentQueries = new AgentQueries(collider);
+                var a:Agent = new Agent("sphere");
+                var b:Agent = new Agent("sphere");
+                b.moveTo(4, 0, 0);
+                queries.update(new <Agent>[a, b]);
+                var apart:Number = queries.distance(a, b);
+                assertTrue(collider + ": " + apart, apart > 2.5 && apart <= 3 + 1e-12);
+                b.moveTo(20, 0, 0);
+                b.size = 3;
+                assertEquals(collider + ": the other as it was", apart, queries.distance(a, b));
+                a.moveTo(-1, 0, 0);
+                assertNear(collider + ": the asker as it is", apart + 1, queries.distance(a, b));
+                var stranger:Agent = new Agent("sphere");
+                stranger.moveTo(-6, 0, 0);
+                assertNear(collider + ": a stranger asks", apart + 6, queries.distance(stranger, b));
+                assertNear(collider + ": about a stranger", apart + 1, queries.distance(a, stranger));
+                stranger.moveTo(-7, 0, 0);
+                assertNear(collider + ": a stranger is of now", apart + 2, queries.distance(a, stranger));
+                queries.moved(b);
+                assertFalse(collider + ": moved", apart == queries.distance(a, b));
+            }
+        }
+
+        [Test]
+        public function thoseThatTouchAreThoseAtDistanceNull():void
+        {
+            for each (var collider:Collider in colliders())
+            {
+                var agents:Vector.<Agent> = world(60, 2);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                var zeros:int = 0;
+                for each (var a:Agent in agents)
+                {
+                    for each (var b:Agent in agents)
+                    {
+                        if (a !== b)
+                        {
+                            var distance:Number = queries.distance(a, b);
+                            assertEquals(a + " and " + b + " in " + collider + ": " + distance, collider.areColliding(a, b), distance == 0);
+                            assertTrue(distance == queries.distance(b, a));
+                            zeros += distance == 0 ? 1 : 0;
+                        }
+                    }
+                }
+                assertTrue(zeros + " touch", zeros > 50 && zeros < 3000);
+            }
+        }
+
+        [Test]
+        public function boxesThatTouchByTheirFacesAloneAreAtDistanceNull():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(sGreatLand);
+            var queries:AgentQueries = new AgentQueries(collider);
+            var changed:int = 0;
+            for (var i:int = 0; i < 4000; i++)
+            {
+                var agents:Vector.<Agent> = world(2, 0.8);
+                agents[0].shape = agents[1].shape = "cube";
+                queries.update(agents);
+                collider.structureTests.boxFacesOnly = false;
+                var distance:Number = queries.distance(agents[0], agents[1]);
+                collider.structureTests.boxFacesOnly = true;
+                var byFaces:Number = queries.distance(agents[0], agents[1]);
+                assertEquals(collider.areColliding(agents[0], agents[1]), byFaces == 0);
+                assertTrue(byFaces == 0 || byFaces == distance);
+                changed += byFaces == distance ? 0 : 1;
+            }
+            assertTrue("of other answers: " + changed, changed > 10);
+        }
+
+        [Test]
+        public function refusals():void
+        {
+            var queries:AgentQueries = new AgentQueries(new TightestFitCollider(sGreatLand));
+            var agents:Vector.<Agent> = world(2, 9);
+            queries.update(agents);
+            var before:Number = queries.distance(agents[0], agents[1]);
+            var unknown:Agent = new Agent("unknown");
+            for each (var pair:Array in [[null, agents[1]], [agents[0], null], [agents[0], agents[0]], [agents[0], unknown], [unknown, agents[0]]])
+            {
+                assertThrows(ArgumentError, /agents are needed|unknown/, queries.distance, pair[0], pair[1]);
+            }
+            assertEquals("as before", before, queries.distance(agents[0], agents[1]));
+        }
+
+        [Test]
+        public function theSameOnEveryMachine():void
+        {
+            var bytes:ByteArray = new ByteArray();
+            for each (var collider:Collider in colliders())
+            {
+                var agents:Vector.<Agent> = world(40, 6);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                for (var i:int = 1; i < agents.length; i++)
+                {
+                    bytes.writeDouble(Math.round(1e9 * queries.distance(agents[i - 1], agents[i])));
+                }
+            }
+            bytes.position = 0;
+            var hash:int = 17;
+            while (bytes.bytesAvailable > 0)
+            {
+                hash = hash * 31 + bytes.readInt() | 0;
+                hash ^= hash >>> 13;
+            }
+            assertEquals(GOLDEN, (hash >>> 0).toString(16));
+        }
+
+        [Test]
+        public function allocatesNothing():void
+        {
+            Garbage.assumeKept();
+            var pointA:Vector3D = new Vector3D();
+            var pointB:Vector3D = new Vector3D();
+            for each (var collider:Collider in colliders())
+            {
+                var agents:Vector.<Agent> = world(20, 3);
+                var queries:AgentQueries = new AgentQueries(collider);
+                queries.update(agents);
+                var stranger:Agent = new Agent("cube");
+                var times:int = Garbage.isCounted ? 100 : 20;
+                var grown:Number = MemoryGrowth.during(times, Garbage.isCounted ? 30 : 10, function(i:int):void
+                    {
+                        for (var k:int = 1; k < agents.length; k++)
+                        {
+                            agents[k].x += 0.001;
+                            queries.distance(agents[k], agents[k - 1], pointA, pointB);
+                        }
+                        queries.distance(agents[0], stranger, pointA, pointB);
+                    });
+                trace("  " + collider + ": " + grown + " bytes in " + times * agents.length + " questions");
+                assertTrue(collider + ": " + grown + " bytes", grown <= (Garbage.isCounted ? 3 * 4096 : 10 * NOTHING * times * agents.length));
+            }
+        }
+
+        private static function assertNear(what:String, expected:Number, actual:Number):void
+        {
+            assertTrue(what + ": " + actual + " is not " + expected, Math.abs(actual - expected) <= 1e-11);
+        }
+
+        private static function colliders():Array
+        {
+            var exact:HierarchicalCollider = new HierarchicalCollider(sGreatLand);
+            exact.exact = true;
+            return [new BinCollider(sGreatLand), new TightestFitCollider(sGreatLand), new HierarchicalCollider(sGreatLand),
+                    new CombinationCollider(sGreatLand), exact];
+        }
+
+        private function world(count:int, spread:Number):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                var agent:Agent = new Agent(_random.pick(sNames));
+                agent.moveTo(_random.between(-spread, spread), _random.between(-spread, spread), _random.between(-spread, spread) / 3);
+                agent.size = _random.between(0.3, 1.5);
+                agent.heading = _random.between(0, 360);
+                agent.pitch = _random.pick([0, _random.between(0, 360)]);
+                agent.hierarchical = _random.chance();
+                agents.push(agent);
+            }
+            return agents;
+        }
+    }
+}

@@ -1,0 +1,274 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ObjModel;
+    import support.EachCollider;
+    import support.Effort;
+    import support.Fixtures;
+    import support.RandomWorlds;
+
+    /** The answers about places and touches against loops over all agents, in worlds of many kinds. With -Dfull 1,000,000 questions. */
+    public class AgentQueriesTest
+    {
+        /** What is read. */
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/fortress.obj", "/assets/kelp.obj"];
+
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "bear", "fortress", "kelp"];
+        private static const BREEDS:Array = ["turtles", "wolves", "sheep", "toString", "__proto__"];
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _queries:AgentQueries;
+        private var _reference:LoopedQuestions;
+        private var _agents:Vector.<Agent>;
+        private var _answers:int;
+        private var _empty:int;
+
+        [BeforeClass]
+        public static function load():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand.addModel(BuiltInModel.cylinder());
+            for each (var name:String in ["bear", "fortress", "kelp"])
+            {
+                sGreatLand.addModel(new ObjModel(name, Fixtures.text("/assets/" + name + ".obj")));
+            }
+        }
+
+        [AfterClass]
+        public static function unload():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _answers = _empty = 0;
+        }
+
+        [Test(timeout="3600000")]
+        public function placesAreAsALoopFindsThem():void
+        {
+            _random = new SeededRandom(2201);
+            var worlds:int = Effort.choose(48, 1600);
+            for (var world:int = 0; world < worlds; world++)
+            {
+                makeWorld(RandomWorlds.KINDS[world % RandomWorlds.KINDS.length], _random.integer(1, 250), new TightestFitCollider(sGreatLand));
+                for (var i:int = 0; i < 40; i++)
+                {
+                    changeSome();
+                    askPlaces("world " + world + ", " + i);
+                }
+            }
+            assertTrue(_answers + " answers, " + _empty + " empty", _answers > 25 * worlds && _empty > 3 * worlds);
+        }
+
+        [Test(timeout="3600000")]
+        public function touchesAreAsTheSystemFindsThem():void
+        {
+            _random = new SeededRandom(2202);
+            var worlds:int = Effort.choose(2, 40);
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var world:int = 0; world < worlds * RandomWorlds.KINDS.length; world++)
+                {
+                    var collider:Collider = EachCollider.make(name, sGreatLand);
+                    makeWorld(RandomWorlds.KINDS[world % RandomWorlds.KINDS.length], _random.integer(2, 60), collider);
+                    askAllWhatTheyTouch(name + ", world " + world, EachCollider.make(name, sGreatLand));
+                }
+            }
+            assertTrue(_answers + " answers, " + _empty + " empty", _answers > 100 * worlds && _empty > 100 * worlds);
+        }
+
+        private function makeWorld(kind:String, count:int, collider:Collider):void
+        {
+            _agents = RandomWorlds.make(kind, count, "cube", _random);
+            for each (var agent:Agent in _agents)
+            {
+                agent.shape = _random.pick(SHAPES);
+                agent.breed = _random.pick(BREEDS);
+                agent.heading = _random.between(-180, 180);
+                agent.hierarchical = _random.chance(0.5);
+                if (_random.chance(0.5))
+                {
+                    agent.pitch = _random.between(-90, 90);
+                    agent.roll = _random.between(-90, 90);
+                }
+            }
+            _queries = new AgentQueries(collider);
+            _reference = new LoopedQuestions();
+            update();
+        }
+
+        private function update():void
+        {
+            _queries.update(_agents);
+            _reference.update(_agents);
+        }
+
+        private function changeSome():void
+        {
+            var agent:Agent = anyAgent();
+            var other:Agent = anyAgent();
+            switch (_random.integer(0, 5))
+            {
+                case 0:
+                    // seen where it was
+                    agent.moveTo(other.x + _random.normal(), other.y + _random.normal(), other.z + _random.normal());
+                    break;
+                case 1:
+                    agent.moveTo(other.x, other.y, other.z);
+                    _queries.moved(agent);
+                    _reference.moved(agent);
+                    break;
+                case 2:
+                    agent.breed = _random.pick(BREEDS);
+                    break;
+                case 3:
+                    var place:int = _random.integer(0, _agents.length - 1);
+                    if (_agents.length > 1)
+                    {
+                        _agents.splice(place, 1);
+                    }
+                    update();
+                    break;
+                case 4:
+                    _agents.splice(_random.integer(0, _agents.length), 0, newAgent(other));
+                    update();
+                    break;
+                default:
+                    break;
+            }
+        }
+
+        private function anyAgent():Agent
+        {
+            return _agents[_random.integer(0, _agents.length - 1)];
+        }
+
+        private function newAgent(near:Agent):Agent
+        {
+            var agent:Agent = new Agent(_random.pick(SHAPES), _random.pick(BREEDS));
+            agent.moveTo(near.x + _random.normal(), near.y, near.z);
+            return agent;
+        }
+
+        private function askPlaces(message:String):void
+        {
+            var asker:Agent = _random.chance(0.9) ? anyAgent() : newAgent(anyAgent());
+            var other:Agent = anyAgent();
+            // mostly as far as that other is
+            var radius:Number = _random.chance(0.8) ? _reference.distance(asker, other) : _random.pick([0, 1, 5, 1e4, Infinity]);
+            var filter:AgentFilter = randomFilter();
+            var near:Vector.<Agent> = _reference.near(asker.x, asker.y, asker.z, asker, radius, filter);
+            near.length > 0 ? _answers++ : _empty++;
+            message += " with " + near.length;
+            assertSame(message + ": near", near, _queries.near(asker, radius, filter));
+            assertEquals(message + ": countNear", near.length, _queries.countNear(asker, radius, filter));
+            assertEquals(message + ": nearest", near.length > 0 ? near[0] : null, _queries.nearest(asker, radius, filter));
+            var degrees:Number = _random.pick([0, 30, 90, 180, 200, 359, 360, 500]);
+            assertSame(message + ": inCone " + degrees, _reference.inCone(asker, near, degrees), _queries.inCone(asker, radius, degrees, filter));
+            var point:Vector3D = new Vector3D(asker.x, other.y, asker.z);
+            near = _reference.near(point.x, point.y, point.z, null, radius, filter);
+            assertSame(message + ": nearPoint", near, _queries.nearPoint(point, radius, filter));
+            assertEquals(message + ": countNearPoint", near.length, _queries.countNearPoint(point, radius, filter));
+            assertEquals(message + ": nearestToPoint", near.length > 0 ? near[0] : null, _queries.nearestToPoint(point, radius, filter));
+        }
+
+        private function randomFilter():AgentFilter
+        {
+            if (_random.chance(0.4))
+            {
+                return null;
+            }
+            var filter:AgentFilter = new AgentFilter();
+            if (_random.chance(0.4))
+            {
+                filter.breeds = new <String>[_random.pick(BREEDS), _random.pick(BREEDS), "nobody's"];
+            }
+            if (_random.chance(0.4))
+            {
+                filter.exceptBreeds = new <String>[_random.pick(BREEDS)];
+            }
+            if (_random.chance(0.4))
+            {
+                filter.except = new <Agent>[anyAgent(), new Agent("cube")];
+            }
+            if (_random.chance(0.4))
+            {
+                var queries:AgentQueries = _queries;
+                filter.accepts = function(agent:Agent):Boolean
+                {
+                    // what it asks disturbs nothing
+                    queries.near(agent, 3);
+                    queries.nearest(agent, Infinity, AgentFilter.ofBreeds("sheep"));
+                    return agent.id % 3 == 0;
+                };
+            }
+            return filter;
+        }
+
+        private function askAllWhatTheyTouch(message:String, system:Collider):void
+        {
+            var pairs:Vector.<Agent> = system.findCollisions(_agents);
+            for each (var agent:Agent in _agents)
+            {
+                var touched:Vector.<Agent> = new Vector.<Agent>();
+                for (var i:int = 0; i < pairs.length; i++)
+                {
+                    if (pairs[i] == agent)
+                    {
+                        touched.push(pairs[i ^ 1]);
+                    }
+                }
+                assertAboutTouches(message, agent, touched);
+            }
+            // from elsewhere, as it is now
+            for (i = 0; i < 3; i++)
+            {
+                agent = i < 2 ? anyAgent() : newAgent(anyAgent());
+                var other:Agent = anyAgent();
+                var x:Number = agent.x;
+                var y:Number = agent.y;
+                var z:Number = agent.z;
+                agent.moveTo(other.x + _random.normal() * other.size, other.y, other.z);
+                touched.length = 0;
+                for each (other in _agents)
+                {
+                    if (other != agent && system.areColliding(agent, other))
+                    {
+                        touched.push(other);
+                    }
+                }
+                assertAboutTouches(message + ", moved", agent, touched);
+                agent.moveTo(x, y, z);
+            }
+        }
+
+        private function assertAboutTouches(message:String, agent:Agent, touched:Vector.<Agent>):void
+        {
+            touched.length > 0 ? _answers++ : _empty++;
+            var all:Vector.<Agent> = _reference.sorted(agent.x, agent.y, agent.z, touched);
+            assertSame(message + ": touching", all, _queries.touching(agent));
+            var filter:AgentFilter = randomFilter();
+            assertSame(message + ": touching, some", _reference.filtered(all, filter), _queries.touching(agent, filter));
+        }
+
+        private static function assertSame(message:String, expected:Vector.<Agent>, found:Vector.<Agent>):void
+        {
+            assertEquals(message, LoopedQuestions.numbers(expected), LoopedQuestions.numbers(found));
+        }
+    }
+}

@@ -1,0 +1,288 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import starlogo.search.CombinationStrategy;
+    import starlogo.search.HierarchyStrategy;
+    import starlogo.search.ShapeStrategy;
+    import starlogo.search.TightestFitStrategy;
+    import starlogo.search.UnitSphereStrategy;
+    import support.AskedDistance;
+    import support.DistanceReference;
+    import support.Effort;
+    import support.Fixtures;
+    import support.SolidModels;
+
+    /**
+     * How far agents are apart in every system, against every pair of nodes or triangles; 0 where they touch, and only there; the same in either
+     * order; the points, each on its shape; and never more than a greater depth says, or triangles.
+     */
+    public class RowDistancesTest
+    {
+        public static const FIXTURES:Array = ["/assets/kelp.obj", "/assets/bear.obj"];
+
+        private static const KINDS:Array = [BoundingStructure.BOX, BoundingStructure.SPHERE, BoundingStructure.CAPSULE];
+        private static const PRECISION:Number = 1e-12;
+
+        private static var sGreatLands:Array;
+        private static var sNames:Array;
+
+        private var _random:SeededRandom = new SeededRandom(2222);
+        private var _touching:int;
+        private var _apart:int;
+
+        [BeforeClass]
+        public static function load():void
+        {
+            sGreatLands = [];
+            sNames = [];
+            var models:Array = SolidModels.all().concat(BuiltInModel.cylinder());
+            models.push(new ObjModel("kelp", Fixtures.text(FIXTURES[0])), new ObjModel("bear", Fixtures.text(FIXTURES[1])), cloud());
+            for each (var model:Model in models)
+            {
+                sNames.push(model.name);
+            }
+            for each (var kind:int in KINDS)
+            {
+                var greatLand:GreatLand = new GreatLand();
+                greatLand.orientedBoxDegIncrement = 45;
+                greatLand.hierarchies.boundsKind = kind;
+                for each (model in models)
+                {
+                    greatLand.addModel(model);
+                }
+                sGreatLands.push(greatLand);
+            }
+        }
+
+        [AfterClass]
+        public static function forget():void
+        {
+            sGreatLands = null;
+        }
+
+        [Test]
+        public function structures():void
+        {
+            var greatLand:GreatLand = sGreatLands[0];
+            for each (var strategy:ShapeStrategy in [new UnitSphereStrategy(), new TightestFitStrategy(greatLand)])
+            {
+                var asked:AskedDistance = new AskedDistance(greatLand, strategy);
+                for (var i:int = 0; i < Effort.choose(400, 20000); i++)
+                {
+                    check(asked, agent(), agent(), "pair " + i);
+                }
+            }
+            assertMixed();
+        }
+
+        [Test]
+        public function trees():void
+        {
+            for each (var greatLand:GreatLand in sGreatLands)
+            {
+                var strategy:HierarchyStrategy = new HierarchyStrategy(greatLand);
+                var asked:AskedDistance = new AskedDistance(greatLand, strategy);
+                var reference:DistanceReference = new DistanceReference(greatLand);
+                for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+                {
+                    strategy.maxDepth = _random.integer(1, 6);
+                    var a:Agent = agent();
+                    var b:Agent = agent();
+                    if (_random.chance(0.3))
+                    {
+                        b.traversalDepth = _random.integer(1, 8);
+                    }
+                    check(asked, a, b, "pair " + i);
+                    if (!asked.areTouching)
+                    {
+                        var depthB:int = b.traversalDepth || strategy.maxDepth;
+                        var least:Number = greatLand === sGreatLands[0] ? reference.ofNodes(a, strategy.maxDepth, b, depthB)
+                            : reference.ofBranchesTo(a, strategy.maxDepth, b, depthB);
+                        assertNear("pair " + i, least, asked.closest.distance, a, b);
+                    }
+                    if (greatLand === sGreatLands[0])
+                    {
+                        var slack:Number = PRECISION * sizeOf(a, b);
+                        var offA:Number = reference.fromNodes(a, strategy.maxDepth, asked.pointA);
+                        var offB:Number = reference.fromNodes(b, b.traversalDepth || strategy.maxDepth, asked.pointB);
+                        assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
+                    }
+                }
+            }
+            assertMixed();
+        }
+
+        [Test]
+        public function triangles():void
+        {
+            var greatLand:GreatLand = sGreatLands[0];
+            var strategy:HierarchyStrategy = new HierarchyStrategy(greatLand);
+            strategy.exact = true;
+            var asked:AskedDistance = new AskedDistance(greatLand, strategy);
+            var reference:DistanceReference = new DistanceReference(greatLand);
+            for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+            {
+                var a:Agent = agent(["sphere", "cube"].concat(SolidModels.NAMES));
+                var b:Agent = agent(["sphere", "cube", "cylinder", "kelp"]);
+                check(asked, a, b, "pair " + i);
+                if (!asked.areTouching)
+                {
+                    assertNear("pair " + i, reference.ofTriangles(a, b), asked.closest.distance, a, b);
+                }
+                var offA:Number = reference.fromTriangles(a, asked.pointA);
+                var offB:Number = reference.fromTriangles(b, asked.pointB);
+                assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, PRECISION * sizeOf(a, b)));
+            }
+            assertMixed();
+        }
+
+        [Test]
+        public function aTreeAndAStructure():void
+        {
+            for each (var greatLand:GreatLand in sGreatLands)
+            {
+                var trees:HierarchyStrategy = new HierarchyStrategy(greatLand);
+                var asked:AskedDistance = new AskedDistance(greatLand, new CombinationStrategy(new TightestFitStrategy(greatLand), trees));
+                var reference:DistanceReference = new DistanceReference(greatLand);
+                for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+                {
+                    trees.maxDepth = _random.integer(1, 6);
+                    var a:Agent = agent();
+                    var b:Agent = agent();
+                    a.hierarchical = true;
+                    check(asked, a, b, "pair " + i);
+                    if (!asked.areTouching)
+                    {
+                        var least:Number = reference.toTightestFit(a, trees.maxDepth, b);
+                        assertNear("pair " + i, least, asked.closest.distance, a, b);
+                    }
+                }
+            }
+            assertMixed();
+        }
+
+        [Test]
+        public function neverMoreThanDeeperOrExactly():void
+        {
+            for each (var greatLand:GreatLand in sGreatLands)
+            {
+                var trees:HierarchyStrategy = new HierarchyStrategy(greatLand);
+                var asked:AskedDistance = new AskedDistance(greatLand, trees);
+                var combined:HierarchyStrategy = new HierarchyStrategy(greatLand);
+                var askedCombined:AskedDistance = new AskedDistance(greatLand, new CombinationStrategy(new TightestFitStrategy(greatLand), combined));
+                var askedFit:AskedDistance = new AskedDistance(greatLand, new TightestFitStrategy(greatLand));
+                for (var i:int = 0; i < Effort.choose(60, 3000); i++)
+                {
+                    var a:Agent = agent();
+                    var b:Agent = agent();
+                    trees.exact = true;
+                    var exact:Number = asked.between(a, b);
+                    trees.exact = false;
+                    var what:String = "pair " + i + ", " + a.shape + " and " + b.shape;
+                    // of vertices alone nothing but the depth limit decides
+                    var isCloud:Boolean = a.shape == "cloud" || b.shape == "cloud";
+                    assertTrue(what + ": tightest", askedFit.between(a, b) <= exact || isCloud);
+                    for (var k:int = 1; k < 8; k++)
+                    {
+                        var before:Number = 0;
+                        b.traversalDepth = k;
+                        for each (var depth:int in [1, 2, 3, 4, 6, 10])
+                        {
+                            a.traversalDepth = depth;
+                            var distance:Number = asked.between(a, b);
+                            assertTrue(what + " at " + depth + ", " + k + ": " + distance + " after " + before, distance >= before);
+                            before = distance;
+                        }
+                        assertTrue(what + " at " + k + ": " + before + ", exactly " + exact, before <= exact || isCloud);
+                    }
+                    a.hierarchical = true;
+                    assertTrue(what + ": one tree", askedCombined.between(a, b) <= exact || isCloud);
+                }
+            }
+        }
+
+        // Two orders, touching, and the points.
+        private function check(asked:AskedDistance, a:Agent, b:Agent, pair:String):void
+        {
+            var what:String = pair + ", " + a.shape + " and " + b.shape;
+            var there:Number = asked.between(b, a);
+            var pointOfB:Vector3D = asked.pointA;
+            var distance:Number = asked.between(a, b);
+            assertEquals(what + ", in the other order", distance, there);
+            assertTrue(what + ": the same points", pointOfB.equals(asked.pointB));
+            assertEquals(what + ": " + distance, asked.areTouching, distance == 0);
+            var slack:Number = PRECISION * sizeOf(a, b);
+            if (distance == 0)
+            {
+                assertTrue(what + ": one point", asked.pointA.equals(asked.pointB));
+                _touching++;
+            }
+            else
+            {
+                assertTrue(what + ": as far apart: " + (Vector3D.distance(asked.pointA, asked.pointB) - distance),
+                        Math.abs(Vector3D.distance(asked.pointA, asked.pointB) - distance) <= slack);
+                _apart++;
+            }
+        }
+
+        private function assertNear(what:String, expected:Number, actual:Number, a:Agent, b:Agent):void
+        {
+            var slack:Number = PRECISION * sizeOf(a, b);
+            assertTrue(what + ", " + a.shape + " and " + b.shape + ": " + actual + " is not " + expected,
+                    Math.abs(actual - expected) <= slack);
+        }
+
+        // Each on its model; or, if one is inside of the other, on the inner one.
+        private static function arePoints(asked:AskedDistance, offA:Number, offB:Number, slack:Number):Boolean
+        {
+            return offA <= slack && offB <= slack || asked.areTouching && (offA <= slack || offB <= slack);
+        }
+
+        private function assertMixed():void
+        {
+            assertTrue(_touching + " touch, " + _apart + " do not", _touching > 0.1 * _apart && _apart > 0.3 * _touching);
+        }
+
+        private static function sizeOf(a:Agent, b:Agent):Number
+        {
+            return 3 * (a.size + b.size) + Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + Math.abs(b.x) + Math.abs(b.y) + Math.abs(b.z);
+        }
+
+        // Somewhere about the origin, or about a place far away.
+        private function agent(names:Array = null):Agent
+        {
+            var agent:Agent = new Agent(_random.pick(names || sNames));
+            agent.size = _random.pick([1, 1, _random.logBetween(1e-3, 1e3)]);
+            agent.heading = _random.pick([0, 90, _random.between(0, 360)]);
+            if (_random.chance(0.5))
+            {
+                agent.pitch = _random.between(0, 360);
+                agent.roll = _random.between(0, 360);
+            }
+            var spread:Number = _random.pick([0.3, 1, 1, 5, 100]);
+            agent.moveTo(spread * _random.normal(), spread * _random.normal(), spread * _random.normal());
+            return agent;
+        }
+
+        // Vertices without triangles.
+        private static function cloud():Model
+        {
+            var random:SeededRandom = new SeededRandom(5);
+            var vertices:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < 300; i++)
+            {
+                vertices.push(random.normal());
+            }
+            return new Model("cloud", vertices);
+        }
+    }
+}

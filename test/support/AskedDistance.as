@@ -1,0 +1,59 @@
+package support
+{
+    import flash.geom.Vector3D;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.queries.RowDistances;
+    import starlogo.search.AgentTable;
+    import starlogo.search.ModelShapes;
+    import starlogo.search.ShapeStrategy;
+
+    use namespace engine;
+
+    /** Asks for the distance of two agents as they are now, as a collider's strategy sees them. */
+    public final class AskedDistance
+    {
+        /** What was found last. */
+        public var closest:ClosestPair;
+
+        /** Whether the strategy says that the two touch. */
+        public var areTouching:Boolean;
+
+        private var _strategy:ShapeStrategy;
+        private var _distances:RowDistances;
+        private var _table:AgentTable;
+
+        /** As this strategy sees agents. */
+        public function AskedDistance(greatLand:GreatLand, strategy:ShapeStrategy)
+        {
+            _strategy = strategy;
+            _distances = new RowDistances();
+            _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), null);
+            closest = _distances.closest;
+        }
+
+        /** How far two agents are apart. */
+        public function between(a:Agent, b:Agent):Number
+        {
+            _table.readPair(a, b);
+            areTouching = _strategy.areTouching(_table, 0, 1);
+            _distances.find(_strategy, _table, 0, 1, true);
+            _table.endPair();
+            return closest.distance;
+        }
+
+        /** The first one's point. */
+        public function get pointA():Vector3D
+        {
+            return new Vector3D(closest.aX, closest.aY, closest.aZ);
+        }
+
+        /** The second one's point. */
+        public function get pointB():Vector3D
+        {
+            return new Vector3D(closest.bX, closest.bY, closest.bZ);
+        }
+    }
+}

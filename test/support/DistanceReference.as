@@ -1,0 +1,172 @@
+package support
+{
+    import flash.geom.Vector3D;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.ClosestTriangles;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.findClosest;
+    import starlogo.solid.SolidHierarchy;
+
+    use namespace engine;
+
+    /**
+     * How far agents are apart, without leaving anything out: every node at which a hierarchy ends, or every triangle, put into the world, from
+     * every one of the other. The distances of two of these have tests of their own.
+     */
+    public final class DistanceReference
+    {
+        private var _greatLand:GreatLand;
+        private var _pair:ClosestPair = new ClosestPair();
+
+        /**
+         * @param greatLand has the models
+         */
+        public function DistanceReference(greatLand:GreatLand)
+        {
+            _greatLand = greatLand;
+        }
+
+        /** Of hierarchies, visited to these depths. */
+        public function ofNodes(a:Agent, depthA:int, b:Agent, depthB:int):Number
+        {
+            return least(endsOf(a, depthA), endsOf(b, depthB));
+        }
+
+        /** Of an agent's hierarchy and the tightest fit of another. */
+        public function toTightestFit(a:Agent, depthA:int, b:Agent):Number
+        {
+            var structure:BoundingStructure = _greatLand.boundingStructures.tightestFit(b.shape).place(b.worldPlacement());
+            return ofBranches(a, _greatLand.hierarchies.root(a.shape), depthA, b, null, 0, structure);
+        }
+
+        /**
+         * Of hierarchies of spheres or capsules, where two nodes are as far apart as their ancestors are, at least: level by level, with covers for
+         * what is below the last level of the other.
+         */
+        public function ofBranchesTo(a:Agent, depthA:int, b:Agent, depthB:int):Number
+        {
+            return ofBranches(a, _greatLand.hierarchies.root(a.shape), depthA, b, _greatLand.hierarchies.root(b.shape), depthB, null);
+        }
+
+        private function ofBranches(a:Agent, nodeA:HierarchyNode, depthA:int, b:Agent, nodeB:HierarchyNode, depthB:int,
+                structure:BoundingStructure):Number
+        {
+            var endsA:Boolean = nodeA.isLeaf || nodeA.level >= depthA;
+            var endsB:Boolean = nodeB == null || nodeB.isLeaf || nodeB.level >= depthB;
+            var own:BoundingStructure = nodeA.bounds;
+            if (nodeB != null)
+            {
+                own = nodeB.level > nodeA.level && nodeA.cover != null ? nodeA.cover : nodeA.bounds;
+                structure = nodeA.level > nodeB.level + 1 && nodeB.cover != null ? nodeB.cover : nodeB.bounds;
+                structure = structure.place(b.worldPlacement());
+            }
+            findClosest(own.place(a.worldPlacement()), structure, _pair);
+            var distance:Number = _pair.distance;
+            if (endsA && endsB)
+            {
+                return distance;
+            }
+            if (endsB || !endsA && nodeA.level <= nodeB.level)
+            {
+                return Math.max(distance, Math.min(ofBranches(a, nodeA.left, depthA, b, nodeB, depthB, structure),
+                            ofBranches(a, nodeA.right, depthA, b, nodeB, depthB, structure)));
+            }
+            return Math.max(distance, Math.min(ofBranches(a, nodeA, depthA, b, nodeB.left, depthB, structure),
+                        ofBranches(a, nodeA, depthA, b, nodeB.right, depthB, structure)));
+        }
+
+        /** Of surfaces. */
+        public function ofTriangles(a:Agent, b:Agent):Number
+        {
+            var triangles:ClosestTriangles = new ClosestTriangles();
+            var cornersA:Vector.<Number> = cornersOf(a, b);
+            var cornersB:Vector.<Number> = cornersOf(b, b);
+            for (var i:int = 0; i < cornersA.length; i += 9)
+            {
+                for (var k:int = 0; k < cornersB.length; k += 9)
+                {
+                    triangles.add(cornersA, i, cornersB, k);
+                }
+            }
+            return Math.sqrt(triangles.squared);
+        }
+
+        /** Of a point and an agent's hierarchy. */
+        public function fromNodes(agent:Agent, depth:int, point:Vector3D):Number
+        {
+            return least(endsOf(agent, depth), new <BoundingStructure>[new Sphere(point, 0)]);
+        }
+
+        /** Of a point and an agent's surface. */
+        public function fromTriangles(agent:Agent, point:Vector3D):Number
+        {
+            var triangles:ClosestTriangles = new ClosestTriangles();
+            var corners:Vector.<Number> = cornersOf(agent, agent);
+            var x:Number = point.x - agent.x;
+            var y:Number = point.y - agent.y;
+            var z:Number = point.z - agent.z;
+            var points:Vector.<Number> = new <Number>[x, y, z, x, y, z, x, y, z];
+            for (var i:int = 0; i < corners.length; i += 9)
+            {
+                triangles.add(corners, i, points, 0);
+            }
+            return Math.sqrt(triangles.squared);
+        }
+
+        // Relative to another agent's place, to be as precise far away.
+        private function cornersOf(agent:Agent, at:Agent):Vector.<Number>
+        {
+            var hierarchy:SolidHierarchy = _greatLand.hierarchies.hierarchy(agent.shape);
+            var placement:Placement = agent.worldPlacement();
+            var corners:Vector.<Number> = new Vector.<Number>();
+            for each (var vertex:int in hierarchy.triangles)
+            {
+                var x:Number = hierarchy.vertices[3 * vertex] * placement.size;
+                var y:Number = hierarchy.vertices[3 * vertex + 1] * placement.size;
+                var z:Number = hierarchy.vertices[3 * vertex + 2] * placement.size;
+                corners.push(placement.r00 * x + placement.r01 * y + placement.r02 * z + (agent.x - at.x),
+                        placement.r10 * x + placement.r11 * y + placement.r12 * z + (agent.y - at.y),
+                        placement.r20 * x + placement.r21 * y + placement.r22 * z + (agent.z - at.z));
+            }
+            return corners;
+        }
+
+        private function least(a:Vector.<BoundingStructure>, b:Vector.<BoundingStructure>):Number
+        {
+            var distance:Number = Infinity;
+            for (var i:int = 0; i < a.length; i++)
+            {
+                for (var k:int = 0; k < b.length; k++)
+                {
+                    findClosest(a[i], b[k], _pair);
+                    distance = Math.min(distance, _pair.distance);
+                }
+            }
+            return distance;
+        }
+
+        private function endsOf(agent:Agent, depth:int):Vector.<BoundingStructure>
+        {
+            var ends:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
+            collect(agent, _greatLand.hierarchies.root(agent.shape), depth, ends);
+            return ends;
+        }
+
+        private static function collect(agent:Agent, node:HierarchyNode, depth:int, out:Vector.<BoundingStructure>):void
+        {
+            if (node.isLeaf || depth == 1)
+            {
+                out.push(node.bounds.place(agent.worldPlacement()));
+                return;
+            }
+            collect(agent, node.left, depth - 1, out);
+            collect(agent, node.right, depth - 1, out);
+        }
+    }
+}

@@ -16,8 +16,8 @@ export function uncaught(error) {
 }
 
 /** The error of an error event that nothing listens for. */
-export function unheard(event) {
-	return new Error(event.text);
+export function unheard(type, text) {
+	return new Error(text);
 }
 
 /** The list of who listens for frames; frames come while there is anybody. */

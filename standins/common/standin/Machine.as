@@ -1,7 +1,5 @@
 package standin
 {
-    import flash.events.ErrorEvent;
-
     /**
      * What the stand-ins need of the machine beneath: functions that whoever starts the program sets before anything else.
      *
@@ -28,9 +26,9 @@ package standin
         public static var uncaught:Function;
 
         /** The error of an error event that nothing listens for. */
-        public static function unheard(event:ErrorEvent):Error
+        public static function unheard(type:String, text:String):Error
         {
-            return new Error("Error #2044: Unhandled " + event.type + ":. text=" + event.text);
+            return new Error("Error #2044: Unhandled " + type + ":. text=" + text);
         }
 
         /** <code>(url:String):ByteArray</code>: a file's bytes; null where there is none. */

@@ -1,7 +1,5 @@
 package standin
 {
-    import flash.events.ErrorEvent;
-
     /** What the stand-ins need of the machine beneath; machine.mjs has how. */
     public final class Machine
     {
@@ -12,7 +10,7 @@ package standin
         public static native function uncaught(error:*):void;
 
         /** The error of an error event that nothing listens for. */
-        public static native function unheard(event:ErrorEvent):Error;
+        public static native function unheard(type:String, text:String):Error;
 
         /** Calls back once, when so many milliseconds are over. */
         public static native function setTimeout(callback:Function, ms:Number):uint;

@@ -110,7 +110,7 @@ package flash.events
             }
             if (!isHeard && event is ErrorEvent)
             {
-                Machine.uncaught(Machine.unheard(ErrorEvent(event)));
+                Machine.uncaught(Machine.unheard(event.type, ErrorEvent(event).text));
             }
             return !event.isDefaultPrevented();
         }

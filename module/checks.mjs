@@ -112,7 +112,7 @@ export class Checks {
 	#simpleCheck({ name, type: wanted, value }, member, type) {
 		switch (wanted) {
 			case "Number":
-				if (takesInfinity({ value }, member) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
+				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
 				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, "a number"];
 			case "int":
 				return ["$anInt", `typeof ${name} !== "number" || ${name} !== (${name} | 0)`, "a whole number"];
@@ -165,6 +165,8 @@ export function mayBeNull(parameter, member, type) {
 }
 
 /** Whether a number may be infinite, a distance without an end, say, or is looked at by the engine. */
-export function takesInfinity(parameter, member) {
+export function takesInfinity(parameter, member, type) {
+	const isInfinite = (each) => each.name === parameter.name && /Infinity/.test(each.value ?? "");
+	if (type.members.some((each) => each.parameters.some(isInfinite))) return true;
 	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b|@throws \w*Error/.test(member.doc);
 }

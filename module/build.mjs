@@ -10,7 +10,6 @@ import { transformSync } from "esbuild";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, publicSignatures } from "./names.mjs";
-import { drawPicture } from "./picture.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
@@ -47,7 +46,7 @@ copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
-writeFileSync(join(out, "picture.svg"), await drawPicture(join(out, readable)));
+copyFileSync(join(ROOT, "module/picture.svg"), join(out, "picture.svg"));
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
 
 function fail(qname) {

@@ -189,6 +189,11 @@ class Writer {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
 		const union = owner && this.#unionOf({ members: [] }, type, said);
 		if (union) return union;
+		const names = type === "Object" ? said.match(/"\w+"/g) ?? [] : [];
+		if (names.length > 1) {
+			const classes = [...this.#exported.keys()].filter((each) => new RegExp(String.raw`\ba ${each}\b`).test(said));
+			return [...names, ...classes].join(" | ") + orNull;
+		}
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;

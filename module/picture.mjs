@@ -1,12 +1,17 @@
-/** Draws the picture of README.md: what the collision systems see of a bear, as the package itself computes it. */
-import { readFileSync } from "node:fs";
+#!/usr/bin/env node
+/**
+ * Draws the picture of README.md: what the collision systems see of a bear, as the package itself computes it.
+ *
+ *   node module/picture.mjs      after ./antw module
+ */
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
+import { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } from "../bin/module/starlogo-collision.js";
 import { ROOT } from "./names.mjs";
 
 const WIDTH = 260;
-const HEIGHT = 300;
-const SCALE = 190;
+const HEIGHT = 430;
+const SCALE = 150;
 const [COS, SIN] = [Math.cos(0.6), Math.sin(0.6)];
 
 /** A place of the picture, of a point seen from the front and above. */
@@ -33,8 +38,7 @@ function edgesOf({ vertices, triangles }) {
 }
 
 /** The text of an SVG. */
-export async function drawPicture(file) {
-	const { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } = await import(pathToFileURL(file));
+function drawPicture() {
 	const bear = new ObjModel("bear", readFileSync(join(ROOT, "assets/bear.obj"), "utf8"));
 	const land = new GreatLand();
 	land.addModel(bear);
@@ -52,3 +56,5 @@ export async function drawPicture(file) {
 	const size = `width="${panels.length * WIDTH}" height="${HEIGHT}" viewBox="0 0 ${panels.length * WIDTH} ${HEIGHT}"`;
 	return `<svg xmlns="http://www.w3.org/2000/svg" ${size} font-family="sans-serif" font-size="15"><rect width="100%" height="100%" fill="#fff"/>${groups.join("")}</svg>\n`;
 }
+
+writeFileSync(join(ROOT, "module/picture.svg"), drawPicture());

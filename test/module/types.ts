@@ -73,11 +73,14 @@ new Model("triangle", new Float32Array(9), null);
 new Model("triangle", ["0", "1"]);
 
 // events
+declare const abort: { signal: { aborted: boolean; addEventListener(type: string, listener: () => void): void } };
+declare const blob: { size: number; arrayBuffer(): Promise<ArrayBuffer> };
+declare const url: { href: string };
 const loader = new ModelLoader(land);
 loader.addEventListener("modelLoaded", (event) => {
 	is<Same<typeof event, ModelEvent>>();
 	event.model.name.trim();
-}, { once: true, signal: new AbortController().signal });
+}, { once: true, signal: abort.signal });
 loader.addEventListener(ErrorEvent.ERROR, (event) => event.text.trim());
 loader.addEventListener("progress", (event) => event.bytesLoaded / event.bytesTotal);
 loader.addEventListener(Event.COMPLETE, () => {});
@@ -85,9 +88,9 @@ is<Same<ModelLoaderEvents["error"], ErrorEvent>>();
 // @ts-expect-error that event has no model
 loader.addEventListener("complete", (event) => event.model);
 // @ts-expect-error a Blob is no bytes
-loader.loadBytes("x", new Blob());
+loader.loadBytes("x", blob);
 // @ts-expect-error an address is a string
-loader.load("x", new URL("http://localhost"));
+loader.load("x", url);
 
 // null where it can come
 const hit = new RayHit();

@@ -511,7 +511,8 @@ package starlogo.search
 
         private static function isNoAgent(place:int, agent:Agent):Error
         {
-            return new ArgumentError("agents[" + place + "] " + (agent == null ? "is null" : "must be an Agent, not " + textOf(agent)));
+            var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent);
+            return new ArgumentError("agents[" + place + "] " + problem);
         }
 
         private static function listedTwice(agent:Agent, first:int, second:int):Error

@@ -35,6 +35,7 @@ import {
 	ConvexHull,
 	Cylinder,
 	CylinderFitter,
+	DetectionBlocks,
 	ErrorEvent,
 	Event,
 	EventDispatcher,
@@ -46,6 +47,7 @@ import {
 	FitStorage,
 	FitStore,
 	Fitter,
+	GltfModel,
 	GreatLand,
 	HierarchicalCollider,
 	HierarchiesLibrary,
@@ -85,6 +87,7 @@ import {
 	sphereSphere,
 	Steps,
 	StepSequence,
+	StlModel,
 	StructureBlocks,
 	StructureTests,
 	TextEvent,
@@ -108,6 +111,10 @@ export function play(bearText: string): number {
 	greatLand.addModel(new ObjModel("bear", bearText));
 	const receiver: ModelReceiver = greatLand;
 	finish(receiver.receive(new Model("triangle", new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), new Uint16Array([0, 1, 2]))));
+
+	const turned = new ObjModel("bear", bearText, ModelTransform.fromText("rotate 90 0 270\nscale 2"), Model.VOLUME);
+	const frame: SourceFrame = turned.source;
+	log.push(`${frame.unit} ${frame.offset.x} ${frame.matrix.rawData[15]}`);
 
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
@@ -134,6 +141,7 @@ export function play(bearText: string): number {
 	}
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
+	ask(greatLand, [bear, ball]);
 	const collider: Collider = new TightestFitCollider(greatLand);
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
 	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
@@ -141,6 +149,29 @@ export function play(bearText: string): number {
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
 	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
 	return calls;
+}
+
+// Who is where.
+function ask(greatLand: GreatLand, agents: Agent[]): void {
+	const collision = new Collision(new TightestFitCollider(greatLand));
+	const queries = new AgentQueries(collision);
+	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
+	filter.accepts = (agent: Agent) => agent.size < 1;
+	const choice: AgentChoice = filter;
+	collision.filter = choice;
+	queries.update(agents);
+	queries.moved(agents[1]);
+	const nearest: Agent | null = queries.nearest(agents[0], Infinity, filter);
+	const near: Agent[] = queries.near(agents[0], 3, null, []);
+	const touching: Agent[] = queries.touching(agents[0]);
+	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
+	log.push(`${nearest}, ${near.length} near, ${touching.length} touching, ${overlapping.length} overlapping`);
+	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
+	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
+	const hits: RayHit[] = queries.castAll(eye, ahead);
+	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
+	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
+	log.push(`${blocks.countWithin(agents[0], "paintballs", 3)} within 3`);
 }
 
 // What a program of blocks calls.
@@ -280,6 +311,8 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
+		() => GltfModel.fromBytes("broken", new Uint8Array([123, 125]), null, Model.VOLUME),
+		() => StlModel.fromBytes("broken", new ArrayBuffer(3)),
 		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
 		() => new Model("broken", [0, 0, 0], [0, 0, 1]),

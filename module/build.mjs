@@ -7,7 +7,7 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { transformSync } from "esbuild";
-import { SETUP, standinsText, translate } from "./assemble.mjs";
+import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, publicSignatures } from "./names.mjs";
 
@@ -21,12 +21,11 @@ const classes = program.text();
 const lost = /\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
-const { version } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
-const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.shortName(qname) ?? fail(qname));
+const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
+const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
 const text = `/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
 ${standinsText()}
 ${classes}
-${SETUP}
 export {
     ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
 };
@@ -37,7 +36,7 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: false });
+const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: true });
 writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified}.map\n`);
 writeFileSync(join(out, `${minified}.map`), small.map);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
@@ -47,6 +46,7 @@ copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
+copyFileSync(join(ROOT, "module/picture.svg"), join(out, "picture.svg"));
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
 
 function fail(qname) {
@@ -57,18 +57,23 @@ function manifest() {
 	return {
 		name: NAME,
 		version,
-		description: "The collision engine of StarLogo Nova: which agents of a game have collided",
+		description: "The collision engine of StarLogo Nova: which agents of a game have collided, exactly, as they move, and what is near",
 		license: "MIT",
+		keywords: ["collision-detection", "collision", "broadphase", "spatial-query", "raycast", "bounding-volume", "bvh", "continuous-collision", "game", "3d", "starlogo"],
+		homepage: "https://www.slnova.org/",
+		...(repository ? { repository } : {}),
 		type: "module",
 		sideEffects: false,
 		engines: { node: ">=18" },
 		types: "./index.d.ts",
 		exports: {
-			".": { types: "./index.d.ts", default: `./${minified}` },
+			".": { types: "./index.d.ts", default: `./${readable}` },
+			"./min": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			"./package.json": "./package.json",
 		},
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md"],
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg"],
 	};
 }
 

@@ -12,6 +12,7 @@ package
     import benchmark.IntersectionBenchmark;
     import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
+    import benchmark.QueriesBenchmark;
     import benchmark.StoredFitsBenchmark;
     import benchmark.TraversalBenchmark;
     import flash.display.Sprite;
@@ -26,7 +27,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

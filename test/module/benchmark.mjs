@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, peers, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, peers, queries, fits
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
@@ -14,7 +14,7 @@ import { AgentCells } from "./agent-cells.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
-const { Agent, BinCollider, BuiltInModel, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 5000, 10000];
 
@@ -169,6 +169,47 @@ async function exact() {
 	print(`Dragons, exact, microseconds a pair (${same} of ${pairs.length} verdicts the same: three-mesh-bvh knows no inside)`, ["", "pairs", "engine", "three-mesh-bvh", "times"], rows);
 }
 
+/** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh. */
+async function distances() {
+	const three = await import(pathToFileURL(tools.resolve("three")));
+	const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
+	const { AgentQueries, Vector3D } = engine;
+	const models = [new ObjModel("bear", asset("bear.obj")), new ColladaModel("dragon", asset("dragon.dae"))];
+	const rows = models.flatMap((model) => [1.5, 20].map((spread) => {
+		greatLand.addModel(model);
+		const geometry = new three.BufferGeometry();
+		geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(model.vertices), 3));
+		geometry.setIndex(new three.BufferAttribute(new Uint32Array(model.triangles), 1));
+		const bvh = new MeshBVH(geometry);
+		geometry.boundsTree = bvh;
+		const exactly = new HierarchicalCollider(greatLand);
+		exactly.exact = true;
+		const random = randomNumbers(11);
+		const pairs = Array.from({ length: 300 }, () => {
+			const a = new Agent(model.name);
+			const b = new Agent(model.name);
+			[b.heading, b.pitch, b.roll] = [360 * random(), 360 * random(), 360 * random()];
+			b.moveTo(spread * (2 * random() - 1), spread * (2 * random() - 1), spread * (2 * random() - 1));
+			return { a, b, matrix: new three.Matrix4().fromArray(b.transform.rawData) };
+		}).filter(({ a, b }) => !exactly.areColliding(a, b)).slice(0, 12);
+		const [point, pointB] = [new Vector3D(), new Vector3D()];
+		const target = [{}, {}];
+		const ask = (queries) => ({ run: () => pairs.forEach(({ a, b }) => queries.distance(a, b, point, pointB)) });
+		const [trees, own, other] = measure([
+			ask(new AgentQueries(new HierarchicalCollider(greatLand))),
+			ask(new AgentQueries(exactly)),
+			{ run: () => pairs.forEach(({ matrix }) => bvh.closestPointToGeometry(geometry, matrix, ...target)) },
+		], 2);
+		const queries = new AgentQueries(exactly);
+		const worst = Math.max(...pairs.map(({ a, b, matrix }) => {
+			const distance = queries.distance(a, b);
+			return Math.abs(distance - bvh.closestPointToGeometry(geometry, matrix, ...target).distance) / (1 + distance);
+		}));
+		return [`${model.name}s up to ${spread} away`, ...[trees, own, other].map((ms) => 1000 * ms / pairs.length), other / own, worst];
+	}));
+	print("Distances, microseconds a pair", ["", "at depth 5", "exact", "three-mesh-bvh", "times", "apart at most"], rows);
+}
+
 /** Spheres that move, all at once: who touches whom. */
 async function peers() {
 	const rapier = await import(pathToFileURL(tools.resolve("@dimforge/rapier3d-compat")));
@@ -227,6 +268,50 @@ async function peers() {
 	print("Spheres, all moving, ms a frame", ["", "bins", "tightest fit", "Rapier (WebAssembly)", "cannon-es", "pairs", "Rapier's"], rows);
 }
 
+/** Questions of each of 10,000 agents that all move, with the update, against a kd-tree that is made anew in every frame. */
+async function queries() {
+	const { default: KDBush } = await import(pathToFileURL(tools.resolve("kdbush")));
+	const { agents, walk } = scatter(10000, ["sphere"]);
+	const asked = new AgentQueries(new TightestFitCollider(greatLand));
+	let tree;
+	let sum = 0;
+	const build = () => {
+		tree = new KDBush(agents.length);
+		for (const agent of agents) tree.add(agent.x, agent.y);
+		tree.finish();
+	};
+	// it knows no nearest: all within a radius that grows until there is one besides the agent itself
+	const nearest = (agent, i) => {
+		for (let radius = 1; ; radius *= 2) {
+			let least = Infinity;
+			let found = -1;
+			for (const other of tree.within(agent.x, agent.y, radius)) {
+				const square = (agents[other].x - agent.x) ** 2 + (agents[other].y - agent.y) ** 2;
+				if (other !== i && square < least) {
+					least = square;
+					found = other;
+				}
+			}
+			if (found >= 0) return found;
+		}
+	};
+	asked.update(agents);
+	build();
+	const same = agents.filter((agent, i) => asked.nearest(agent) === agents[nearest(agent, i)]).length;
+	const rows = [
+		["nearest", () => agents.forEach((agent) => asked.nearest(agent)), () => agents.forEach(nearest)],
+		["countNear 5", () => agents.forEach((agent) => (sum += asked.countNear(agent, 5))), () => agents.forEach((agent) => (sum += tree.within(agent.x, agent.y, 5).length))],
+		["the update and one question", () => asked.nearest(agents[0]), () => nearest(agents[0], 0)],
+	].map(([name, ask, askTree]) => {
+		const [own, other] = measure([
+			{ prepare: walk, run: () => { asked.update(agents); ask(); } },
+			{ prepare: walk, run: () => { build(); askTree(); } },
+		], 30);
+		return [name, 1000 * own / agents.length, 1000 * other / agents.length, other / own];
+	});
+	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
+}
+
 /** The twelve models of the thesis's table, taken in with their fits known and with all to compute. */
 function fits() {
 	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
@@ -245,4 +330,4 @@ function fits() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, peers, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();

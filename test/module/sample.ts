@@ -1,6 +1,9 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
+	AgentChoice,
+	AgentFilter,
+	AgentQueries,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
@@ -32,6 +35,7 @@ import {
 	ConvexHull,
 	Cylinder,
 	CylinderFitter,
+	DetectionBlocks,
 	ErrorEvent,
 	Event,
 	EventDispatcher,
@@ -126,6 +130,7 @@ export function play(bearText: string): number {
 	}
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
+	ask(greatLand, [bear, ball]);
 	const collider: Collider = new TightestFitCollider(greatLand);
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
 	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
@@ -133,6 +138,25 @@ export function play(bearText: string): number {
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
 	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
 	return calls;
+}
+
+// Who is where.
+function ask(greatLand: GreatLand, agents: Agent[]): void {
+	const collision = new Collision(new TightestFitCollider(greatLand));
+	const queries = new AgentQueries(collision);
+	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
+	filter.accepts = (agent: Agent) => agent.size < 1;
+	const choice: AgentChoice = filter;
+	collision.filter = choice;
+	queries.update(agents);
+	queries.moved(agents[1]);
+	const nearest: Agent | null = queries.nearest(agents[0], Infinity, filter);
+	const near: Agent[] = queries.near(agents[0], 3, null, []);
+	const touching: Agent[] = queries.touching(agents[0]);
+	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
+	log.push(`${nearest}, ${near.length} near, ${touching.length} touching, ${overlapping.length} overlapping`);
+	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
+	log.push(`${blocks.countWithin(agents[0], "paintballs", 3)} within 3`);
 }
 
 // What a program of blocks calls.

@@ -104,6 +104,12 @@ package starlogo.collision
             find(agents, breeds, null, out, takePart);
         }
 
+        /** The search that the collider makes. */
+        internal function get search():CollisionSearch
+        {
+            return _search;
+        }
+
         // Puts the pairs into that one of the two outputs that is not null.
         private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs,
                 takePart:Vector.<Boolean> = null):Vector.<Agent>

@@ -116,7 +116,8 @@ package starlogo.geometry
             if (pitch == 0 && roll == 0)
             {
                 r00 = cosHeading;
-                r01 = -sinHeading;
+                // not -0: the same as in a placement that was never turned
+                r01 = 0 - sinHeading;
                 r10 = sinHeading;
                 r11 = cosHeading;
                 r02 = r12 = r20 = r21 = 0;
@@ -133,7 +134,7 @@ package starlogo.geometry
             r10 = sinHeading * cosPitch;
             r11 = sinHeading * sinPitch * sinRoll + cosHeading * cosRoll;
             r12 = sinHeading * sinPitch * cosRoll - cosHeading * sinRoll;
-            r20 = -sinPitch;
+            r20 = 0 - sinPitch;
             r21 = cosPitch * sinRoll;
             r22 = cosPitch * cosRoll;
         }

@@ -54,11 +54,11 @@ package starlogo.geometry
             switch (turns & 3)
             {
                 case 0:
-                    return sineOfFew(angle);
+                    // never -0
+                    return 0 + sineOfFew(angle);
                 case 1:
                     return cosineOfFew(angle);
                 case 2:
-                    // not -0
                     return 0 - sineOfFew(angle);
                 default:
                     return 0 - cosineOfFew(angle);
@@ -87,7 +87,7 @@ package starlogo.geometry
                 case 2:
                     return 0 - cosineOfFew(angle);
                 default:
-                    return sineOfFew(angle);
+                    return 0 + sineOfFew(angle);
             }
         }
 

@@ -78,6 +78,23 @@ package starlogo.handlers
             return pair;
         }
 
+        /** A pair that touches, of <code>count</code>, in the order in which the contacts began. */
+        public function pairAt(index:int):ContactPair
+        {
+            return _pairs[index];
+        }
+
+        /** Lets go of all pairs, without an end. */
+        public function clear():void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                _pairs[i].first = _pairs[i].second = null;
+            }
+            count = 0;
+            fill(LEAST_LENGTH);
+        }
+
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
         public function separateEnded():void
         {

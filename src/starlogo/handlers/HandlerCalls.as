@@ -101,6 +101,12 @@ package starlogo.handlers
             _agents = null;
         }
 
+        /** Which pairs touch, of breeds with handlers for starts or ends. */
+        public function get tracker():ContactTracker
+        {
+            return _tracker;
+        }
+
         // Computes the contacts that handlers take, and finds the pairs that touched before.
         private function prepare():void
         {

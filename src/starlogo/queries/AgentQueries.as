@@ -3,7 +3,6 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.intersection.distance.ClosestPair;
 
     /**
      * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
@@ -220,21 +219,9 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            _distances.find(a, b, pointA != null || pointB != null);
-            var closest:ClosestPair = _distances.closest;
-            if (pointA != null && closest.distance < Infinity)
-            {
-                pointA.x = closest.aX;
-                pointA.y = closest.aY;
-                pointA.z = closest.aZ;
-            }
-            if (pointB != null && closest.distance < Infinity)
-            {
-                pointB.x = closest.bX;
-                pointB.y = closest.bY;
-                pointB.z = closest.bZ;
-            }
-            return closest.distance;
+            // short, so that V8 can inline it: else it makes an object of each Number that is returned
+            _distances.find(a, b, pointA, pointB);
+            return _distances.closest.distance;
         }
     }
 }

@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.intersection.distance.ClosestPair;
@@ -30,11 +31,33 @@ package starlogo.queries
         }
 
         /**
-         * Finds how far two agents are apart, as AgentQueries.distance says.
+         * Finds how far two agents are apart, as AgentQueries.distance says: <code>closest</code>.
          *
-         * @param withPoints whether the points are needed too
+         * @param pointA takes the one point; or null
+         * @param pointB takes the other
          */
-        public function find(a:Agent, b:Agent, withPoints:Boolean):void
+        public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):void
+        {
+            findRows(a, b, pointA != null || pointB != null);
+            if (closest.distance == Infinity)
+            {
+                return;
+            }
+            if (pointA != null)
+            {
+                pointA.x = closest.aX;
+                pointA.y = closest.aY;
+                pointA.z = closest.aZ;
+            }
+            if (pointB != null)
+            {
+                pointB.x = closest.bX;
+                pointB.y = closest.bY;
+                pointB.z = closest.bZ;
+            }
+        }
+
+        private function findRows(a:Agent, b:Agent, withPoints:Boolean):void
         {
             if (a == null || b == null || a === b)
             {

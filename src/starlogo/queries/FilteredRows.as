@@ -22,7 +22,7 @@ package starlogo.queries
         private var _table:AgentTable = null;
         private var _listNumber:int = -1;
 
-        // By row: the number of its breed, and of which of the agent's changes of breed that is; the last question that excepted it.
+        // By row: the number of its breed, and how many changes of the breeds of all agents there had been then; the last question that excepted it.
         private var _breeds:Vector.<int> = new Vector.<int>();
         private var _changes:Vector.<int> = new Vector.<int>();
         private var _excepted:Vector.<int> = new Vector.<int>();
@@ -94,14 +94,22 @@ package starlogo.queries
             {
                 return true;
             }
-            var agent:Agent = _table.agents[row];
-            if (agent.breedChange != _changes[row])
+            if (_changes[row] != Agent.breedChanges)
             {
-                _breeds[row] = numberOf(agent.breed);
-                _changes[row] = agent.breedChange;
+                follow(row);
             }
             var breed:int = _breeds[row];
             return (!_choosesBreeds || _chosen[breed] == _question) && (!_refusesBreeds || _refused[breed] != _question);
+        }
+
+        private function follow(row:int):void
+        {
+            var agent:Agent = _table.agents[row];
+            if (_changes[row] < agent.breedChange)
+            {
+                _breeds[row] = numberOf(agent.breed);
+            }
+            _changes[row] = Agent.breedChanges;
         }
 
         private function mark(names:Vector.<String>, marks:Vector.<int>):void

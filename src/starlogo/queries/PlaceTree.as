@@ -17,7 +17,12 @@ package starlogo.queries
     public final class PlaceTree
     {
         /** Rows in a leaf, at most. */
-        private static const LEAF_SIZE:int = 8;
+        private static const LEAF_SIZE:int = 16;
+
+        // How a box and a sphere are to each other.
+        private static const APART:int = 0;
+        private static const CROSSING:int = 1;
+        private static const WITHIN:int = 2;
 
         /** Numbers of a box: the least x, y, z, then the greatest. */
         internal static const PER_BOX:int = 6;
@@ -186,52 +191,64 @@ package starlogo.queries
          */
         public function findNearest(test:RowTest):int
         {
+            var atX:Number = x;
+            var atY:Number = y;
+            var atZ:Number = z;
+            var xs:Vector.<Number> = _x;
+            var ys:Vector.<Number> = _y;
+            var zs:Vector.<Number> = _z;
+            var nodes:Vector.<int> = _nodes;
+            var nodeSquares:Vector.<Number> = _squares;
             var nearest:int = -1;
             var least:Number = limit;
             var waiting:int = begin();
             while (waiting > 0)
             {
                 waiting--;
-                var node:int = _nodes[waiting];
-                if (_squares[waiting] > least)
+                var node:int = nodes[waiting];
+                if (nodeSquares[waiting] > least)
                 {
                     continue;
                 }
                 if (node < firstLeaf)
                 {
                     // the nearer child is the next
-                    var near:int = node << 1;
-                    var far:int = near + 1;
-                    var nearSquare:Number = squareTo(near);
-                    var farSquare:Number = squareTo(far);
-                    if (farSquare < nearSquare)
+                    var child:int = node << 1;
+                    var top:int = waiting + 1;
+                    measure(child, waiting);
+                    measure(child + 1, top);
+                    nodes[waiting] = child;
+                    nodes[top] = child + 1;
+                    if (nodeSquares[waiting] < nodeSquares[top])
                     {
-                        var swapped:Number = nearSquare;
-                        nearSquare = farSquare;
-                        farSquare = swapped;
-                        near++;
-                        far--;
+                        var nearSquare:Number = nodeSquares[waiting];
+                        nodeSquares[waiting] = nodeSquares[top];
+                        nodeSquares[top] = nearSquare;
+                        nodes[waiting] = child + 1;
+                        nodes[top] = child;
                     }
-                    _nodes[waiting] = far;
-                    _squares[waiting] = farSquare;
-                    waiting++;
-                    _nodes[waiting] = near;
-                    _squares[waiting] = nearSquare;
-                    waiting++;
+                    waiting += 2;
                     continue;
                 }
                 var end:int = startOf(node + 1);
                 for (var at:int = startOf(node); at < end; at++)
                 {
-                    var square:Number = squareAt(at);
-                    if (square > least || (square == least && nearest >= 0 && members[at] > nearest) || members[at] == skipped
-                            || square <= beyond)
+                    var toX:Number = xs[at] - atX;
+                    var toY:Number = ys[at] - atY;
+                    var toZ:Number = zs[at] - atZ;
+                    var square:Number = toX * toX + toY * toY + toZ * toZ;
+                    if (square > least)
                     {
                         continue;
                     }
-                    if (test == null || test.accepts(members[at]))
+                    var member:int = members[at];
+                    if ((square == least && nearest >= 0 && member > nearest) || member == skipped || square <= beyond)
                     {
-                        nearest = members[at];
+                        continue;
+                    }
+                    if (test == null || test.accepts(member))
+                    {
+                        nearest = member;
                         least = square;
                     }
                 }
@@ -247,26 +264,46 @@ package starlogo.queries
          */
         public function findNear(test:RowTest):int
         {
+            var atX:Number = x;
+            var atY:Number = y;
+            var atZ:Number = z;
+            var xs:Vector.<Number> = _x;
+            var ys:Vector.<Number> = _y;
+            var zs:Vector.<Number> = _z;
+            var greatest:Number = limit;
             var length:int = 0;
             var waiting:int = begin();
             while (waiting > 0)
             {
                 waiting--;
                 var node:int = _nodes[waiting];
+                if (relationTo(node) == APART)
+                {
+                    continue;
+                }
                 if (node < firstLeaf)
                 {
-                    waiting = enter(node, waiting);
+                    _nodes[waiting] = (node << 1) + 1;
+                    _nodes[int(waiting + 1)] = node << 1;
+                    waiting += 2;
                     continue;
                 }
                 var end:int = startOf(node + 1);
                 for (var at:int = startOf(node); at < end; at++)
                 {
-                    var square:Number = squareAt(at);
-                    if (square <= limit && members[at] != skipped && (test == null || test.accepts(members[at])))
+                    var toX:Number = xs[at] - atX;
+                    var toY:Number = ys[at] - atY;
+                    var toZ:Number = zs[at] - atZ;
+                    var square:Number = toX * toX + toY * toY + toZ * toZ;
+                    if (square <= greatest)
                     {
-                        found[length] = members[at];
-                        squares[length] = square;
-                        length++;
+                        var member:int = members[at];
+                        if (member != skipped && (test == null || test.accepts(member)))
+                        {
+                            found[length] = member;
+                            squares[length] = square;
+                            length++;
+                        }
                     }
                 }
             }
@@ -280,28 +317,48 @@ package starlogo.queries
          */
         public function countNear(test:RowTest):int
         {
+            var atX:Number = x;
+            var atY:Number = y;
+            var atZ:Number = z;
+            var xs:Vector.<Number> = _x;
+            var ys:Vector.<Number> = _y;
+            var zs:Vector.<Number> = _z;
+            var greatest:Number = limit;
             var near:int = 0;
             var waiting:int = begin();
             while (waiting > 0)
             {
                 waiting--;
                 var node:int = _nodes[waiting];
-                if (test == null && isWithin(node))
+                var relation:int = relationTo(node);
+                if (relation == APART)
+                {
+                    continue;
+                }
+                if (relation == WITHIN && test == null)
                 {
                     near += countIn(node);
                     continue;
                 }
                 if (node < firstLeaf)
                 {
-                    waiting = enter(node, waiting);
+                    _nodes[waiting] = (node << 1) + 1;
+                    _nodes[int(waiting + 1)] = node << 1;
+                    waiting += 2;
                     continue;
                 }
                 var end:int = startOf(node + 1);
                 for (var at:int = startOf(node); at < end; at++)
                 {
-                    if (squareAt(at) <= limit && (test == null || (members[at] != skipped && test.accepts(members[at]))))
+                    var toX:Number = xs[at] - atX;
+                    var toY:Number = ys[at] - atY;
+                    var toZ:Number = zs[at] - atZ;
+                    if (toX * toX + toY * toY + toZ * toZ <= greatest)
                     {
-                        near++;
+                        if (test == null || (members[at] != skipped && test.accepts(members[at])))
+                        {
+                            near++;
+                        }
                     }
                 }
             }
@@ -320,24 +377,6 @@ package starlogo.queries
             return count > 0 ? 1 : 0;
         }
 
-        // Puts the children that are within the limit on the stack; returns how many nodes wait.
-        private function enter(node:int, waiting:int):int
-        {
-            var child:int = node << 1;
-            if (squareTo(child) <= limit)
-            {
-                _nodes[waiting] = child;
-                waiting++;
-            }
-            child++;
-            if (squareTo(child) <= limit)
-            {
-                _nodes[waiting] = child;
-                waiting++;
-            }
-            return waiting;
-        }
-
         private function squareAt(at:int):Number
         {
             var toX:Number = _x[at] - x;
@@ -346,63 +385,115 @@ package starlogo.queries
             return toX * toX + toY * toY + toZ * toZ;
         }
 
-        // The squared distance to a node's box.
-        private function squareTo(node:int):Number
+        // Writes the squared distance to a node's box beside the nodes that wait: returned, V8 would make an object of it.
+        private function measure(node:int, slot:int):void
         {
+            var boxes:Vector.<Number> = _boxes;
             var box:int = PER_BOX * node;
-            var toX:Number = _boxes[box] - x;
+            var toX:Number = boxes[box] - x;
             if (toX < 0)
             {
-                toX = x - _boxes[int(box + 3)];
+                toX = x - boxes[int(box + 3)];
                 if (toX < 0)
                 {
                     toX = 0;
                 }
             }
-            var toY:Number = _boxes[int(box + 1)] - y;
+            var toY:Number = boxes[int(box + 1)] - y;
             if (toY < 0)
             {
-                toY = y - _boxes[int(box + 4)];
+                toY = y - boxes[int(box + 4)];
                 if (toY < 0)
                 {
                     toY = 0;
                 }
             }
-            var toZ:Number = _boxes[int(box + 2)] - z;
+            var toZ:Number = boxes[int(box + 2)] - z;
             if (toZ < 0)
             {
-                toZ = z - _boxes[int(box + 5)];
+                toZ = z - boxes[int(box + 5)];
                 if (toZ < 0)
                 {
                     toZ = 0;
                 }
             }
-            return toX * toX + toY * toY + toZ * toZ;
+            _squares[slot] = toX * toX + toY * toY + toZ * toZ;
         }
 
-        // Whether all of a node's box is within the limit.
-        private function isWithin(node:int):Boolean
+        // Whether a node's box is within the limit of x, y, z: not at all, in parts or as a whole.
+        private function relationTo(node:int):int
         {
+            var boxes:Vector.<Number> = _boxes;
             var box:int = PER_BOX * node;
-            var toX:Number = x - _boxes[box];
-            var toY:Number = y - _boxes[int(box + 1)];
-            var toZ:Number = z - _boxes[int(box + 2)];
-            var beyondX:Number = _boxes[int(box + 3)] - x;
-            var beyondY:Number = _boxes[int(box + 4)] - y;
-            var beyondZ:Number = _boxes[int(box + 5)] - z;
-            if (beyondX > toX)
+            var least:Number = boxes[box] - x;
+            var greatest:Number = boxes[int(box + 3)] - x;
+            var near:Number = 0;
+            var far:Number = greatest;
+            if (least > 0)
             {
-                toX = beyondX;
+                near = least;
             }
-            if (beyondY > toY)
+            else
             {
-                toY = beyondY;
+                if (greatest < 0)
+                {
+                    near = greatest;
+                }
+                if (-least > greatest)
+                {
+                    far = least;
+                }
             }
-            if (beyondZ > toZ)
+            var nearSquare:Number = near * near;
+            var farSquare:Number = far * far;
+            least = boxes[int(box + 1)] - y;
+            greatest = boxes[int(box + 4)] - y;
+            near = 0;
+            far = greatest;
+            if (least > 0)
             {
-                toZ = beyondZ;
+                near = least;
             }
-            return toX * toX + toY * toY + toZ * toZ <= limit;
+            else
+            {
+                if (greatest < 0)
+                {
+                    near = greatest;
+                }
+                if (-least > greatest)
+                {
+                    far = least;
+                }
+            }
+            nearSquare += near * near;
+            farSquare += far * far;
+            least = boxes[int(box + 2)] - z;
+            greatest = boxes[int(box + 5)] - z;
+            near = 0;
+            far = greatest;
+            if (least > 0)
+            {
+                near = least;
+            }
+            else
+            {
+                if (greatest < 0)
+                {
+                    near = greatest;
+                }
+                if (-least > greatest)
+                {
+                    far = least;
+                }
+            }
+            nearSquare += near * near;
+            if (nearSquare > limit)
+            {
+                return APART;
+            }
+            farSquare += far * far;
+            var relation:int = farSquare <= limit ? WITHIN : CROSSING;
+            return relation;
         }
 
         // How many rows are below a node.

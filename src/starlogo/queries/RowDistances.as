@@ -3,6 +3,7 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
+    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -25,6 +26,9 @@ package starlogo.queries
      */
     public final class RowDistances
     {
+        // How far apart structures are, as a fraction of their size, that certainly do not touch: more than rounding comes to.
+        private static const NEAR:Number = 1e-9;
+
         /** The distance of the rows that were asked about last, and their closest points, in the world. */
         public var closest:ClosestPair = new ClosestPair();
 
@@ -48,30 +52,35 @@ package starlogo.queries
          */
         public function find(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            var areTouching:Boolean = strategy.areTouching(table, a, b);
-            if (areTouching && !withPoints)
+            if (HierarchyStrategy.isSecondFirst(table, a, b))
             {
-                closest.distance = 0;
-            }
-            else if (HierarchyStrategy.isSecondFirst(table, a, b))
-            {
-                measure(strategy, table, b, a, areTouching);
+                measure(strategy, table, b, a, withPoints);
                 closest.turn();
             }
             else
             {
-                measure(strategy, table, a, b, areTouching);
+                measure(strategy, table, a, b, withPoints);
             }
         }
 
-        private function measure(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, areTouching:Boolean):void
+        private function measure(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
             if (shapeA.hierarchy == null)
             {
                 findClosest(structureOf(table, a, _sphereA), structureOf(table, b, _sphereB), closest);
-                closest.settle(areTouching);
+                var extents:Extents = table.extents;
+                var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
+                // boxes of which only the faces are tested may touch across a gap
+                var isNear:Boolean = strategy.isRound || closest.distance <= NEAR * size;
+                closest.settle(isNear && strategy.areTouching(table, a, b));
+                return;
+            }
+            var areTouching:Boolean = strategy.areTouching(table, a, b);
+            if (areTouching && !withPoints)
+            {
+                closest.distance = 0;
                 return;
             }
             var placementA:Placement = table.placementOf(a, _placementA);

@@ -263,6 +263,56 @@ package starlogo.search
             return boxes[row] != null;
         }
 
+        /**
+         * Writes where the last search saw its agents into a record.
+         *
+         * @return of each row, the place of its agent in the list
+         */
+        public function recordPlaces(record:FrameRecord):Vector.<int>
+        {
+            var places:Vector.<int> = new Vector.<int>(agents.length);
+            record.count = count;
+            for (var i:int = 0; i < count; i++)
+            {
+                var row:int = rows[i];
+                places[row] = i;
+                record.hasMotion[i] = shapes[row] != null && agents[row].jumpRevision <= revisions[row];
+                record.x[i] = x[row];
+                record.y[i] = y[row];
+                record.z[i] = z[row];
+            }
+            return places;
+        }
+
+        /**
+         * Reads a list of agents as if the last search had seen them where a record says.
+         *
+         * @throws ArgumentError as <code>read()</code>
+         */
+        public function restorePlaces(list:Vector.<Agent>, record:FrameRecord):void
+        {
+            read(list);
+            for (var i:int = 0; i < count; i++)
+            {
+                var row:int = rows[i];
+                var agent:Agent = agents[row];
+                var seen:int = agent.revision;
+                if (agent.placement.x != record.x[i] || agent.placement.y != record.y[i] || agent.placement.z != record.z[i])
+                {
+                    // it has moved since: in one step more, if the game has put it there by a jump
+                    agent.revision++;
+                }
+                revisions[row] = record.hasMotion[i] ? seen : NOT_SEEN;
+                placedRevisions[row] = STALE;
+                x[row] = record.x[i];
+                y[row] = record.y[i];
+                z[row] = record.z[i];
+                extents.x[row] = x[row] + _offsetX[row];
+                extents.y[row] = y[row] + _offsetY[row];
+                extents.z[row] = z[row] + _offsetZ[row];
+            }
+        }
+
         /** The row of an agent that is listed, or -1. */
         public function rowOf(agent:Agent):int
         {

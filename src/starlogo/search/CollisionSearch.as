@@ -16,6 +16,8 @@ package starlogo.search
      *
      * <p>Questions about two agents have a table and shapes of their own, and change nothing that a search keeps.</p>
      *
+     * <p>This file is long because its loops are written out.</p>
+     *
      * @private
      */
     public final class CollisionSearch extends PairSink
@@ -100,6 +102,25 @@ package starlogo.search
             search(agents, breeds, takePart, out.agents, true);
             writeNumbers(out.places, out.breeds);
             out.end(2 * _pairCount);
+        }
+
+        /** As AgentTable.recordPlaces. */
+        public function recordPlaces(record:FrameRecord):Vector.<int>
+        {
+            return _table.recordPlaces(record);
+        }
+
+        /** As AgentTable.restorePlaces. */
+        public function restorePlaces(agents:Vector.<Agent>, record:FrameRecord):void
+        {
+            _table.restorePlaces(agents, record);
+            _isSwept = false;
+        }
+
+        /** The row of an agent that was in the last search, or -1. */
+        public function rowOf(agent:Agent):int
+        {
+            return _table.rowOf(agent);
         }
 
         /**

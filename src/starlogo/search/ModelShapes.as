@@ -13,10 +13,16 @@ package starlogo.search
      */
     public final class ModelShapes
     {
+        private static const RECENT:int = 8;
+
         private var _greatLand:GreatLand;
         private var _strategy:ShapeStrategy;
         private var _revision:int = -1;
         private var _shapes:Object = {};
+
+        // Some of these, found without a key, which would have to be made.
+        private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
+        private var _next:int = 0;
 
         /**
          * @param greatLand has the models
@@ -42,10 +48,18 @@ package starlogo.search
         public function shapeOf(agent:Agent):ModelShape
         {
             var kind:int = _strategy.kindOf(agent);
+            for (var i:int = 0; i < _recent.length; i++)
+            {
+                if (_recent[i].kind == kind && _recent[i].model == agent.shape)
+                {
+                    return _recent[i];
+                }
+            }
             var key:String = kind + ":" + agent.shape;
             var shape:ModelShape = _shapes[key] as ModelShape;
             if (shape != null)
             {
+                keep(shape);
                 return shape;
             }
             if (!_greatLand.hasModel(agent.shape))
@@ -85,7 +99,15 @@ package starlogo.search
                 }
             }
             _shapes = left;
+            _recent.length = _next = 0;
             return haveChanged;
+        }
+
+        // In place of the one that has been there for the longest time.
+        private function keep(shape:ModelShape):void
+        {
+            _recent[_next] = shape;
+            _next = (_next + 1) % RECENT;
         }
     }
 }

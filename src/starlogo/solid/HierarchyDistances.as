@@ -133,26 +133,31 @@ package starlogo.solid
             {
                 _leaf.structure = structure;
             }
-            _leaf.radius = reachOf(structure);
+            setReach(structure);
             _structures.find(a.root, depth, _leaf, 1, null);
             _structures.writePoints(out);
             var isInside:Boolean = areTouching && out.distance > 0 && _containment.isStructureInside(a, structure);
             finish(placementA, placementB, areTouching, isInside, out);
         }
 
-        private static function reachOf(structure:BoundingStructure):Number
+        // How far the structure reaches from its middle, or a little farther.
+        private function setReach(structure:BoundingStructure):void
         {
+            if (structure.kind == BoundingStructure.BOX)
+            {
+                var box:Box = Box(structure);
+                _leaf.radius = box.halfX + box.halfY + box.halfZ;
+                return;
+            }
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                return Sphere(structure).radius;
+                _leaf.radius = Sphere(structure).radius;
+                return;
             }
-            if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                var capsule:Capsule = Capsule(structure);
-                return capsule.radius + Vector3D.distance(capsule.start, capsule.end);
-            }
-            var box:Box = Box(structure);
-            return box.halfX + box.halfY + box.halfZ;
+            var capsule:Capsule = Capsule(structure);
+            var start:Vector3D = capsule.start;
+            var end:Vector3D = capsule.end;
+            _leaf.radius = capsule.radius + Math.abs(end.x - start.x) + Math.abs(end.y - start.y) + Math.abs(end.z - start.z);
         }
 
         // Takes the points into the world, where the spaces are those of two placements.

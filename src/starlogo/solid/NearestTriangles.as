@@ -174,13 +174,10 @@ package starlogo.solid
             var p:Number = alongX * corners[at] + alongY * corners[int(at + 1)] + alongZ * corners[int(at + 2)];
             var q:Number = alongX * corners[int(at + 3)] + alongY * corners[int(at + 4)] + alongZ * corners[int(at + 5)];
             var r:Number = alongX * corners[int(at + 6)] + alongY * corners[int(at + 7)] + alongZ * corners[int(at + 8)];
-            var first:Number = p < q ? p : q;
-            if (r < first)
-            {
-                first = r;
-            }
+            p = p < q ? p : q;
+            p = p < r ? p : r;
             // the nearest pair is as far apart along it as it is long
-            _begin = first - nearest.squared;
+            _begin = p - nearest.squared;
             _alongX = alongX;
             _alongY = alongY;
             _alongZ = alongZ;

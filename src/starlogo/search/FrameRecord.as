@@ -1,0 +1,246 @@
+package starlogo.search
+{
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import starlogo.agents.Agent;
+
+    /**
+     * What the next frame depends on besides the agents: where the last one saw them, and which pairs touched. Agents are numbers, their
+     * places in the last frame's list.
+     *
+     * <p>As bytes: a mark; how many agents; of each whether it has a motion from where it was seen, and its place; how many names of breeds, and
+     * the names; how many pairs, and of each its agents, their breeds, and whether it touches both ways.</p>
+     *
+     * @private
+     */
+    public final class FrameRecord
+    {
+        // "SLF1"
+        private static const MARK:uint = 0x534C4631;
+        private static const BYTES_PER_AGENT:int = 25;
+        private static const BYTES_PER_PAIR:int = 17;
+
+        /** How many agents there are. */
+        public var count:int = 0;
+
+        /** Whether the next frame takes an agent to have moved from where it was. */
+        public var hasMotion:Vector.<Boolean> = new Vector.<Boolean>();
+
+        /** Where an agent was. */
+        public var x:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        public var y:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        public var z:Vector.<Number> = new Vector.<Number>();
+
+        /** How many pairs touch. */
+        public var pairCount:int = 0;
+
+        /** The agent that was first when a pair's contact began. */
+        public var first:Vector.<int> = new Vector.<int>();
+
+        /** The other one. */
+        public var second:Vector.<int> = new Vector.<int>();
+
+        /** The breed that the first had when it began. */
+        public var firstBreed:Vector.<String> = new Vector.<String>();
+
+        /** The breed of the other one then. */
+        public var secondBreed:Vector.<String> = new Vector.<String>();
+
+        /** Whether the contact has begun in both directions. */
+        public var isBothWays:Vector.<Boolean> = new Vector.<Boolean>();
+
+        private var _names:Vector.<String> = new Vector.<String>();
+
+        /** Of no agents. */
+        public function FrameRecord()
+        {
+        }
+
+        /** Adds a pair that touches. */
+        public function addPair(firstAgent:int, secondAgent:int, breedOfFirst:String, breedOfSecond:String, touchesBothWays:Boolean):void
+        {
+            first[pairCount] = firstAgent;
+            second[pairCount] = secondAgent;
+            firstBreed[pairCount] = breedOfFirst;
+            secondBreed[pairCount] = breedOfSecond;
+            isBothWays[pairCount] = touchesBothWays;
+            pairCount++;
+        }
+
+        /** Has no agent moved from where it was. */
+        public function forgetMotions():void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                hasMotion[i] = false;
+            }
+        }
+
+        /** Writes all. */
+        public function toBytes():ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            bytes.writeUnsignedInt(MARK);
+            bytes.writeInt(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                bytes.writeByte(hasMotion[i] ? 1 : 0);
+                bytes.writeDouble(x[i]);
+                bytes.writeDouble(y[i]);
+                bytes.writeDouble(z[i]);
+            }
+            _names.length = 0;
+            for (i = 0; i < pairCount; i++)
+            {
+                numberOf(firstBreed[i]);
+                numberOf(secondBreed[i]);
+            }
+            bytes.writeInt(_names.length);
+            for each (var name:String in _names)
+            {
+                bytes.writeUTF(name);
+            }
+            bytes.writeInt(pairCount);
+            for (i = 0; i < pairCount; i++)
+            {
+                bytes.writeInt(first[i]);
+                bytes.writeInt(second[i]);
+                bytes.writeInt(numberOf(firstBreed[i]));
+                bytes.writeInt(numberOf(secondBreed[i]));
+                bytes.writeByte(isBothWays[i] ? 1 : 0);
+            }
+            bytes.position = 0;
+            return bytes;
+        }
+
+        /**
+         * Reads what toBytes has written.
+         *
+         * @param bytes as a whole; its position and endianness stay as they are
+         * @param agentCount how many agents there are to be
+         * @return null for bytes that are no record, or a record of another number of agents
+         */
+        public static function fromBytes(bytes:ByteArray, agentCount:int):FrameRecord
+        {
+            var position:uint = bytes.position;
+            var endian:String = bytes.endian;
+            bytes.position = 0;
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            var record:FrameRecord = new FrameRecord();
+            var isRight:Boolean = record.readAgents(bytes, agentCount) && record.readNames(bytes) && record.readPairs(bytes);
+            bytes.position = position;
+            bytes.endian = endian;
+            return isRight ? record : null;
+        }
+
+        private function numberOf(breed:String):int
+        {
+            var number:int = _names.indexOf(breed);
+            if (number < 0)
+            {
+                number = _names.push(breed) - 1;
+            }
+            return number;
+        }
+
+        private function readAgents(bytes:ByteArray, agentCount:int):Boolean
+        {
+            if (bytes.length < 8 || bytes.readUnsignedInt() != MARK || bytes.readInt() != agentCount
+                    || bytes.bytesAvailable < BYTES_PER_AGENT * agentCount)
+            {
+                return false;
+            }
+            count = agentCount;
+            for (var i:int = 0; i < count; i++)
+            {
+                var flag:int = bytes.readUnsignedByte();
+                hasMotion[i] = flag == 1;
+                x[i] = bytes.readDouble();
+                y[i] = bytes.readDouble();
+                z[i] = bytes.readDouble();
+                if (flag > 1 || !isCoordinate(x[i]) || !isCoordinate(y[i]) || !isCoordinate(z[i]))
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private function readNames(bytes:ByteArray):Boolean
+        {
+            if (bytes.bytesAvailable < 4)
+            {
+                return false;
+            }
+            var left:int = bytes.readInt();
+            while (left > 0 && bytes.bytesAvailable >= 2)
+            {
+                var length:int = bytes.readUnsignedShort();
+                if (length == 0 || length > bytes.bytesAvailable)
+                {
+                    return false;
+                }
+                _names.push(bytes.readUTFBytes(length));
+                left--;
+            }
+            return left == 0;
+        }
+
+        private function readPairs(bytes:ByteArray):Boolean
+        {
+            if (bytes.bytesAvailable < 4)
+            {
+                return false;
+            }
+            var pairs:int = bytes.readInt();
+            if (pairs < 0 || bytes.bytesAvailable != BYTES_PER_PAIR * pairs)
+            {
+                return false;
+            }
+            // by the lower agent of a pair: the last pair that has it, and of each pair the one before
+            var last:Vector.<int> = new Vector.<int>(count, true);
+            var before:Vector.<int> = new Vector.<int>(pairs, true);
+            for (var i:int = 0; i < pairs; i++)
+            {
+                var a:int = bytes.readInt();
+                var b:int = bytes.readInt();
+                var breedOfA:int = bytes.readInt();
+                var breedOfB:int = bytes.readInt();
+                var flag:int = bytes.readUnsignedByte();
+                if (!isBelow(a, count) || !isBelow(b, count) || a == b || flag > 1
+                        || !isBelow(breedOfA, _names.length) || !isBelow(breedOfB, _names.length))
+                {
+                    return false;
+                }
+                var lower:int = a < b ? a : b;
+                for (var other:int = last[lower]; other > 0; other = before[other - 1])
+                {
+                    if (first[other - 1] + second[other - 1] == a + b)
+                    {
+                        return false;
+                    }
+                }
+                before[i] = last[lower];
+                last[lower] = i + 1;
+                addPair(a, b, _names[breedOfA], _names[breedOfB], flag == 1);
+            }
+            return true;
+        }
+
+        // False for NaN too.
+        private static function isCoordinate(value:Number):Boolean
+        {
+            return value >= -Agent.LARGEST_COORDINATE && value <= Agent.LARGEST_COORDINATE;
+        }
+
+        private static function isBelow(value:int, end:int):Boolean
+        {
+            return value >= 0 && value < end;
+        }
+    }
+}

@@ -1,0 +1,113 @@
+package starlogo.blocks
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
+    import starlogo.models.BuiltInModel;
+    import support.assertThrows;
+
+    public class DetectionBlocksTest
+    {
+        private var _agents:Vector.<Agent>;
+        private var _collisions:CollisionBlocks;
+        private var _blocks:DetectionBlocks;
+        private var _turtle:Agent;
+
+        [Before]
+        public function begin():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.sphere());
+            greatLand.addModel(BuiltInModel.cube());
+            _agents = new Vector.<Agent>();
+            _collisions = new CollisionBlocks(greatLand, _agents);
+            _blocks = new DetectionBlocks(_collisions);
+            _turtle = add("turtles", 0);
+            add("turtles", 0.8).color = 10;
+            add("wolves", 3).color = 20;
+            add("wolves", 5).color = 10;
+            add("wolves", -7).color = 10;
+        }
+
+        [Test]
+        public function countsAndFinds():void
+        {
+            assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));
+            assertEquals(0, _blocks.countWithin(_turtle, "wolves", 2.9));
+            assertEquals(3, _blocks.countWithin(_turtle, Collision.ANY_BREED, 5));
+            assertEquals(0, _blocks.countWithin(_turtle, "sheep", 50));
+            assertEquals(2, _blocks.countWith(_turtle, "wolves", "color", 10));
+            assertEquals(3, _blocks.countWith(_turtle, Collision.ANY_BREED, "color", 10));
+            assertEquals(_agents[2], _blocks.nearestWithin(_turtle, "wolves", 100));
+            assertNull(_blocks.nearestWithin(_turtle, "wolves", 1));
+            assertEquals(_agents[3], _blocks.nearestWith(_turtle, "wolves", "color", 10));
+            assertNull(_blocks.nearestWith(_turtle, "wolves", "color", 11));
+        }
+
+        [Test]
+        public function touchesAsTheCollisionSystemSays():void
+        {
+            assertTrue(_blocks.isTouching(_turtle, "turtles"));
+            assertTrue(_blocks.isTouching(_turtle, _agents[1]));
+            assertFalse(_blocks.isTouching(_turtle, "wolves"));
+            assertFalse(_blocks.isTouching(_turtle, _agents[2]));
+            // on a corner of the cube there is no sphere
+            _turtle.moveTo(0, 0.9, 0);
+            assertTrue(_blocks.isTouching(_turtle, _agents[1]));
+            assertEquals(0, _blocks.distanceTo(_turtle, _agents[1]));
+            assertEquals(2, Math.round(_blocks.distanceTo(_turtle, _agents[2]) * 1e9) / 1e9);
+            _collisions.useCollisionSystem(CollisionBlocks.UNIT_SPHERES);
+            _blocks.update();
+            assertFalse(_blocks.isTouching(_turtle, _agents[1]));
+            _collisions.useCollisionSystem(CollisionBlocks.EXACT);
+            assertFalse("not before the next update", _blocks.isTouching(_turtle, _agents[1]));
+            _collisions.forgetScripts();
+            assertTrue(_blocks.isTouching(_turtle, _agents[1]));
+        }
+
+        [Test]
+        public function othersAreWhereTheFrameBegan():void
+        {
+            assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));
+            _agents[2].x = 50;
+            assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));
+            _blocks.moved(_agents[2]);
+            assertEquals(0, _blocks.countWithin(_turtle, "wolves", 3));
+            _turtle.x = 50;
+            assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));
+            _agents[2].x = 0;
+            _blocks.update();
+            assertEquals(0, _blocks.countWithin(_turtle, "wolves", 3));
+        }
+
+        [Test]
+        public function tellsStudentsWhatIsWrong():void
+        {
+            assertThrows(BlockError, /"count within" needs an agent that asks/, _blocks.countWithin, null, "wolves", 1);
+            assertThrows(BlockError, /"count within" needs the name of a breed/, _blocks.countWithin, _turtle, "", 1);
+            assertThrows(BlockError, /"count within" needs a distance of 0 or more, but got -1/, _blocks.countWithin, _turtle, "wolves", -1);
+            assertThrows(BlockError, /"nearest within" needs a distance of 0 or more, but got NaN/, _blocks.nearestWithin, _turtle, "wolves", NaN);
+            assertThrows(BlockError, /"count with" does not know the trait "colour"/, _blocks.countWith, _turtle, "wolves", "colour", 1);
+            assertThrows(BlockError, /"nearest with" does not know the trait nothing/, _blocks.nearestWith, _turtle, "wolves", null, 1);
+            assertThrows(BlockError, /"touching\?" needs an agent or a breed, but got nothing/, _blocks.isTouching, _turtle, null);
+            assertThrows(BlockError, /"distance to" needs another agent, but got nothing/, _blocks.distanceTo, _turtle, null);
+            assertThrows(BlockError, /"distance to" needs another agent, but got the same/, _blocks.distanceTo, _turtle, _turtle);
+            assertThrows(ArgumentError, /blocks are needed/, function():void
+                {
+                    new DetectionBlocks(null);
+                });
+        }
+
+        private function add(breed:String, x:Number):Agent
+        {
+            var agent:Agent = new Agent("cube", breed);
+            agent.x = x;
+            _agents.push(agent);
+            return agent;
+        }
+    }
+}

@@ -1,0 +1,387 @@
+package starlogo.collision
+{
+    import flash.errors.IllegalOperationError;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import evaluation.pairs.SeededRandom;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.assertThrows;
+
+    public class SnapshotTest
+    {
+        private static const FRAMES:int = 40;
+
+        private var _greatLand:GreatLand;
+
+        [Before]
+        public function setUp():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(SolidModels.crossed());
+        }
+
+        [Test]
+        public function afterItTheFramesAreTheSame():void
+        {
+            var sweptCalls:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                for (var seed:int = 1; seed <= Effort.choose(6, 100); seed++)
+                {
+                    var game:SnapshotGame = new SnapshotGame(EachCollider.make(name, _greatLand), seed);
+                    game.run(10 + seed % 7);
+                    var random:uint = game.random.nextUint();
+                    game.random = new SeededRandom(random);
+                    var bytes:ByteArray = game.collision.snapshot();
+                    var list:Vector.<Agent> = game.listed.concat();
+                    var traits:Array = game.traitsOf(list);
+                    var alive:Vector.<Boolean> = game.alive(list);
+                    var expected:String = game.run(FRAMES);
+                    sweptCalls += game.calls;
+
+                    // the same Collision and agents
+                    game.setTraits(list, traits);
+                    game.setAlive(list, alive);
+                    game.random = new SeededRandom(random);
+                    game.collision.restore(bytes, list);
+                    assertSame(name + ", seed " + seed + ": again", expected, game.run(FRAMES));
+
+                    // others, in a new Collision
+                    var other:SnapshotGame = new SnapshotGame(EachCollider.make(name, _greatLand), 1);
+                    var agents:Vector.<Agent> = new Vector.<Agent>();
+                    for (var i:int = 0; i < list.length; i++)
+                    {
+                        agents[i] = new Agent("sphere");
+                    }
+                    other.setTraits(agents, traits);
+                    other.setAlive(agents, alive);
+                    other.random = new SeededRandom(random);
+                    other.collision.restore(bytes, agents);
+                    assertSame(name + ", seed " + seed + ": elsewhere", expected, other.run(FRAMES));
+                }
+            }
+            assertTrue("calls " + sweptCalls, sweptCalls > 5000);
+        }
+
+        [Test]
+        public function badBytesChangeNothing():void
+        {
+            var game:SnapshotGame = new SnapshotGame(EachCollider.make("tightest fits", _greatLand), 5);
+            game.run(12);
+            var random:uint = game.random.nextUint();
+            game.random = new SeededRandom(random);
+            var list:Vector.<Agent> = game.listed.concat();
+            var traits:Array = game.traitsOf(list);
+            var alive:Vector.<Boolean> = game.alive(list);
+            var bytes:ByteArray = game.collision.snapshot();
+            var expected:String = game.run(FRAMES);
+            game.setTraits(list, traits);
+            game.setAlive(list, alive);
+            game.random = new SeededRandom(random);
+            game.collision.restore(bytes, list);
+
+            var damage:SeededRandom = new SeededRandom(77);
+            var refused:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var broken:ByteArray = new ByteArray();
+                broken.writeBytes(bytes, 0, i % 3 == 0 ? damage.integer(0, bytes.length - 1) : bytes.length);
+                if (i % 3 == 1)
+                {
+                    broken.writeByte(0);
+                }
+                else if (i % 3 == 2)
+                {
+                    // a mark, a count, flags of motions, a pair: what has few values
+                    broken[[0, 4, 8, 33, bytes.length - 1, bytes.length - 2][int(i / 3) % 6]] ^= 1 << damage.integer(1, 7);
+                }
+                try
+                {
+                    game.collision.restore(broken, list);
+                }
+                catch (error:ArgumentError)
+                {
+                    refused++;
+                }
+            }
+            assertEquals("all refused", 300, refused);
+            assertThrows(ArgumentError, /bytes must not be null/, game.collision.restore, null, list);
+            assertThrows(ArgumentError, /agents must not be null/, game.collision.restore, bytes, null);
+            assertThrows(ArgumentError, /no snapshot of 0 agents/, game.collision.restore, bytes, new Vector.<Agent>());
+            var twice:Vector.<Agent> = list.concat();
+            twice[1] = twice[0];
+            assertThrows(ArgumentError, /twice/, game.collision.restore, bytes, twice);
+            assertSame("as if nothing had been tried", expected, game.run(FRAMES));
+        }
+
+        [Test]
+        public function notWhileHandlersRun():void
+        {
+            var collision:Collision = new Collision(new BinCollider(_greatLand));
+            var a:Agent = new Agent("sphere");
+            var b:Agent = new Agent("sphere");
+            var agents:Vector.<Agent> = new <Agent>[a, b];
+            var bytes:ByteArray = collision.snapshot();
+            collision.restore(bytes, new Vector.<Agent>());
+            var calls:int = 0;
+            collision.onCollision("turtles", "turtles", function(collider:Agent, collidee:Agent):void
+                {
+                    assertThrows(IllegalOperationError, /snapshot must not be called from a handler/, collision.snapshot);
+                    assertThrows(IllegalOperationError, /restore must not be called from a handler/, collision.restore, bytes, agents);
+                    calls++;
+                });
+            collision.update(agents);
+            assertEquals(2, calls);
+            assertThrows(ArgumentError, /twice/, collision.update, new <Agent>[a, a]);
+            assertThrows(IllegalOperationError, /refused its list/, collision.snapshot);
+        }
+
+        [Test]
+        public function aMotionFromThereMeetsWhatIsInBetween():void
+        {
+            for each (var isJumped:Boolean in [false, true])
+            {
+                var collision:Collision = new Collision(new BinCollider(_greatLand));
+                var ball:Agent = new Agent("sphere", "balls");
+                var wall:Agent = new Agent("sphere", "walls");
+                ball.sweeps = true;
+                wall.moveTo(5, 0, 0);
+                var hits:int = 0;
+                collision.onCollision("balls", "walls", function(collider:Agent, collidee:Agent):void
+                    {
+                        hits++;
+                    });
+                var agents:Vector.<Agent> = new <Agent>[ball, wall];
+                collision.update(agents);
+                var bytes:ByteArray = collision.snapshot();
+                ball.moveTo(20, 0, 0);
+                collision.update(agents);
+                assertEquals(1, hits);
+                // put back, by a jump even
+                ball.jumpTo(0, 0, 0);
+                collision.restore(bytes, agents);
+                if (isJumped)
+                {
+                    ball.jumpTo(20, 0, 0);
+                }
+                else
+                {
+                    ball.moveTo(20, 0, 0);
+                }
+                collision.update(agents);
+                assertEquals(isJumped ? 1 : 2, hits);
+            }
+        }
+
+        // The first line that differs is enough to see.
+        private static function assertSame(message:String, expected:String, found:String):void
+        {
+            var lines:Array = expected.split("\n");
+            var others:Array = found.split("\n");
+            for (var i:int = 0; i < lines.length; i++)
+            {
+                assertEquals(message + ", line " + i, lines[i], others[i]);
+            }
+            assertEquals(message, lines.length, others.length);
+        }
+    }
+}
+
+import flash.utils.ByteArray;
+import evaluation.pairs.SeededRandom;
+import starlogo.agents.Agent;
+import starlogo.collision.Collision;
+import starlogo.collision.CollisionSystem;
+import starlogo.collision.Contact;
+
+/** A game of chance, whose agents move, jump, turn, are born and die; it writes down what its handlers are told. */
+internal class SnapshotGame
+{
+    public var collision:Collision;
+    public var random:SeededRandom;
+    public var calls:int = 0;
+
+    // The last frame's list, and who is alive of it.
+    public var listed:Vector.<Agent> = new Vector.<Agent>();
+    private var _alive:Vector.<Agent> = new Vector.<Agent>();
+    private var _log:Array = [];
+    private var _numbers:Object = {};
+    private var _named:int = 0;
+
+    public function SnapshotGame(system:CollisionSystem, seed:int)
+    {
+        collision = new Collision(system);
+        random = new SeededRandom(seed);
+        for each (var breed:String in ["bears", "balls"])
+        {
+            collision.onCollision(breed, "balls", log("hit"));
+            collision.onCollisionStart(breed, Collision.ANY_BREED, log("start"));
+            collision.onCollisionEnd(breed, "bears", logEnd);
+        }
+        for (var i:int = 0; i < 25; i++)
+        {
+            _alive.push(born());
+        }
+    }
+
+    public function run(frames:int):String
+    {
+        _log = [];
+        for (var frame:int = 0; frame < frames; frame++)
+        {
+            play();
+            listed = _alive.concat();
+            // an agent is known by its place in the first list of the run
+            if (frame == 0)
+            {
+                _numbers = {};
+                _named = 0;
+            }
+            for each (var agent:Agent in listed)
+            {
+                numberOf(agent);
+            }
+            collision.update(listed);
+            _log.push("frame " + frame + ": " + collision.statistics.collisions);
+            if (random.chance(0.5))
+            {
+                _alive.splice(random.integer(0, _alive.length - 1), 1);
+            }
+        }
+        return _log.join("\n");
+    }
+
+    public function alive(list:Vector.<Agent>):Vector.<Boolean>
+    {
+        var are:Vector.<Boolean> = new Vector.<Boolean>();
+        for (var i:int = 0; i < list.length; i++)
+        {
+            are[i] = _alive.indexOf(list[i]) >= 0;
+        }
+        return are;
+    }
+
+    public function setAlive(list:Vector.<Agent>, are:Vector.<Boolean>):void
+    {
+        _alive.length = 0;
+        for (var i:int = 0; i < list.length; i++)
+        {
+            if (are[i])
+            {
+                _alive.push(list[i]);
+            }
+        }
+    }
+
+    public function traitsOf(list:Vector.<Agent>):Array
+    {
+        var all:Array = [];
+        for each (var a:Agent in list)
+        {
+            all.push([a.x, a.y, a.z, a.heading, a.pitch, a.size, a.shape, a.breed, a.sweeps, a.hierarchical]);
+        }
+        return all;
+    }
+
+    public function setTraits(list:Vector.<Agent>, traits:Array):void
+    {
+        for (var i:int = 0; i < list.length; i++)
+        {
+            var a:Agent = list[i];
+            var t:Array = traits[i];
+            a.shape = t[6];
+            a.breed = t[7];
+            a.heading = t[3];
+            a.pitch = t[4];
+            a.size = t[5];
+            a.sweeps = t[8];
+            a.hierarchical = t[9];
+            a.moveTo(t[0], t[1], t[2]);
+        }
+    }
+
+    private function play():void
+    {
+        for each (var agent:Agent in _alive)
+        {
+            switch (random.integer(0, 11))
+            {
+                case 0:
+                    agent.heading = random.between(0, 360);
+                    break;
+                case 1:
+                    agent.pitch = random.between(-40, 40);
+                    break;
+                case 2:
+                    agent.breed = random.pick(["bears", "balls", "trees"]);
+                    break;
+                case 3:
+                    agent.sweeps = !agent.sweeps;
+                    break;
+                case 4:
+                    agent.size = random.between(0.5, 2);
+                    break;
+                case 5:
+                    agent.hierarchical = !agent.hierarchical;
+                    break;
+                case 6:
+                    break;
+                default:
+                    agent.moveTo(random.between(-6, 6), random.between(-6, 6), random.between(0, 1));
+            }
+        }
+        if (_alive.length < 25)
+        {
+            _alive.push(born());
+        }
+    }
+
+    private function born():Agent
+    {
+        var agent:Agent = new Agent(random.pick(["sphere", "cube", "crossed"]), random.pick(["bears", "balls", "trees"]));
+        agent.sweeps = random.chance();
+        agent.moveTo(random.between(-6, 6), random.between(-6, 6), random.between(0, 1));
+        return agent;
+    }
+
+    private function log(what:String):Function
+    {
+        return function(a:Agent, b:Agent, contact:Contact):void
+        {
+            calls++;
+            _log.push([what, numberOf(a), numberOf(b), bits(contact.time), bits(contact.depth), bits(contact.normal.x), bits(contact.point.y)].join(" "));
+        };
+    }
+
+    private function logEnd(a:Agent, b:Agent):void
+    {
+        calls++;
+        _log.push(["end", numberOf(a), numberOf(b)].join(" "));
+    }
+
+    // Ids may differ.
+    private function numberOf(agent:Agent):int
+    {
+        if (!_numbers.hasOwnProperty(String(agent.id)))
+        {
+            _numbers[agent.id] = _named++;
+        }
+        return _numbers[agent.id];
+    }
+
+    private static function bits(value:Number):String
+    {
+        var bytes:ByteArray = new ByteArray();
+        bytes.writeDouble(value);
+        bytes.position = 0;
+        return bytes.readUnsignedInt().toString(16) + "." + bytes.readUnsignedInt().toString(16);
+    }
+}

@@ -1,0 +1,144 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.Collider;
+    import starlogo.models.BuiltInModel;
+    import support.EachCollider;
+    import support.Garbage;
+    import support.MemoryGrowth;
+
+    /** Questions allocate nothing once they have been asked, if out is given; nor do updates. As AllocationTest. */
+    public class QueriesAllocationTest
+    {
+        private static const AGENTS:int = 200;
+        private static const FRAMES:int = 100;
+
+        // see AllocationTest
+        private static const PAGES:Number = 3 * 4096;
+        private static const NOTHING:Number = 2.5 * AGENTS * FRAMES;
+
+        private var _agents:Vector.<Agent>;
+        private var _queries:AgentQueries;
+        private var _filter:AgentFilter;
+        private var _guests:Vector.<Agent>;
+        private var _out:Vector.<Agent> = new Vector.<Agent>();
+        private var _structure:Sphere = new Sphere(new Vector3D(), 3);
+        private var _point:Vector3D = new Vector3D();
+        private var _answers:int;
+
+        [Test]
+        public function questionsAllocateNothing():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                makeGame(name);
+                assertAllocatesNothing(name + ", near", askWhoIsNear);
+                assertAllocatesNothing(name + ", some near", askWhoOfSomeIsNear);
+                assertAllocatesNothing(name + ", touching", askWhoTouches);
+                assertAllocatesNothing(name + ", moved", askAgain);
+            }
+        }
+
+        private function assertAllocatesNothing(message:String, ask:Function):void
+        {
+            _answers = 0;
+            Garbage.assumeKept();
+            // after a whole turn of all agents no list has to grow
+            var grown:Number = MemoryGrowth.during(FRAMES, 130, function(i:int):void
+                {
+                    askAll(ask);
+                });
+            assertTrue("something is found", _answers > FRAMES * _guests.length);
+            trace("  " + message + ": " + grown / FRAMES + " bytes a frame");
+            assertTrue(message + ": " + grown + " bytes in " + FRAMES + " frames", grown <= (Garbage.isCounted ? PAGES : NOTHING));
+        }
+
+        private function makeGame(name:String):void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.sphere());
+            greatLand.addModel(BuiltInModel.cube());
+            greatLand.addModel(BuiltInModel.cylinder());
+            var random:SeededRandom = new SeededRandom(42);
+            _agents = new Vector.<Agent>();
+            _guests = new Vector.<Agent>();
+            for (var i:int = 0; i < AGENTS; i++)
+            {
+                var agent:Agent = new Agent(random.pick(["sphere", "cube", "cylinder"]), random.pick(["bears", "balls", "walls"]));
+                agent.moveTo(random.between(-8, 8), random.between(-8, 8), random.between(0, 1));
+                agent.size = random.pick([0.25, 1, 1, 3]);
+                _agents.push(agent);
+            }
+            for each (var shape:String in ["sphere", "cube", "cylinder"])
+            {
+                _guests.push(new Agent(shape));
+            }
+            _filter = AgentFilter.ofBreeds("bears", "balls");
+            _filter.except = new <Agent>[_agents[0]];
+            _queries = new AgentQueries(EachCollider.make(name, greatLand));
+            _answers = 0;
+        }
+
+        private function askAll(ask:Function):void
+        {
+            for (var i:int = 0; i < AGENTS; i++)
+            {
+                var agent:Agent = _agents[i];
+                agent.heading += 3;
+                agent.moveTo(-agent.x, agent.y, agent.z);
+            }
+            _queries.update(_agents);
+            for (i = 0; i < AGENTS; i += 8)
+            {
+                ask(_agents[i]);
+            }
+            for (i = 0; i < _guests.length; i++)
+            {
+                ask(_guests[i]);
+            }
+        }
+
+        private function askWhoIsNear(agent:Agent):void
+        {
+            _answers += _queries.near(agent, 3, null, _out).length;
+            _answers += _queries.countNear(agent, 3);
+            _answers += _queries.inCone(agent, 3, 90, null, _out).length;
+            _answers += _queries.nearPoint(_point, 3, null, _out).length;
+            _queries.nearest(agent);
+        }
+
+        private function askWhoOfSomeIsNear(agent:Agent):void
+        {
+            _answers += _queries.near(agent, 3, _filter, _out).length;
+            _answers += _queries.countNear(agent, 3, _filter);
+            _answers += _queries.inCone(agent, 3, 90, _filter, _out).length;
+            _queries.nearest(agent, 3, _filter);
+        }
+
+        private function askWhoTouches(agent:Agent):void
+        {
+            _answers += _queries.touching(agent, null, _out).length;
+            _answers += _queries.touching(agent, _filter, _out).length;
+            _answers += _queries.overlapping(_structure, null, _out).length;
+        }
+
+        // The agent asks from where it is, and is told to have moved.
+        private function askAgain(agent:Agent):void
+        {
+            var x:Number = agent.x;
+            agent.moveTo(x + 0.01, agent.y, agent.z);
+            _answers += _queries.touching(agent, null, _out).length;
+            if (_agents.indexOf(agent) >= 0)
+            {
+                _queries.moved(agent);
+            }
+            _answers += _queries.touching(agent, null, _out).length;
+            agent.moveTo(x, agent.y, agent.z);
+        }
+    }
+}

@@ -1,0 +1,307 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import flash.errors.IllegalOperationError;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertStrictlyEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collision;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.collision.TightestFitCollider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import starlogo.models.ModelLoader;
+    import support.EachCollider;
+    import support.OwnVectorSystem;
+    import support.assertThrows;
+
+    /** What holds for questions beside their answers: what they change, refuse and follow; and a number for many answers. */
+    public class QueriesPropertiesTest
+    {
+        private static const FOUND:int = 28901;
+        private static const HASH:String = "4476285c";
+
+        private var _greatLand:GreatLand;
+        private var _agents:Vector.<Agent>;
+        private var _queries:AgentQueries;
+
+        [Before]
+        public function begin():void
+        {
+            _greatLand = new GreatLand();
+            _greatLand.addModel(BuiltInModel.sphere());
+            _greatLand.addModel(BuiltInModel.cube());
+            _greatLand.addModel(BuiltInModel.cylinder());
+            _agents = new Vector.<Agent>();
+            var random:SeededRandom = new SeededRandom(2220);
+            for (var i:int = 0; i < 300; i++)
+            {
+                var agent:Agent = new Agent(random.pick(["sphere", "cube", "cylinder"]), random.pick(["bears", "balls"]));
+                agent.moveTo(random.between(-9, 9), random.between(-9, 9), random.integer(0, 3));
+                agent.size = random.between(0.25, 2);
+                agent.heading = random.integer(0, 7) * 45;
+                agent.hierarchical = random.chance(0.3);
+                _agents.push(agent);
+            }
+            _queries = new AgentQueries(new TightestFitCollider(_greatLand));
+            _queries.update(_agents);
+        }
+
+        [Test]
+        public function answersAreTheSameOnEveryMachine():void
+        {
+            var hash:uint = 2166136261;
+            var found:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                _queries = new AgentQueries(EachCollider.make(name, _greatLand));
+                _queries.update(_agents);
+                for (var i:int = 0; i < _agents.length; i++)
+                {
+                    var lists:Array = [_queries.near(_agents[i], 2.5), _queries.inCone(_agents[i], 4, 70), _queries.touching(_agents[i]),
+                            _queries.overlapping(new Sphere(new Vector3D(i % 17 - 8, i % 13 - 6, 1), i % 5 * 0.25)),
+                            new <Agent>[_queries.nearest(_agents[i], Infinity, AgentFilter.ofBreeds("balls"))]];
+                    for each (var list:Vector.<Agent> in lists)
+                    {
+                        found += list.length;
+                        for each (var agent:Agent in list)
+                        {
+                            // FNV-1a, by halves: a product of 32 bits by 25 is more than a Number holds
+                            hash ^= _agents.indexOf(agent) + 1;
+                            hash = (hash & 0xffff) * 16777619 + ((hash >>> 16) * 403 << 16) >>> 0;
+                        }
+                        hash = ((hash << 1 | hash >>> 31) ^ list.length) >>> 0;
+                    }
+                }
+            }
+            assertEquals("found", FOUND, found);
+            assertEquals("hash", HASH, hash.toString(16));
+        }
+
+        [Test]
+        public function touchingIsMutual():void
+        {
+            var touches:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                _queries = new AgentQueries(EachCollider.make(name, _greatLand));
+                _queries.update(_agents);
+                var lists:Array = [];
+                for (var i:int = 0; i < _agents.length; i++)
+                {
+                    lists[i] = _queries.touching(_agents[i]);
+                    touches += lists[i].length;
+                }
+                for (i = 0; i < _agents.length; i++)
+                {
+                    for each (var other:Agent in lists[i])
+                    {
+                        assertTrue(name + ": " + other + " touches " + _agents[i], lists[_agents.indexOf(other)].indexOf(_agents[i]) >= 0);
+                    }
+                }
+            }
+            assertTrue(touches + " touches", touches > 1000);
+        }
+
+        [Test]
+        public function askingChangesNothing():void
+        {
+            var collider:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            var collision:Collision = new Collision(collider);
+            var calls:int = 0;
+            collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(a:Agent, b:Agent):void
+                {
+                    calls++;
+                });
+            _agents[0].sweeps = true;
+            _agents[0].jumpTo(-100, 0, 0.5);
+            collision.update(_agents);
+            var before:String = String(collider.statistics.hierarchyTests + " " + collider.statistics.nodeVisits + " " + collision.statistics.nodeVisits);
+            var counted:int = calls;
+            var queries:AgentQueries = new AgentQueries(collision);
+            _agents[0].moveTo(100, 0, 0.5);
+            queries.update(_agents);
+            for each (var agent:Agent in _agents)
+            {
+                queries.touching(agent);
+                queries.moved(agent);
+            }
+            assertEquals(before, collider.statistics.hierarchyTests + " " + collider.statistics.nodeVisits + " " + collision.statistics.nodeVisits);
+            calls = 0;
+            collision.update(_agents);
+            assertTrue("the motion counts: " + calls + " after " + counted, calls > counted);
+        }
+
+        [Test]
+        public function whatIsRefusedChangesNothing():void
+        {
+            var before:String = answers();
+            var stranger:Agent = new Agent("unicorn");
+            assertThrows(ArgumentError, /agents must not be null/, _queries.update, null);
+            assertThrows(ArgumentError, /agents\[300\] is null/, _queries.update, _agents.concat(new <Agent>[null]));
+            assertThrows(ArgumentError, /agents\[3\] and agents\[300\]/, _queries.update, _agents.concat(new <Agent>[_agents[3]]));
+            assertThrows(ArgumentError, /no model "unicorn"/, _queries.update, new <Agent>[_agents[1], stranger, _agents[0]]);
+            assertEquals(before, answers());
+            _agents[5].shape = "unicorn";
+            assertThrows(ArgumentError, /no model "unicorn"/, _queries.update, _agents);
+            assertThrows(ArgumentError, /no model "unicorn"/, _queries.moved, _agents[5]);
+            assertThrows(ArgumentError, /no model "unicorn"/, _queries.touching, _agents[5]);
+            assertThrows(ArgumentError, /not in the list/, _queries.moved, stranger);
+            assertThrows(ArgumentError, /agent is needed/, _queries.near, null, 1);
+            assertThrows(ArgumentError, /agent is needed/, _queries.touching, null);
+            assertThrows(ArgumentError, /point is needed/, _queries.nearPoint, null, 1);
+            assertThrows(RangeError, /finite/, _queries.countNearPoint, new Vector3D(NaN, 0, 0), 1);
+            assertThrows(RangeError, /radius must not be negative: -1/, _queries.near, _agents[0], -1);
+            assertThrows(RangeError, /radius must not be negative: NaN/, _queries.nearest, _agents[0], NaN);
+            assertThrows(RangeError, /degrees must not be negative: -3/, _queries.inCone, _agents[0], 1, -3);
+            var filter:AgentFilter = new AgentFilter();
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                _queries.update(_agents);
+                return true;
+            };
+            assertThrows(IllegalOperationError, /accepts/, _queries.near, _agents[0], 3, filter);
+            _agents[5].shape = "cube";
+            assertEquals(before, answers());
+            _queries.update(_agents);
+        }
+
+        [Test]
+        public function followsItsCollision():void
+        {
+            var collision:Collision = new Collision(new BinCollider(_greatLand));
+            var queries:AgentQueries = new AgentQueries(collision);
+            queries.update(_agents);
+            var bins:String = touchesOf(queries);
+            collision.collisionSystem = new TightestFitCollider(_greatLand);
+            assertEquals("not before an update", bins, touchesOf(queries));
+            queries.update(_agents);
+            assertEquals(touchesOf(_queries), touchesOf(queries));
+            assertTrue("they differ", bins != touchesOf(queries));
+            collision.collisionSystem = new OwnVectorSystem(new <Agent>[]);
+            assertThrows(ArgumentError, /one of the engine's collision systems/, queries.update, _agents);
+            assertEquals(touchesOf(_queries), touchesOf(queries));
+            for each (var source:Object in [collision, null, "bins", new OwnVectorSystem(new <Agent>[])])
+            {
+                assertThrows(ArgumentError, /one of the engine's collision systems/, newQueries, source);
+            }
+
+            function newQueries(source:Object):void
+            {
+                new AgentQueries(source);
+            }
+        }
+
+        // The settings of a collider hold at once, boxFacesOnly in the same way as for its searches.
+        [Test]
+        public function settingsHold():void
+        {
+            var collider:TightestFitCollider = new TightestFitCollider(_greatLand);
+            for each (var agent:Agent in _agents)
+            {
+                agent.shape = "cube";
+                agent.pitch = agent.id * 7 % 90;
+                agent.roll = agent.id * 13 % 90;
+            }
+            var queries:AgentQueries = new AgentQueries(collider);
+            queries.update(_agents);
+            var exact:int = countTouches(queries);
+            assertEquals(collider.findCollisions(_agents).length, exact);
+            collider.structureTests.boxFacesOnly = true;
+            var conservative:int = countTouches(queries);
+            assertEquals(collider.findCollisions(_agents).length, conservative);
+            assertTrue(conservative + " by faces, " + exact, conservative > exact);
+        }
+
+        [Test]
+        public function loadingAgentsHavePlacesAlone():void
+        {
+            var loader:ModelLoader = new ModelLoader(_greatLand);
+            loader.load("late", "late.obj");
+            var late:Agent = new Agent("late");
+            var cube:Agent = new Agent("cube");
+            _queries.update(new <Agent>[late, cube]);
+            assertStrictlyEquals(late, _queries.nearest(cube));
+            assertEquals(0, _queries.touching(cube).length);
+            assertEquals(0, _queries.touching(late).length);
+            assertEquals(1, _queries.overlapping(new Sphere(new Vector3D(), 1)).length);
+            loader.cancel("late");
+            _greatLand.addModel(new Model("late", BuiltInModel.cube().vertices, BuiltInModel.cube().triangles));
+            _queries.moved(late);
+            assertEquals(1, _queries.touching(cube).length);
+        }
+
+        [Test]
+        public function thousandsAtOnePlaceAreNoTrouble():void
+        {
+            var asked:int = 0;
+            var crowd:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 5000; i++)
+            {
+                var agent:Agent = new Agent("cube", i < 4990 ? "many" : "few");
+                agent.moveTo(7, 7, 7);
+                crowd.push(agent);
+            }
+            var alone:Agent = new Agent("cube");
+            crowd.push(alone);
+            _queries.update(crowd);
+            var filter:AgentFilter = AgentFilter.ofBreeds("few");
+            for (i = 0; i < 300; i++)
+            {
+                assertEquals(4999, _queries.countNear(crowd[i], 0));
+                assertEquals(4999, _queries.countNear(crowd[i], 1));
+                assertStrictlyEquals(crowd[0], _queries.nearest(alone));
+                assertEquals(0, _queries.near(alone, 5).length);
+            }
+            assertEquals(10, _queries.near(crowd[0], 1, filter).length);
+            filter.breeds = null;
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                asked++;
+                return agent == alone;
+            };
+            assertStrictlyEquals(alone, _queries.nearest(crowd[17], Infinity, filter));
+            assertEquals("each is asked once", 5000, asked);
+            asked = 0;
+            assertNull(_queries.nearest(crowd[17], 3, filter));
+            assertEquals(4999, asked);
+        }
+
+        private function answers():String
+        {
+            var answers:Array = [];
+            for (var i:int = 0; i < _agents.length; i += 7)
+            {
+                answers.push(LoopedQuestions.numbers(_queries.nearPoint(new Vector3D(i % 9, i % 5, 1), 3)),
+                        LoopedQuestions.numbers(_queries.overlapping(new Sphere(new Vector3D(i % 9, i % 5, 1), 1))));
+            }
+            return answers.join(";");
+        }
+
+        private function touchesOf(queries:AgentQueries):String
+        {
+            var touches:Array = [];
+            for each (var agent:Agent in _agents)
+            {
+                touches.push(LoopedQuestions.numbers(queries.touching(agent)));
+            }
+            return touches.join(";");
+        }
+
+        private function countTouches(queries:AgentQueries):int
+        {
+            var touches:int = 0;
+            for each (var agent:Agent in _agents)
+            {
+                touches += queries.touching(agent).length;
+            }
+            return touches;
+        }
+    }
+}

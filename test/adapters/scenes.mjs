@@ -36,8 +36,14 @@ export class Scenes {
 	/** How often each kind was made. */
 	counts = {};
 
-	constructor(THREE, seed) {
+	/**
+	 * @param {object} THREE the version of three.js that makes them
+	 * @param {number} seed of what is random
+	 * @param {{isForRays?: boolean}} options whether to leave out what a Raycaster sees otherwise than what is drawn: levels of detail, points, groups without a material
+	 */
+	constructor(THREE, seed, { isForRays = false } = {}) {
 		this.THREE = THREE;
+		this.isForRays = isForRays;
 		this.dice = new Dice(seed);
 	}
 
@@ -78,7 +84,7 @@ export class Scenes {
 	/** A tree of objects: uneven scales and mirrors below its root. */
 	tree(depth = 0) {
 		const { THREE, dice } = this;
-		const object = depth > 2 || (depth > 0 && dice.isLuckyIn(2)) ? this.mesh() : dice.isLuckyIn(6) ? this.#lod() : new THREE.Group();
+		const object = depth > 2 || (depth > 0 && dice.isLuckyIn(2)) ? this.mesh() : !this.isForRays && dice.isLuckyIn(6) ? this.#lod() : new THREE.Group();
 		if (depth > 0) {
 			object.position.set(dice.number(-2, 2), dice.number(-2, 2), dice.number(-2, 2));
 			object.quaternion.copy(this.quaternion());
@@ -94,7 +100,7 @@ export class Scenes {
 			object.visible = !dice.isLuckyIn(8);
 		}
 		for (let i = dice.below(3) + (depth === 0 ? 1 : 0); i > 0 && depth < 3 && !object.isLOD; i--) object.add(this.tree(depth + 1));
-		if (dice.isLuckyIn(5)) object.add(new THREE.Points(this.#geometry()), new THREE.Sprite(), new THREE.PointLight());
+		if (!this.isForRays && dice.isLuckyIn(5)) object.add(new THREE.Points(this.#geometry()), new THREE.Sprite(), new THREE.PointLight());
 		return object;
 	}
 
@@ -160,7 +166,7 @@ export class Scenes {
 		const total = (geometry.index ?? geometry.attributes.position).count;
 		const half = 3 * Math.floor(total / 6);
 		geometry.addGroup(0, half, 0);
-		geometry.addGroup(half, Infinity, dice.below(3));
+		geometry.addGroup(half, Infinity, dice.below(this.isForRays ? 2 : 3));
 		return [0, 1].map(() => new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
 	}
 

@@ -39,7 +39,8 @@ export class Scenes {
 	/**
 	 * @param {object} THREE the version of three.js that makes them
 	 * @param {number} seed of what is random
-	 * @param {{isForRays?: boolean}} options whether to leave out what a Raycaster sees otherwise than what is drawn: levels of detail, points, groups without a material
+	 * @param {{isForRays?: boolean}} options whether to leave out what a Raycaster sees otherwise than what is drawn: levels of detail, points, shear, groups
+	 *     without a material
 	 */
 	constructor(THREE, seed, { isForRays = false } = {}) {
 		this.THREE = THREE;
@@ -89,6 +90,8 @@ export class Scenes {
 			object.position.set(dice.number(-2, 2), dice.number(-2, 2), dice.number(-2, 2));
 			object.quaternion.copy(this.quaternion());
 			object.scale.set(dice.number(0.5, 2), dice.number(0.5, 2), dice.number(0.5, 2));
+			// what is sheared reaches out of the sphere that a Raycaster tests first
+			if (this.isForRays) object.scale.setScalar(object.scale.x);
 			if (dice.isLuckyIn(4)) {
 				this.#count("mirrored");
 				object.scale.x *= -1;

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
  * Computes what a game needs of its models when the game is built, so that no player's machine has to: writes a .fits file for every
- * OBJ, DAE and ZAE file of a folder and of those below it. Put them beside the models: a ModelLoader finds them there.
+ * OBJ, DAE, ZAE, GLB and STL file of a folder and of those below it. Put them beside the models: a ModelLoader finds them there.
  *
  *   starlogo-bake FOLDER [--out FOLDER] [--up x|y|z] [--increment DEGREES] [--min-vertices N] [--depth N] [--by-mean]
  *
@@ -13,7 +13,7 @@ import { basename, dirname, extname, join, relative, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { GreatLand, ModelLoader } from "./starlogo-collision.min.js";
 
-const MODEL = /\.(obj|dae|zae)$/i;
+const MODEL = /\.(obj|dae|zae|glb|stl)$/i;
 const options = {
 	out: { type: "string" },
 	up: { type: "string", default: "z" },

@@ -50,7 +50,7 @@ export const texts = {
 		apply: "Measure again",
 		wrongSetting: "That number is not possible: ",
 		broken: "This file cannot be shown.",
-		wrongKind: (file) => `${file} is no .obj, .dae or .zae file.`,
+		wrongKind: (file) => `${file} is no .obj, .dae, .zae, .glb, .gltf or .stl file.`,
 		fitters: {
 			naiveSphere: "Naive sphere", ritterSphere: "Ritter sphere", centredRitterSphere: "Centred Ritter sphere", minimalSphere: "Smallest sphere",
 			axisAlignedBox: "Axis-aligned box", zAlignedBox: "Box turned about z", orientedBox: "Oriented box", minimalBox: "Smallest box",

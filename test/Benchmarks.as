@@ -13,6 +13,8 @@ package
     import benchmark.MotionBenchmark;
     import benchmark.PausesBenchmark;
     import benchmark.QueriesBenchmark;
+    import benchmark.RayBenchmark;
+    import benchmark.ReadingBenchmark;
     import benchmark.StoredFitsBenchmark;
     import benchmark.TraversalBenchmark;
     import flash.display.Sprite;
@@ -27,7 +29,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, StoredFitsBenchmark];
 
         private var _pending:Array;
 

@@ -34,7 +34,7 @@ class InspectView {
 		this.results = h("div.results");
 		main.replaceChildren(
 			h("section.picture", { "aria-label": words.picture },
-				h("div.tools", {}, field(words.model, this.models), fileButton(words.choose, ".obj,.dae,.zae", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
+				h("div.tools", {}, field(words.model, this.models), fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
 				this.status, h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, this.results, this.#settingsForm()));
 		this.stage = new Stage(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
@@ -85,7 +85,7 @@ class InspectView {
 
 	async openFile(file) {
 		const turn = ++this.#turn;
-		if (!/\.(obj|dae|zae)$/i.test(file.name)) {
+		if (!/\.(obj|dae|zae|glb|gltf|stl)$/i.test(file.name)) {
 			this.#say(words.wrongKind(file.name), true);
 			return;
 		}

@@ -1,10 +1,11 @@
 /** The models of the game: the twelve of the thesis's table, and the two that only the playground has. */
-import { BuiltInModel, ColladaModel, Model, ObjModel } from "starlogo-collision";
+import { BuiltInModel, ColladaModel, GltfModel, Model, ObjModel, StlModel } from "starlogo-collision";
 import { turtle, wall } from "./made.js";
 
 const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder() };
 const FILES = { bear: "bear.obj", dragon: "dragon.dae", seagull: "seagull.dae", tree: "tree.obj", kelp: "kelp.obj", fortress: "fortress.obj", spaceship: "spaceship.obj", fireman: "fireman.dae", person: "person.dae" };
 const MADE = { turtle, wall };
+const READERS = { obj: ObjModel, dae: ColladaModel, zae: ColladaModel, glb: GltfModel, gltf: GltfModel, stl: StlModel };
 
 const loaded = new Map();
 
@@ -33,5 +34,5 @@ async function read(name) {
  * @param {Uint8Array} bytes its content
  */
 export function parseModel(name, file, bytes) {
-	return /\.obj$/i.test(file) ? ObjModel.fromBytes(name, bytes) : ColladaModel.fromBytes(name, bytes);
+	return READERS[/\w+$/.exec(file)[0].toLowerCase()].fromBytes(name, bytes);
 }

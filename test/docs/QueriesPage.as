@@ -1,7 +1,10 @@
 package docs
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.collision.Contact;
 
     /** For docs/queries.md: a wolf, its friend and some sheep. */
     public class QueriesPage extends Page
@@ -10,6 +13,8 @@ package docs
 
         protected var wolf:Agent = new Agent("sphere", "wolves");
         protected var friend:Agent = new Agent("sphere", "wolves");
+
+        protected var contact:Contact = new Contact();
 
         private var _howls:int = 0;
 
@@ -26,6 +31,10 @@ package docs
             }
         }
 
+        protected function splash(point:Vector3D):void
+        {
+        }
+
         protected function howl():void
         {
             _howls++;
@@ -39,6 +48,11 @@ package docs
             assertEquals(10, shown.crowd);
             assertEquals(9, shown.seen.length);
             assertEquals("the first that is smaller", agents[6], shown.weaker);
+            assertEquals("inside of the first", 0, shown.hit.distance);
+            assertEquals(agents[2], shown.hit.agent);
+            assertEquals(9, shown.hits.length);
+            assertEquals("others are in between", false, shown.isInSight);
+            assertTrue("it slides", wolf.y > 0);
         }
     }
 }

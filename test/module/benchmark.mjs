@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, peers, queries, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
@@ -11,6 +11,7 @@ import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { AgentCells } from "./agent-cells.mjs";
+import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
@@ -208,6 +209,40 @@ async function distances() {
 		return [`${model.name}s up to ${spread} away`, ...[trees, own, other].map((ms) => 1000 * ms / pairs.length), other / own, worst];
 	}));
 	print("Distances, microseconds a pair", ["", "at depth 5", "exact", "three-mesh-bvh", "times", "apart at most"], rows);
+/** First hits of rays at one model, and what is kept for them. */
+async function rays() {
+	const rows = [];
+	for (const model of rayModels(1000, 200)) {
+		const land = new GreatLand();
+		land.loadTightestFit = false;
+		land.addModel(model);
+		const { three, bvh, ms } = await makeBvh(model);
+		const agent = new Agent(model.name);
+		const collider = new HierarchicalCollider(land);
+		collider.exact = true;
+		const queries = new engine.AgentQueries(collider);
+		queries.update([agent]);
+		const random = randomNumbers(7);
+		const aimed = Array.from({ length: 20000 }, () => {
+			const [angle, height] = [2 * Math.PI * random(), 2 * random() - 1];
+			const flat = 2 * Math.sqrt(1 - height * height);
+			const origin = new engine.Vector3D(flat * Math.cos(angle), flat * Math.sin(angle), 0.4 + 2 * height);
+			const direction = new engine.Vector3D(random() - 0.5 - origin.x, random() - 0.5 - origin.y, 0.7 * random() - origin.z);
+			const ray = new three.Ray(new three.Vector3().copy(origin), new three.Vector3().copy(direction).normalize());
+			return { origin, direction, ray };
+		});
+		const hit = new engine.RayHit();
+		const [found, expected] = [[], []];
+		aimed.forEach(({ origin, direction }, i) => { found[i] = queries.cast(origin, direction)?.distance ?? Infinity; });
+		aimed.forEach(({ ray }, i) => { expected[i] = bvh.raycastFirst(ray, three.DoubleSide)?.distance ?? Infinity; });
+		const same = found.filter((distance, i) => distance === expected[i] || Math.abs(distance - expected[i]) < 1e-6).length;
+		const [own, other] = measure([
+			{ run: () => aimed.forEach(({ origin, direction }) => queries.cast(origin, direction, Infinity, null, hit)) },
+			{ run: () => aimed.forEach(({ ray }) => bvh.raycastFirst(ray, three.DoubleSide)) },
+		], 10);
+		rows.push([model.name, model.triangles.length / 3, 1000 * own / aimed.length, 1000 * other / aimed.length, other / own, ms, `${same} of ${aimed.length}`]);
+	}
+	print("First hits of rays, exact, microseconds a ray", ["", "triangles", "engine", "three-mesh-bvh", "times", "its tree, ms", "the same"], rows);
 }
 
 /** Spheres that move, all at once: who touches whom. */
@@ -330,4 +365,4 @@ function fits() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();

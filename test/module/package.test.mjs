@@ -54,12 +54,14 @@ function check(result) {
 	assert.ok(result.volumes.every((volume) => volume > 1 && volume < 50), String(result.volumes));
 	assert.deepEqual(result.loaded.filter((name) => !name.startsWith("model ")), ["bear", "cube", "dragon", "zipped"]);
 	assert.match(result.loaded.find((name) => name.startsWith("model ")), /^model "nothing": its file can't be fetched: .*nothing\.obj/);
-	assert.deepEqual(result.kept, ["1824", "true", "null"]);
+	assert.deepEqual(result.kept, ["1832", "true", "null"]);
 	assert.match(result.errors[0], /^ArgumentError: a new agent: shape must be a name, not ""/);
 	assert.match(result.errors[1], /^ModelError: model "broken", line 1: expected a vertex/);
 	assert.match(result.errors[2], /^ModelError: model "broken": this is not well-formed XML/);
 	assert.match(result.errors[4], /^IllegalOperationError: at this moment/);
-	const indices = result.errors.slice(6);
+	assert.match(result.errors[5], /^ModelError: model "broken", asset\.version: expected glTF 2\.0/);
+	assert.match(result.errors[6], /^ModelError: model "broken"/);
+	const indices = result.errors.slice(7);
 	assert.deepEqual(indices.slice(0, 5), ["-1", "1.5", "NaN", "4294967296", "1.5"].map((index) => `ArgumentError: triangles[2] must be an integer from 0 to 4294967295, not ${index}`));
 	assert.match(indices[5], /^ModelError: model "broken": triangle 0 names vertex 1, the last one is 0/);
 	assert.equal(result.errors.filter((text) => text.startsWith("unknown")).length, 0);

@@ -47,6 +47,7 @@ import {
 	FitStorage,
 	FitStore,
 	Fitter,
+	GltfModel,
 	GreatLand,
 	HierarchicalCollider,
 	HierarchiesLibrary,
@@ -65,22 +66,26 @@ import {
 	ModelLoader,
 	ModelReceiver,
 	ModelSource,
+	ModelTransform,
 	NaiveSphereFitter,
 	ObjModel,
 	OrientedBoxFitter,
 	Placement,
 	PreciseCollider,
 	ProgressEvent,
+	RayHit,
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
 	SharedFitStorage,
 	Slices,
+	SourceFrame,
 	Sphere,
 	sphereBox,
 	sphereCapsule,
 	sphereSphere,
 	Steps,
 	StepSequence,
+	StlModel,
 	StructureBlocks,
 	StructureTests,
 	TextEvent,
@@ -104,6 +109,10 @@ export function play(bearText: string): number {
 	greatLand.addModel(new ObjModel("bear", bearText));
 	const receiver: ModelReceiver = greatLand;
 	finish(receiver.receive(new Model("triangle", new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), new Uint16Array([0, 1, 2]))));
+
+	const turned = new ObjModel("bear", bearText, ModelTransform.fromText("rotate 90 0 270\nscale 2"), Model.VOLUME);
+	const frame: SourceFrame = turned.source;
+	log.push(`${frame.unit} ${frame.offset.x} ${frame.matrix.rawData[15]}`);
 
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
@@ -155,6 +164,10 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const touching: Agent[] = queries.touching(agents[0]);
 	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
 	log.push(`${nearest}, ${near.length} near, ${touching.length} touching, ${overlapping.length} overlapping`);
+	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
+	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
+	const hits: RayHit[] = queries.castAll(eye, ahead);
+	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
 	log.push(`${blocks.countWithin(agents[0], "paintballs", 3)} within 3`);
 }
@@ -285,6 +298,8 @@ export function refuse(): string[] {
 		() => ColladaModel.fromBytes("broken", new ByteArray(new Uint8Array([1, 2, 3]))),
 		() => { throw new IllegalOperationError("at this moment"); },
 		() => new BreedInterests(),
+		() => GltfModel.fromBytes("broken", new Uint8Array([123, 125]), null, Model.VOLUME),
+		() => StlModel.fromBytes("broken", new ArrayBuffer(3)),
 		...[-1, 1.5, NaN, 4294967296].map((index) => () => new Model("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, index])),
 		() => new HierarchiesLibrary().add("broken", [0, 0, 0, 1, 0, 0, 0, 1, 0], new Float32Array([0, 1, 1.5])),
 		() => new Model("broken", [0, 0, 0], [0, 0, 1]),

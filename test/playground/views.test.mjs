@@ -143,7 +143,7 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	assert.match(await status(page), /not well-formed XML/);
 	await drop(page, 'picture.png', Buffer.from('x'));
 	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status').textContent));
-	assert.equal(await status(page), 'picture.png is no .obj, .dae or .zae file.');
+	assert.equal(await status(page), 'picture.png is no .obj, .dae, .zae, .glb, .gltf or .stl file.');
 	assert.equal(await page.locator('tbody tr').count(), 11, 'what was there is there');
 	assert.deepEqual(said, []);
 	await context.close();

@@ -1,7 +1,10 @@
 package soak
 {
     import evaluation.pairs.SeededRandom;
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
     import support.Collada;
+    import support.Gltf;
     import support.Zip;
 
     /** Files of large models: bumpy spheres of so many triangles. */
@@ -10,13 +13,14 @@ package soak
         /** The names of those that are measured: the format and the triangles. */
         public static function get names():Array
         {
-            return ["OBJ 20000", "OBJ 200000", "COLLADA 200000", "ZIP 200000", "OBJ 500000", "OBJ 1000000"];
+            return ["OBJ 20000", "OBJ 200000", "COLLADA 200000", "ZIP 200000", "OBJ 500000", "OBJ 1000000", "GLB 200000", "GLB 1000000", "STL 200000",
+                    "STL 1000000"];
         }
 
         /**
          * Makes one.
          *
-         * @param name "OBJ", "COLLADA" or "ZIP", and about how many triangles
+         * @param name "OBJ", "COLLADA", "ZIP", "GLB" or "STL", and about how many triangles
          * @return a String, or a ByteArray
          */
         public static function make(name:String):Object
@@ -29,6 +33,10 @@ package soak
                     return obj(rings);
                 case "COLLADA":
                     return collada(rings);
+                case "GLB":
+                    return glb(rings);
+                case "STL":
+                    return stl(rings);
                 default:
                     return Zip.of(["a.dae", collada(rings)]);
             }
@@ -45,6 +53,38 @@ package soak
         {
             return Collada.document(Collada.geometry("a", points(rings, " "), '<triangles count="' + 4 * rings * rings + '">' +
                         Collada.INPUT + "<p>" + corners(rings, 0, " ") + "</p></triangles>"), "", Collada.Z_UP);
+        }
+
+        private static function glb(rings:int):ByteArray
+        {
+            var file:Gltf = new Gltf();
+            file.addMesh({attributes: {POSITION: file.addNumbers(points(rings, " ").split(" "), "VEC3", Gltf.FLOAT)},
+                        indices: file.addNumbers(corners(rings, 0, " ").split(" "), "SCALAR", Gltf.UNSIGNED_INT)});
+            file.json.nodes.push({mesh: 0});
+            return file.toBinary();
+        }
+
+        private static function stl(rings:int):ByteArray
+        {
+            var numbers:Array = points(rings, " ").split(" ");
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            bytes.length = 80;
+            bytes.position = 80;
+            bytes.writeUnsignedInt(4 * rings * rings);
+            var corner:int = 0;
+            for each (var index:int in corners(rings, 0, " ").split(" "))
+            {
+                for (var i:int = corner % 3 == 0 ? -3 : 0; i < 3; i++)
+                {
+                    bytes.writeFloat(i < 0 ? 0 : numbers[3 * index + i]);
+                }
+                if (++corner % 3 == 0)
+                {
+                    bytes.writeShort(0);
+                }
+            }
+            return bytes;
         }
 
         // 2 * rings points each, and the two poles

@@ -63,7 +63,8 @@ package support
             return !(p > max && q > max && r > max || p < min && q < min && r < min);
         }
 
-        private static function place(placement:Placement, model:Model, out:Vector.<Number>):void
+        /** Writes the corners of all triangles of a model where it stands, nine numbers each. */
+        public static function place(placement:Placement, model:Model, out:Vector.<Number>):void
         {
             out.length = 0;
             for (var i:int = 0; i < model.triangles.length; i++)

@@ -42,10 +42,16 @@ package support
             return sum / (4 * Math.PI);
         }
 
+        /** Whether a model's surface closes. */
+        public static function closes(model:Model):Boolean
+        {
+            sIsClosed[model.name] ||= isClosed(model) ? "yes" : "no";
+            return sIsClosed[model.name] == "yes";
+        }
+
         private static function hasVertexInside(inner:Agent, innerModel:Model, outer:Agent, outerModel:Model):Boolean
         {
-            sIsClosed[outerModel.name] ||= isClosed(outerModel) ? "yes" : "no";
-            if (sIsClosed[outerModel.name] == "no")
+            if (!closes(outerModel))
             {
                 return false;
             }

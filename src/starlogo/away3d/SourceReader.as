@@ -5,6 +5,7 @@ package starlogo.away3d
     import away3d.core.base.ISubGeometry;
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
+    import starlogo.geometry.PointTable;
     import starlogo.models.ModelError;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

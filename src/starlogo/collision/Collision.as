@@ -290,9 +290,13 @@ package starlogo.collision
         public function restore(bytes:ByteArray, agents:Vector.<Agent>):void
         {
             requireSearch("restore");
-            if (bytes == null || agents == null)
+            if (bytes == null)
             {
-                throw new ArgumentError((bytes == null ? "bytes" : "agents") + " must not be null");
+                throw new ArgumentError("bytes must not be null");
+            }
+            if (agents == null)
+            {
+                throw new ArgumentError("agents must not be null");
             }
             var record:FrameRecord = FrameRecord.fromBytes(bytes, agents.length);
             if (record == null)

@@ -26,24 +26,28 @@ package starlogo.hierarchy
         /** The same of those that it put last. */
         public var rightExtents:Vector.<Number> = new Vector.<Number>(6, true);
 
+        /** The axis of the last division: 0, 1 or 2. */
+        public var axis:int;
+
         private var _vertices:Vector.<Number>;
         private var _triangles:Vector.<uint>;
 
         // An item's least coordinates are at item * _stride, the largest _high further on.
-        private var _extents:Vector.<Number> = null;
+        private var _extents:Vector.<Number>;
         private var _stride:int;
         private var _high:int;
+        private var _areMeasured:Boolean;
 
         // the division under way: the last item that is not looked at; the first is the middle
         private var _last:int;
-        private var _axis:int;
         private var _split:Number;
 
         /**
          * @param vertices x, y, z each
          * @param triangles three vertex indices each, or null if the vertices are the items
+         * @param measured the triangles' extents, as writeExtents writes them, if these are known
          */
-        public function Items(vertices:Vector.<Number>, triangles:Vector.<uint>)
+        public function Items(vertices:Vector.<Number>, triangles:Vector.<uint>, measured:Vector.<Number> = null)
         {
             _vertices = vertices;
             _triangles = triangles;
@@ -51,6 +55,8 @@ package starlogo.hierarchy
             order = new Vector.<int>(count, true);
             _stride = triangles == null ? 3 : 6;
             _high = triangles == null ? 0 : 3;
+            _extents = measured;
+            _areMeasured = triangles == null || measured != null;
         }
 
         /** Measures some items and puts them into the order; to be done for all before anything else. */
@@ -63,7 +69,7 @@ package starlogo.hierarchy
             for (var i:int = first; i < end; i++)
             {
                 order[i] = i;
-                if (_triangles != null)
+                if (!_areMeasured)
                 {
                     writeExtents(_vertices, _triangles, 3 * i, _extents, 6 * i);
                 }
@@ -103,25 +109,6 @@ package starlogo.hierarchy
         }
 
         /**
-         * How some items' centres spread along an axis.
-         *
-         * @return the least and the largest, doubled: two numbers
-         */
-        public function centresOf(first:int, end:int, axis:int):Vector.<Number>
-        {
-            var least:Number = Infinity;
-            var largest:Number = -Infinity;
-            for (var i:int = first; i < end; i++)
-            {
-                var at:int = order[i] * _stride + axis;
-                var sum:Number = _extents[at] + _extents[int(at + _high)];
-                least = sum < least ? sum : least;
-                largest = sum > largest ? sum : largest;
-            }
-            return new <Number>[least, largest];
-        }
-
-        /**
          * Begins to put the items whose centre is below a splitting point before the others. The extents of both groups are computed at the same
          * time, so that an item is read once for each level.
          *
@@ -134,10 +121,45 @@ package starlogo.hierarchy
         {
             middle = first;
             _last = end - 1;
-            _axis = axis;
+            this.axis = axis;
             _split = split;
             write(leftExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
             write(rightExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+        }
+
+        /**
+         * Begins a division halfway along the axis on which the centres of some items spread most.
+         *
+         * @param first the first item in the order
+         * @param end the one after the last
+         * @return whether there is one; not if all centres are in one place
+         */
+        public function beginWhereCentresSpread(first:int, end:int):Boolean
+        {
+            var widest:int = 0;
+            var width:Number = 0;
+            var split:Number = 0;
+            for (var along:int = 0; along < 3; along++)
+            {
+                // doubled
+                var least:Number = Infinity;
+                var largest:Number = -Infinity;
+                for (var i:int = first; i < end; i++)
+                {
+                    var at:int = order[i] * _stride + along;
+                    var sum:Number = _extents[at] + _extents[int(at + _high)];
+                    least = sum < least ? sum : least;
+                    largest = sum > largest ? sum : largest;
+                }
+                if (largest - least > width)
+                {
+                    widest = along;
+                    width = largest - least;
+                    split = least + 0.5 * width;
+                }
+            }
+            beginDivision(first, end, widest, split);
+            return width > 0;
         }
 
         /**
@@ -153,7 +175,7 @@ package starlogo.hierarchy
             var all:Vector.<Number> = _extents;
             var stride:int = _stride;
             var high:int = _high;
-            var axis:int = _axis;
+            var along:int = axis;
             var split:Number = _split;
             var i:int = middle;
             var last:int = _last;
@@ -182,7 +204,7 @@ package starlogo.hierarchy
                 var maxX:Number = all[at];
                 var maxY:Number = all[int(at + 1)];
                 var maxZ:Number = all[int(at + 2)];
-                var sum:Number = axis == 0 ? minX + maxX : (axis == 1 ? minY + maxY : minZ + maxZ);
+                var sum:Number = along == 0 ? minX + maxX : (along == 1 ? minY + maxY : minZ + maxZ);
                 if (sum < split)
                 {
                     i++;
@@ -242,19 +264,19 @@ package starlogo.hierarchy
         // From one place in the items' extents up to another.
         private function extend(from:int, to:int):void
         {
-            for (var axis:int = 0; axis < 3; axis++)
+            for (var along:int = 0; along < 3; along++)
             {
-                var least:Number = extents[axis];
-                var largest:Number = extents[axis + 3];
-                for (var i:int = from + axis; i < to; i += _stride)
+                var least:Number = extents[along];
+                var largest:Number = extents[along + 3];
+                for (var i:int = from + along; i < to; i += _stride)
                 {
                     var coordinate:Number = _extents[i];
                     least = coordinate < least ? coordinate : least;
                     coordinate = _extents[int(i + _high)];
                     largest = coordinate > largest ? coordinate : largest;
                 }
-                extents[axis] = least;
-                extents[axis + 3] = largest;
+                extents[along] = least;
+                extents[along + 3] = largest;
             }
         }
 

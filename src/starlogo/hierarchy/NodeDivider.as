@@ -84,7 +84,7 @@ package starlogo.hierarchy
             {
                 return true;
             }
-            if (!applyDivision(_axis))
+            if (!applyDivision())
             {
                 divideWhereCentresSpread();
             }
@@ -117,29 +117,15 @@ package starlogo.hierarchy
 
         private function divideWhereCentresSpread():void
         {
-            var widest:int = 0;
-            var width:Number = 0;
-            var split:Number = 0;
-            for (var axis:int = 0; axis < 3; axis++)
+            if (_items.beginWhereCentresSpread(_node.first, _node.end))
             {
-                var ends:Vector.<Number> = _items.centresOf(_node.first, _node.end, axis);
-                if (ends[1] - ends[0] > width)
-                {
-                    widest = axis;
-                    width = ends[1] - ends[0];
-                    split = ends[0] + 0.5 * width;
-                }
-            }
-            if (width > 0)
-            {
-                _items.beginDivision(_node.first, _node.end, widest, split);
                 _items.divideSome(_node.end - _node.first);
-                applyDivision(widest);
+                applyDivision();
             }
         }
 
         // Whether there are items on either side; if not, the node has no children.
-        private function applyDivision(axis:int):Boolean
+        private function applyDivision():Boolean
         {
             var node:HierarchyNode = _node;
             var middle:int = _items.middle;
@@ -147,7 +133,7 @@ package starlogo.hierarchy
             {
                 return false;
             }
-            _maker.divide(node, axis, _maker.make(node.level + 1, node.first, middle, _items.leftExtents),
+            _maker.divide(node, _items.axis, _maker.make(node.level + 1, node.first, middle, _items.leftExtents),
                     _maker.make(node.level + 1, middle, node.end, _items.rightExtents));
             return true;
         }

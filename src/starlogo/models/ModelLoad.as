@@ -4,7 +4,10 @@ package starlogo.models
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.models.collada.ColladaReader;
+    import starlogo.models.gltf.GltfFile;
+    import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
+    import starlogo.models.stl.StlReader;
     import starlogo.models.zip.ArchivedDocument;
     import starlogo.models.zip.ZipArchive;
     import starlogo.steps.StepSequence;
@@ -43,7 +46,11 @@ package starlogo.models
         private var _readTime:int = 0;
         private var _bytes:ByteArray = null;
         private var _document:ArchivedDocument = null;
+        private var _newLoader:Function;
+        private var _gltf:GltfFile = null;
+        private var _bufferFetches:Vector.<ModelFetch> = new Vector.<ModelFetch>();
         private var _text:String = null;
+        private var _format:String = null;
         private var _reader:ModelReader = null;
         private var _source:ModelSource = null;
         private var _shape:NormalisedShape = null;
@@ -53,9 +60,11 @@ package starlogo.models
          * @param upAxis the axis that points up, if the file does not say; or a ModelTransform
          * @param scaling as Model's constructor has it
          * @param receiver takes the model in
+         * @param newLoader <code>function():URLLoader</code>, called for each file that the model's own asks for
          */
-        public function ModelLoad(name:String, upAxis:Object, scaling:String, receiver:ModelReceiver)
+        public function ModelLoad(name:String, upAxis:Object, scaling:String, receiver:ModelReceiver, newLoader:Function)
         {
+            _newLoader = newLoader;
             this.name = name;
             _upAxis = upAxis;
             _scaling = scaling;
@@ -65,7 +74,7 @@ package starlogo.models
         /** Whether the file that is needed next is fetched, or cannot be. */
         public function get isReady():Boolean
         {
-            if (isUnderWay(_fetch) || isUnderWay(_transformFetch))
+            if (isUnderWay(_fetch) || isUnderWay(_transformFetch) || _bufferFetches.some(isBufferUnderWay))
             {
                 return false;
             }
@@ -123,7 +132,7 @@ package starlogo.models
         {
             _bytes = bytes;
             _text = text;
-            begin(unpacking).begin(reading).begin(normalising).call(keepShape).begin(receiving);
+            begin(unpacking).begin(opening).call(fetchBuffers).begin(reading).begin(normalising).call(keepShape).begin(receiving);
         }
 
         /** Sets the source that makes the model, in place of a file. */
@@ -136,7 +145,7 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelFetch in [_fetch, _fitsFetch, _transformFetch])
+            for each (var each:ModelFetch in _bufferFetches.concat(new <ModelFetch>[_fetch, _fitsFetch, _transformFetch]))
             {
                 if (each != null)
                 {
@@ -170,26 +179,72 @@ package starlogo.models
 
         private function unpacking():Steps
         {
-            if (_bytes != null && ZipArchive.isArchive(_bytes))
+            if (_bytes == null)
+            {
+                _text = _text == null ? ModelFile.text(name, _bytes) : _text;
+            }
+            else if (ZipArchive.isArchive(_bytes))
             {
                 _document = new ArchivedDocument(name, _bytes);
+                _bytes = null;
             }
-            else if (_text == null)
+            else if (!GltfFile.isBinary(_bytes) && !StlReader.isBinary(_bytes))
             {
                 _text = ModelFile.text(name, _bytes);
+                _bytes = null;
             }
-            _bytes = null;
             return _document;
+        }
+
+        private function opening():Steps
+        {
+            _text = _document == null ? _text : _document.text;
+            _document = null;
+            _format = _bytes == null ? ModelFormat.of(_text, _url) : (GltfFile.isBinary(_bytes) ? ModelFormat.GLTF : ModelFormat.STL);
+            _gltf = _format == ModelFormat.GLTF ? new GltfFile(name, _bytes, _text) : null;
+            return _gltf;
+        }
+
+        // The files beside a glTF file that it names.
+        private function fetchBuffers():void
+        {
+            var folder:String = /^[^?#]*\//.test(_url || "") ? _url.match(/^[^?#]*\//)[0] : "";
+            for each (var uri:String in _gltf == null ? null : _gltf.missing)
+            {
+                if (_url == null || !FILE.test(_url))
+                {
+                    _gltf.setBuffer(uri, null, "it is beside the file, whose address is not known: load() fetches it");
+                }
+                _bufferFetches.push(new ModelFetch(folder + uri, _newLoader()));
+            }
         }
 
         private function reading():Steps
         {
-            var text:String = _document == null ? _text : _document.text;
-            _reader = isCollada(text) ? new ColladaReader(name, text, _upAxis as ModelTransform) : new ObjReader(name, text, _upAxis);
-            _document = null;
+            _reader = newReader();
             _text = null;
+            _bytes = null;
             _fetch = null;
             return _reader;
+        }
+
+        private function newReader():ModelReader
+        {
+            switch (_format)
+            {
+                case ModelFormat.GLTF:
+                    for (var i:int = 0; i < _bufferFetches.length; i++)
+                    {
+                        _gltf.setBuffer(_gltf.missing[i], _bufferFetches[i].bytes, _bufferFetches[i].problem);
+                    }
+                    return new GltfReader(name, _gltf, _upAxis as ModelTransform);
+                case ModelFormat.STL:
+                    return new StlReader(name, _bytes, _text, _upAxis);
+                case ModelFormat.COLLADA:
+                    return new ColladaReader(name, _text, _upAxis as ModelTransform);
+                default:
+                    return new ObjReader(name, _text, _upAxis);
+            }
         }
 
         private function normalising():Steps
@@ -203,6 +258,8 @@ package starlogo.models
             model = Model.of(_shape);
             _shape = null;
             _reader = null;
+            _gltf = null;
+            _bufferFetches.length = 0;
             _readTime = getTimer();
         }
 
@@ -228,11 +285,9 @@ package starlogo.models
             return fetch != null && fetch.isUnderWay;
         }
 
-        /** What begins with a tag is no OBJ file, whatever its name. */
-        private function isCollada(text:String):Boolean
+        private static function isBufferUnderWay(fetch:ModelFetch, index:int, all:Vector.<ModelFetch>):Boolean
         {
-            var start:int = text.charCodeAt(0) == 0xFEFF ? 1 : 0; // a byte-order mark
-            return /^\s*</.test(text.substr(start, 1000)) || _url != null && /^[^?#]*\.(dae|zae)([?#]|$)/i.test(_url);
+            return fetch.isUnderWay;
         }
     }
 }

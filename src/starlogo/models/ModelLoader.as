@@ -42,8 +42,8 @@ package starlogo.models
      *
      * <p>What was computed for a model when the game was built is fetched with it: see usesBakedFits.</p>
      *
-     * <p>The reader is chosen by content and name: a zip archive, a text that begins with a tag, and files named .dae and
-     * .zae are COLLADA, anything else OBJ. Agents may have a shape from when its ModelEvent comes; before that the
+     * <p>The reader is chosen by content: OBJ, glTF (JSON, with its data inside or beside it, or binary), STL (text or binary), COLLADA, or that in a
+     * zip archive. Only where the content says nothing the name does. Agents may have a shape from when its ModelEvent comes; before that the
      * collision systems do not know it.</p>
      *
      * @example
@@ -159,8 +159,8 @@ package starlogo.models
          * Loads a model from a file. What goes wrong comes as an ErrorEvent.
          *
          * @param name what agents call the shape
-         * @param url where the file is: OBJ, COLLADA or zipped COLLADA
-         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"; or, for any file, a ModelTransform
+         * @param url where the file is: OBJ, glTF, STL, COLLADA or zipped COLLADA
+         * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
         public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
@@ -173,8 +173,8 @@ package starlogo.models
          * Loads a model from a file's bytes.
          *
          * @param name what agents call the shape
-         * @param bytes the whole file: OBJ, COLLADA or zipped COLLADA; not to be changed until the model is loaded
-         * @param upAxis the axis that points up in an OBJ file: "x", "y" or "z"; or, for any file, a ModelTransform
+         * @param bytes the whole file: OBJ, glTF, STL, COLLADA or zipped COLLADA; not to be changed until the model is loaded
+         * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
         public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
@@ -186,8 +186,8 @@ package starlogo.models
          * Loads a model from text.
          *
          * @param name what agents call the shape
-         * @param text OBJ or COLLADA
-         * @param upAxis the axis that points up in OBJ text: "x", "y" or "z"; or, for any text, a ModelTransform
+         * @param text OBJ, glTF, STL or COLLADA
+         * @param upAxis the axis that points up in OBJ or STL text: "x", "y" or "z"; or, for any text, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
         public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
@@ -255,7 +255,7 @@ package starlogo.models
 
         private function add(name:String, upAxis:Object, scaling:String):ModelLoad
         {
-            var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver);
+            var added:ModelLoad = new ModelLoad(name, upAxis, scaling, _receiver, newURLLoader);
             _receiver.expect(name);
             _queue.push(added);
             sFrames.addEventListener(Event.ENTER_FRAME, onFrame);

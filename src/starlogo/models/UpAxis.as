@@ -44,6 +44,20 @@ package starlogo.models
             return String(upAxis);
         }
 
+        /** The turn, as a transform: see turning(). */
+        public static function transform(axis:String):AffineTransform
+        {
+            switch (axis)
+            {
+                case X:
+                    return new AffineTransform(new <Number>[0, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0]);
+                case Y:
+                    return new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0]);
+                default:
+                    return new AffineTransform();
+            }
+        }
+
         /**
          * The work that turns vertices in place. With y up, -z of the file becomes y; with x up, -y becomes x and -z becomes y (the
          * right and inward axes of the COLLADA specification's table for up_axis).

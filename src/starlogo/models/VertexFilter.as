@@ -21,17 +21,32 @@ package starlogo.models
         /**
          * @param vertices x, y, z, ...; changed in place
          * @param triangles indices of used vertices; changed to where these are then
-         * @param isUsed a number for each vertex, 0 for those to leave out
+         * @param isUsed a number for each vertex, 0 for those to leave out unless a triangle has them; the triangles' are set
          */
         public function VertexFilter(vertices:Vector.<Number>, triangles:Vector.<uint>, isUsed:Vector.<uint>)
         {
             _vertices = vertices;
             _triangles = triangles;
             _isUsed = isUsed;
-            if (isUsed.indexOf(0) >= 0)
+            slices(triangles.length, CORNERS_PER_STEP, markUsed).call(dropUnused);
+        }
+
+        private function markUsed(first:int, end:int):void
+        {
+            var isUsed:Vector.<uint> = _isUsed;
+            var corners:Vector.<uint> = _triangles;
+            for (var i:int = first; i < end; i++)
             {
-                _newIndices = new Vector.<uint>(isUsed.length);
-                slices(isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutOff).slices(triangles.length, CORNERS_PER_STEP, renumber);
+                isUsed[corners[i]] = 1;
+            }
+        }
+
+        private function dropUnused():void
+        {
+            if (_isUsed.indexOf(0) >= 0)
+            {
+                _newIndices = new Vector.<uint>(_isUsed.length);
+                slices(_isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutOff).slices(_triangles.length, CORNERS_PER_STEP, renumber);
             }
         }
 

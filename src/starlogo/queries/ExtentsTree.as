@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.touchingGap;
     import starlogo.search.AgentTable;
 
@@ -183,6 +184,35 @@ package starlogo.queries
             maxZ = atZ + halfZ + slack;
         }
 
+        /** Makes the box reach as far as it does when it is moved, and still to where it is. */
+        public function extendBox(dx:Number, dy:Number, dz:Number):void
+        {
+            if (dx < 0)
+            {
+                minX += dx;
+            }
+            else
+            {
+                maxX += dx;
+            }
+            if (dy < 0)
+            {
+                minY += dy;
+            }
+            else
+            {
+                maxY += dy;
+            }
+            if (dz < 0)
+            {
+                minZ += dz;
+            }
+            else
+            {
+                maxZ += dz;
+            }
+        }
+
         /**
          * Finds all rows whose extents overlap the box, or nearly so: <code>found</code>, in no order.
          *
@@ -223,7 +253,8 @@ package starlogo.queries
         /** Begins a search along the ray: <code>nextOnRay()</code> then finds one row after the other. */
         public function beginRay():void
         {
-            _slack = MARGINS * touchingGap(x, y, z, 0, 0, 0);
+            // touchingGap written out: V8 makes objects of what it is given
+            _slack = MARGINS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
             _at = _end = 0;
             _waiting = begin();
         }

@@ -367,7 +367,10 @@ package starlogo.search
             scratch.y = y[row];
             scratch.z = z[row];
             scratch.size = _sizes[row];
-            scratch.readRotation(_rotations, ROTATION_SIZE * row);
+            if (shapes[row].structure != null)
+            {
+                scratch.readRotation(_rotations, ROTATION_SIZE * row);
+            }
             return scratch;
         }
 

@@ -89,7 +89,7 @@ package starlogo.search
             bytes.writeInt(count);
             for (var i:int = 0; i < count; i++)
             {
-                bytes.writeByte(hasMotion[i] ? 1 : 0);
+                bytes.writeBoolean(hasMotion[i]);
                 bytes.writeDouble(x[i]);
                 bytes.writeDouble(y[i]);
                 bytes.writeDouble(z[i]);
@@ -101,9 +101,9 @@ package starlogo.search
                 numberOf(secondBreed[i]);
             }
             bytes.writeInt(_names.length);
-            for each (var name:String in _names)
+            for (i = 0; i < _names.length; i++)
             {
-                bytes.writeUTF(name);
+                bytes.writeUTF(_names[i]);
             }
             bytes.writeInt(pairCount);
             for (i = 0; i < pairCount; i++)
@@ -112,7 +112,7 @@ package starlogo.search
                 bytes.writeInt(second[i]);
                 bytes.writeInt(numberOf(firstBreed[i]));
                 bytes.writeInt(numberOf(secondBreed[i]));
-                bytes.writeByte(isBothWays[i] ? 1 : 0);
+                bytes.writeBoolean(isBothWays[i]);
             }
             bytes.position = 0;
             return bytes;

@@ -32,7 +32,7 @@ package starlogo.solid
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean
          * @param boundsKind which structures the nodes have
-         * @param preparesExact whether to prepare what exact tests need of triangles, rather than leave it to the first of them
+         * @param preparesExact whether to prepare what exact tests and rays need of triangles, rather than leave it to the first of them
          */
         public function SolidHierarchyBuilder(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, boundsKind:int,
                 preparesExact:Boolean = false)
@@ -52,7 +52,7 @@ package starlogo.solid
             _work = new StepSequence().add(_builder);
             if (_preparesExact && triangles != null)
             {
-                _work.begin(newSolid);
+                _work.begin(newSolid).begin(newRays);
             }
             _isDone = false;
         }
@@ -112,6 +112,11 @@ package starlogo.solid
         private function newSolid():Steps
         {
             return new SolidBuilder(_hierarchy);
+        }
+
+        private function newRays():Steps
+        {
+            return new RayTreeBuilder(_hierarchy);
         }
     }
 }

@@ -4,6 +4,8 @@ package starlogo.models
     import flash.utils.getTimer;
     import org.flexunit.asserts.assertTrue;
     import support.Collada;
+    import support.Effort;
+    import support.Gltf;
     import support.Mutations;
     import evaluation.pairs.SeededRandom;
     import support.Zip;
@@ -34,6 +36,9 @@ package starlogo.models
                 '<translate>1 2 3</translate><rotate>0 0 1 45</rotate><scale>1 2 3</scale><lookat>1 2 3 4 5 6 0 0 1</lookat>' +
                 '<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><instance_geometry url="#a"/><node id="inner"><instance_controller url="#c"/>' +
                 '</node><instance_node url="#n"/></node>');
+
+        private static const STL:String = "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n  endloop\n" +
+            " endfacet\n facet normal 1 0 0\n  outer loop\n   vertex 0 0 0\n   vertex 0 1.5e0 0\n   vertex 0 0 1\n  endloop\n endfacet\nendsolid a\n";
 
         [Test]
         public function objText():void
@@ -75,6 +80,73 @@ package starlogo.models
         public function bytesOfEitherFormat():void
         {
             mutate("bytes", 1500, 401, bytesOf);
+        }
+
+        [Test]
+        public function binaryGltf():void
+        {
+            mutate("binary glTF", Effort.choose(500, 10000), 501, binaryGltfOf);
+        }
+
+        [Test]
+        public function gltfText():void
+        {
+            mutate("glTF text", Effort.choose(500, 10000), 502, gltfOf);
+        }
+
+        [Test]
+        public function stl():void
+        {
+            mutate("STL", Effort.choose(500, 10000), 503, stlOf);
+        }
+
+        private static function binaryGltfOf(random:SeededRandom):Model
+        {
+            return GltfModel.fromBytes("mutation", Mutations.ofBytes(everythingOfGltf().toBinary(), random));
+        }
+
+        private static function gltfOf(random:SeededRandom):Model
+        {
+            return GltfModel.fromBytes("mutation", encoded(Mutations.ofText(everythingOfGltf().toText(), random), "utf-8"));
+        }
+
+        private static function stlOf(random:SeededRandom):Model
+        {
+            if (random.chance())
+            {
+                return StlModel.fromBytes("mutation", encoded(Mutations.ofText(STL, random), "utf-8"));
+            }
+            var bytes:ByteArray = new ByteArray();
+            bytes.length = 84 + 50 * 3;
+            bytes[80] = 3;
+            for (var i:int = 96; i < bytes.length; i += 7)
+            {
+                bytes[i] = i;
+            }
+            return StlModel.fromBytes("mutation", Mutations.ofBytes(bytes, random));
+        }
+
+        /** A file with nodes in nodes, a skin, a morph target, indices, rows with gaps, and what is sparse. */
+        private static function everythingOfGltf():Gltf
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var json:Object = file.json;
+            var position:int = file.addNumbers([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], "VEC3", Gltf.FLOAT, 16);
+            json.accessors[position].sparse = {count: 1, indices: {bufferView: file.addView([2], 1, Gltf.UNSIGNED_SHORT), componentType: Gltf.UNSIGNED_SHORT},
+                    values: {bufferView: file.addView([0, 2, 0], 3, Gltf.FLOAT)}};
+            var target:int = file.addNumbers([0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0], "VEC3", Gltf.SHORT);
+            var joints:int = file.addNumbers([0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0], "VEC4", Gltf.UNSIGNED_BYTE);
+            var weights:int = file.addNumbers([1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0, 1, 1, 0, 0], "VEC4", Gltf.FLOAT);
+            file.addMesh({attributes: {POSITION: position, JOINTS_0: joints, WEIGHTS_0: weights}, targets: [ {POSITION: target}], mode: 5},
+                    {attributes: {POSITION: position}, indices: file.addNumbers([0, 1, 2, 3], "SCALAR", Gltf.UNSIGNED_INT), mode: 6});
+            json.meshes[1].weights = [0.5];
+            var matrices:int = file.addNumbers([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1], "MAT4", Gltf.FLOAT);
+            json.skins = [ {joints: [1, 2], inverseBindMatrices: matrices}];
+            json.nodes = [ {mesh: 0, children: [1], rotation: [0, 0.6, 0, 0.8]}, {mesh: 1, translation: [1, 2, 3], children: [2]}, {mesh: 0, scale: [1, -2, 1]},
+                    {mesh: 1, skin: 0}, {mesh: 0, matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 0, 0, 1]}];
+            json.scenes = [ {nodes: [0, 3]}, {nodes: [4]}];
+            json.scene = 0;
+            return file;
         }
 
         private static function objOf(random:SeededRandom):Model

@@ -29,6 +29,9 @@ package starlogo.queries
         private var _out:Vector.<Agent> = new Vector.<Agent>();
         private var _structure:Sphere = new Sphere(new Vector3D(), 3);
         private var _point:Vector3D = new Vector3D();
+        private var _direction:Vector3D = new Vector3D();
+        private var _hit:RayHit = new RayHit();
+        private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
         private var _answers:int;
 
         [Test]
@@ -41,6 +44,7 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", some near", askWhoOfSomeIsNear);
                 assertAllocatesNothing(name + ", touching", askWhoTouches);
                 assertAllocatesNothing(name + ", moved", askAgain);
+                assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
             }
         }
 
@@ -125,6 +129,18 @@ package starlogo.queries
             _answers += _queries.touching(agent, null, _out).length;
             _answers += _queries.touching(agent, _filter, _out).length;
             _answers += _queries.overlapping(_structure, null, _out).length;
+        }
+
+        private function askWhatRaysMeet(agent:Agent):void
+        {
+            _point.setTo(-9, 0, 1);
+            _direction.setTo(agent.x + 9, agent.y, agent.z - 0.5);
+            _answers += _queries.castAll(_point, _direction, Infinity, null, _hits).length;
+            _answers += _queries.castAll(_point, _direction, 15, _filter, _hits).length;
+            _answers += _queries.cast(_point, _direction, Infinity, null, _hit) == null ? 0 : 1;
+            _answers += _queries.cast(_point, _direction, Infinity, _filter, _hit) == null ? 0 : 1;
+            _answers += _queries.canSee(agent, _agents[1]) ? 1 : 0;
+            _point.setTo(0, 0, 0);
         }
 
         // The agent asks from where it is, and is told to have moved.

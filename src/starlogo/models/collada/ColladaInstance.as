@@ -1,5 +1,7 @@
 package starlogo.models.collada
 {
+    import starlogo.models.AffineTransform;
+
     /** A geometry in a COLLADA scene, and where it is. */
     internal final class ColladaInstance
     {
@@ -7,7 +9,7 @@ package starlogo.models.collada
         public var geometry:ColladaElement;
 
         /** Where it is in the scene. */
-        public var transform:ColladaTransform;
+        public var transform:AffineTransform;
 
         /** The element that placed it there. */
         public var element:ColladaElement;
@@ -17,7 +19,7 @@ package starlogo.models.collada
          * @param transform where it is in the scene
          * @param element the element that placed it there
          */
-        public function ColladaInstance(geometry:ColladaElement, transform:ColladaTransform, element:ColladaElement)
+        public function ColladaInstance(geometry:ColladaElement, transform:AffineTransform, element:ColladaElement)
         {
             this.geometry = geometry;
             this.transform = transform;

@@ -1,5 +1,7 @@
 package starlogo.models.collada
 {
+    import starlogo.models.AffineTransform;
+
     /** A node of a COLLADA scene as it is visited: one element may be visited often, through instance_node. */
     internal final class ColladaNode
     {
@@ -10,7 +12,7 @@ package starlogo.models.collada
         public var parent:ColladaNode;
 
         /** Where its parent is in the scene, then where it is itself. */
-        public var transform:ColladaTransform;
+        public var transform:AffineTransform;
 
         /** The element's id. */
         public var id:String;
@@ -27,7 +29,7 @@ package starlogo.models.collada
             this.element = element;
             this.parent = parent;
             id = element.id;
-            transform = parent == null ? new ColladaTransform() : parent.transform;
+            transform = parent == null ? new AffineTransform() : parent.transform;
             depth = parent == null ? 0 : parent.depth + 1;
         }
 

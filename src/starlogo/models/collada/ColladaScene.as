@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.AffineTransform;
     import starlogo.models.TextTokens;
     import starlogo.steps.StepSequence;
 
@@ -77,7 +78,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, new ColladaTransform(), geometry));
+                    instances.push(new ColladaInstance(geometry, new AffineTransform(), geometry));
                 }
             }
         }
@@ -115,7 +116,7 @@ package starlogo.models.collada
                     _nodes.push(new ColladaNode(element, _node));
                     break;
                 default:
-                    var local:ColladaTransform = ColladaTransform.of(_document, element);
+                    var local:AffineTransform = ColladaTransform.of(_document, element);
                     _node.transform = local == null ? _node.transform : _node.transform.after(local);
                     break;
             }
@@ -151,13 +152,13 @@ package starlogo.models.collada
             return target;
         }
 
-        private function addGeometry(element:ColladaElement, transform:ColladaTransform):void
+        private function addGeometry(element:ColladaElement, transform:AffineTransform):void
         {
             instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), transform, element));
         }
 
         /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */
-        private function addController(element:ColladaElement, transform:ColladaTransform):void
+        private function addController(element:ColladaElement, transform:AffineTransform):void
         {
             var target:ColladaElement = _document.target(element, "url", ["controller"]);
             for (var i:int = 0; target.name == "controller"; i++)

@@ -1,5 +1,6 @@
 package starlogo.models.obj
 {
+    import starlogo.models.LineTokens;
     import starlogo.models.ModelError;
     import starlogo.models.ModelLimits;
     import starlogo.models.ModelReader;
@@ -8,7 +9,6 @@ package starlogo.models.obj
     import starlogo.models.VertexFilter;
     import starlogo.models.refuseIf;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.steps.Slices;
     import starlogo.steps.Steps;
 
     /**
@@ -21,10 +21,9 @@ package starlogo.models.obj
         private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
         private static const CORNERS_PER_STEP:int = 1500;
-        private static const MARKS_PER_STEP:int = 20000;
 
         private var _upAxis:String;
-        private var _tokens:ObjTokens;
+        private var _tokens:LineTokens;
         private var _vertexCount:int = 0;
         private var _isUsed:Vector.<uint> = null;
 
@@ -49,10 +48,9 @@ package starlogo.models.obj
             _upAxis = UpAxis.of(upAxis, name);
             refuseIf(source == null, name, "there is no text to read");
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is no OBJ text but some binary file");
-            _tokens = new ObjTokens(source);
+            _tokens = new LineTokens(source);
             _triangulator = new Triangulator(vertices, triangles);
-            repeat(readSome).call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(markingUsed).begin(droppingUnused)
-                .begin(turningUp);
+            repeat(readSome).call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
         }
 
         /** @inheritDoc */
@@ -68,7 +66,7 @@ package starlogo.models.obj
             {
                 if (!_tokens.readPiece())
                 {
-                    throw errorAt(_tokens.line + 1, "a line, with those that it is continued in, has more than " + ObjTokens.MAX_PIECE +
+                    throw errorAt(_tokens.line + 1, "a line, with those that it is continued in, has more than " + LineTokens.MAX_PIECE +
                             " characters");
                 }
                 return true;
@@ -83,7 +81,7 @@ package starlogo.models.obj
 
         private function readWords():void
         {
-            var tokens:ObjTokens = _tokens;
+            var tokens:LineTokens = _tokens;
             var words:Array = tokens.words;
             var end:int = Math.min(tokens.next + WORDS_PER_STEP, words.length - 1);
             while (tokens.next < end)
@@ -97,7 +95,7 @@ package starlogo.models.obj
                 {
                     readFace();
                 }
-                else if (word == ObjTokens.END || word == ObjTokens.CONTINUED)
+                else if (word == LineTokens.END || word == LineTokens.CONTINUED)
                 {
                     tokens.line++;
                 }
@@ -124,7 +122,7 @@ package starlogo.models.obj
             _vertexCount++;
             at += 3;
             _tokens.next = at;
-            if (words[at] != ObjTokens.END)
+            if (words[at] != LineTokens.END)
             {
                 _tokens.skipStatement();
             }
@@ -149,18 +147,18 @@ package starlogo.models.obj
 
         private function readFace():void
         {
-            var tokens:ObjTokens = _tokens;
+            var tokens:LineTokens = _tokens;
             var words:Array = tokens.words;
             var count:int = 0;
             var word:String = words[tokens.next];
-            while (word != ObjTokens.END)
+            while (word != LineTokens.END)
             {
-                var index:int = word == ObjTokens.CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
+                var index:int = word == LineTokens.CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
                 if (index >= 0)
                 {
                     _corners[count++] = index;
                 }
-                else if (word == ObjTokens.CONTINUED)
+                else if (word == LineTokens.CONTINUED)
                 {
                     tokens.line++;
                 }
@@ -238,21 +236,6 @@ package starlogo.models.obj
                 count += polygon.length;
             }
             return _polygon < _polygons.length;
-        }
-
-        private function markingUsed():Steps
-        {
-            return new Slices(triangles.length, MARKS_PER_STEP, markUsed);
-        }
-
-        private function markUsed(first:int, end:int):void
-        {
-            var isUsed:Vector.<uint> = _isUsed;
-            var corners:Vector.<uint> = triangles;
-            for (var i:int = first; i < end; i++)
-            {
-                isUsed[corners[i]] = 1;
-            }
         }
 
         /** Where there are faces, only what they use is part of the model's surface. */

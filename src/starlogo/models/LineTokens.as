@@ -1,34 +1,34 @@
-package starlogo.models.obj
+package starlogo.models
 {
-    import starlogo.models.TextTokens;
-
     /**
-     * The words of OBJ text, a piece of some lines at a time, with a mark at each line's end. The reader's own loops go through
+     * The words of text, a piece of some lines at a time, with a mark at each line's end. The reader's own loops go through
      * <code>words</code>, which is what makes it fast.
+     *
+     * @private
      */
-    internal final class ObjTokens
+    public final class LineTokens
     {
         // the marks are words of characters that no text uses
 
         /** Marks a line's end.  */
-        internal static const END:String = "\uE000";
+        public static const END:String = "\uE000";
 
         /** Marks a line's end after which the next line continues the statement. */
-        internal static const CONTINUED:String = "\uE001";
+        public static const CONTINUED:String = "\uE001";
 
         /** How many characters a line may have, and what it is continued in: it is taken in one step. */
-        internal static const MAX_PIECE:int = 1000000;
+        public static const MAX_PIECE:int = 1000000;
 
         private static const CHARACTERS_PER_PIECE:int = 30000;
 
         /** The words of the present piece. The first and the last are nothing; there are none before the first piece. */
-        internal var words:Array = [""];
+        public var words:Array = [""];
 
         /** Where in <code>words</code> the next one is. */
-        internal var next:int = 0;
+        public var next:int = 0;
 
         /** The number of the next word's line, from 1; what passes a mark counts it. */
-        internal var line:int = 0;
+        public var line:int = 0;
 
         private var _source:String;
 
@@ -39,31 +39,31 @@ package starlogo.models.obj
         /**
          * @param source the text; a byte-order mark is left out
          */
-        public function ObjTokens(source:String)
+        public function LineTokens(source:String)
         {
             _source = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
         }
 
         /** Whether all words of the present piece are read. */
-        internal function get isPieceRead():Boolean
+        public function get isPieceRead():Boolean
         {
             return next == words.length - 1;
         }
 
         /** Whether there is no piece after the present one. */
-        internal function get isLastPiece():Boolean
+        public function get isLastPiece():Boolean
         {
             return _end == _source.length;
         }
 
         /** How much is read, from 0 to 1. */
-        internal function get progress():Number
+        public function get progress():Number
         {
             return (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
         }
 
         /** Goes on to the next piece; false if it is a line that is too long. */
-        internal function readPiece():Boolean
+        public function readPiece():Boolean
         {
             _start = _end;
             _end = endOfPiece(_start + CHARACTERS_PER_PIECE);
@@ -82,7 +82,7 @@ package starlogo.models.obj
          * to be continued. So the next line is looked at anyway; that of a skipped statement's begins with a number and
          * is skipped too.
          */
-        internal function skipStatement():void
+        public function skipStatement():void
         {
             var word:String = words[next];
             while (word != END && word != CONTINUED)
@@ -92,7 +92,7 @@ package starlogo.models.obj
         }
 
         /** The words to the end of a statement, over all lines that it is continued in, without a comment. */
-        internal function restOfStatement():Array
+        public function restOfStatement():Array
         {
             var rest:Array = [];
             for (var word:String = words[next]; word != END; word = words[++next])

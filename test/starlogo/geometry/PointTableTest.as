@@ -1,4 +1,4 @@
-package starlogo.away3d
+package starlogo.geometry
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;

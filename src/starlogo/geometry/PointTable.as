@@ -1,10 +1,17 @@
-package starlogo.away3d
+package starlogo.geometry
 {
     import flash.utils.ByteArray;
 
-    /** Points, each position once: a hash table of their coordinates. */
-    internal final class PointTable
+    /**
+     * Points, each position once: a hash table of their coordinates. Of points that are made to meet in the table some may be there several
+     * times, which takes less time than to find out.
+     *
+     * @private
+     */
+    public final class PointTable
     {
+        private static const MOST_LOOKS:int = 64;
+
         /** x, y, z, ... in the order in which the points were first added. */
         public var coordinates:Vector.<Number> = new Vector.<Number>();
 
@@ -31,25 +38,24 @@ package starlogo.away3d
         /** The number of the point at a place; it is added if there is none. */
         public function indexOf(x:Number, y:Number, z:Number):int
         {
-            var slot:int = slotOf(x, y, z);
-            if (_slots[slot] == 0)
-            {
-                coordinates.push(x, y, z);
-                _slots[slot] = ++_count;
-            }
-            return _slots[slot] - 1;
-        }
-
-        // Where the point is, or a free place for it.
-        private function slotOf(x:Number, y:Number, z:Number):int
-        {
             var mask:int = _slots.length - 1;
             var slot:int = hash(x, y, z) & mask;
-            while (_slots[slot] != 0 && !isAt(_slots[slot] - 1, x, y, z))
+            var looks:int = 0;
+            while (_slots[slot] != 0 && looks < MOST_LOOKS)
             {
+                if (isAt(_slots[slot] - 1, x, y, z))
+                {
+                    return _slots[slot] - 1;
+                }
                 slot = (slot + 1) & mask;
+                looks++;
             }
-            return slot;
+            coordinates.push(x, y, z);
+            if (looks < MOST_LOOKS)
+            {
+                _slots[slot] = _count + 1;
+            }
+            return _count++;
         }
 
         private function isAt(point:int, x:Number, y:Number, z:Number):Boolean

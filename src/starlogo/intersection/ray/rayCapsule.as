@@ -1,0 +1,103 @@
+package starlogo.intersection.ray
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Capsule;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Narrows a ray to what is inside of a capsule: two balls, and what is between them of a cylinder about the segment. Its surface
+     * counts. Allocates nothing.
+     *
+     * <p>The arithmetic, in this order: the balls; line and segment across the segment, where the cylinder is a circle; where the line enters
+     * and leaves it, between the ends of the segment; the normal, from the nearest point of the segment.</p>
+     *
+     * @param ray in the space of the capsule; its part is narrowed, and its normal set if it enters
+     * @param capsule the radius may be 0, and the ends one
+     * @return whether the ray meets the capsule
+     *
+     * @private
+     */
+    public function rayCapsule(ray:Ray, capsule:Capsule):Boolean
+    {
+        var start:Vector3D = capsule.start;
+        var end:Vector3D = capsule.end;
+        var radius:Number = capsule.radius;
+        ray.near = Infinity;
+        ray.far = -Infinity;
+        ray.radius = radius;
+        ray.addBall(start);
+        ray.addBall(end);
+        var alongX:Number = end.x - start.x;
+        var alongY:Number = end.y - start.y;
+        var alongZ:Number = end.z - start.z;
+        var squared:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
+        var x:Number = ray.x - start.x;
+        var y:Number = ray.y - start.y;
+        var z:Number = ray.z - start.z;
+        if (squared > 0)
+        {
+            // shares of the segment: where the point of the line is, and how far the line goes along it in a length of 1
+            var share:Number = (x * alongX + y * alongY + z * alongZ) / squared;
+            var speed:Number = (ray.directionX * alongX + ray.directionY * alongY + ray.directionZ * alongZ) / squared;
+            var acrossX:Number = ray.directionX - speed * alongX;
+            var acrossY:Number = ray.directionY - speed * alongY;
+            var acrossZ:Number = ray.directionZ - speed * alongZ;
+            var turn:Number = acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ;
+            if (turn > Tolerances.PARALLEL)
+            {
+                var asideX:Number = x - share * alongX;
+                var asideY:Number = y - share * alongY;
+                var asideZ:Number = z - share * alongZ;
+                var closest:Number = -(asideX * acrossX + asideY * acrossY + asideZ * acrossZ) / turn;
+                asideX += closest * acrossX;
+                asideY += closest * acrossY;
+                asideZ += closest * acrossZ;
+                var inside:Number = radius * radius - (asideX * asideX + asideY * asideY + asideZ * asideZ);
+                if (inside >= 0)
+                {
+                    inside = Math.sqrt(inside / turn);
+                    var into:Number = closest - inside;
+                    var out:Number = closest + inside;
+                    if (speed != 0)
+                    {
+                        var first:Number = speed > 0 ? -share : 1 - share;
+                        var last:Number = speed > 0 ? 1 - share : -share;
+                        first /= speed;
+                        last /= speed;
+                        into = first > into ? first : into;
+                        out = last < out ? last : out;
+                    }
+                    else if (share < 0 || share > 1)
+                    {
+                        out = -Infinity;
+                    }
+                    if (into <= out)
+                    {
+                        ray.near = into < ray.near ? into : ray.near;
+                        ray.far = out > ray.far ? out : ray.far;
+                    }
+                }
+            }
+        }
+        var at:Number = ray.near;
+        if (at > ray.from && at < Infinity)
+        {
+            x += at * ray.directionX;
+            y += at * ray.directionY;
+            z += at * ray.directionZ;
+            share = squared > 0 ? (x * alongX + y * alongY + z * alongZ) / squared : 0;
+            share = share < 0 ? 0 : (share > 1 ? 1 : share);
+            x -= share * alongX;
+            y -= share * alongY;
+            z -= share * alongZ;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            if (length > 0 && capsule.radius > 0)
+            {
+                ray.normalX = x / length;
+                ray.normalY = y / length;
+                ray.normalZ = z / length;
+            }
+        }
+        return ray.narrow();
+    }
+}

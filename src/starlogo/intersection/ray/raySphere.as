@@ -1,0 +1,37 @@
+package starlogo.intersection.ray
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * Narrows a ray to what is inside of a sphere. The distance of the centre from the line is computed across the line, so that nothing cancels.
+     * Touching counts, to within Tolerances.TOUCHING. Allocates nothing.
+     *
+     * @param ray in the space of the sphere; its part is narrowed, and its normal set if it enters
+     * @param sphere a radius of 0 makes it a point
+     * @return whether the ray meets the sphere
+     *
+     * @private
+     */
+    public function raySphere(ray:Ray, sphere:Sphere):Boolean
+    {
+        var center:Vector3D = sphere.center;
+        ray.near = Infinity;
+        ray.far = -Infinity;
+        ray.radius = sphere.radius * Tolerances.TOUCHING;
+        ray.addBall(center);
+        var at:Number = ray.near;
+        if (at > ray.from && at < Infinity && sphere.radius > 0)
+        {
+            var x:Number = ray.x + at * ray.directionX - center.x;
+            var y:Number = ray.y + at * ray.directionY - center.y;
+            var z:Number = ray.z + at * ray.directionZ - center.z;
+            var length:Number = Math.sqrt(x * x + y * y + z * z);
+            ray.normalX = x / length;
+            ray.normalY = y / length;
+            ray.normalZ = z / length;
+        }
+        return ray.narrow();
+    }
+}

@@ -1,0 +1,32 @@
+package starlogo.intersection.ray
+{
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
+
+    /**
+     * Narrows a ray to what is inside of a structure. Allocates nothing.
+     *
+     * @param ray in the space of the structure; its part is narrowed, and its normal set if it enters
+     * @param structure a sphere, a capsule or a box
+     * @return whether the ray meets it
+     * @throws ArgumentError for any other structure
+     *
+     * @private
+     */
+    public function rayStructure(ray:Ray, structure:BoundingStructure):Boolean
+    {
+        switch (structure.kind)
+        {
+            case BoundingStructure.SPHERE:
+                return raySphere(ray, Sphere(structure));
+            case BoundingStructure.CAPSULE:
+                return rayCapsule(ray, Capsule(structure));
+            case BoundingStructure.BOX:
+                return rayBox(ray, Box(structure));
+            default:
+                throw new ArgumentError("there is no test of rays for " + structure);
+        }
+    }
+}

@@ -1,0 +1,89 @@
+package starlogo.models
+{
+    /**
+     * Where a node of a scene is: x' = m00 x + m01 y + m02 z + m03 and so on, in doubles on every player.
+     *
+     * @private
+     */
+    public final class AffineTransform
+    {
+        private var _m:Vector.<Number>;
+
+        /**
+         * @param rows three rows of four numbers, the last of each the translation; null for no change
+         */
+        public function AffineTransform(rows:Vector.<Number> = null)
+        {
+            _m = rows == null ? new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : rows;
+        }
+
+        /** First another transform, then this one. */
+        public function after(first:AffineTransform):AffineTransform
+        {
+            var a:Vector.<Number> = _m;
+            var b:Vector.<Number> = first._m;
+            var product:Vector.<Number> = new Vector.<Number>(12);
+            for (var row:int = 0; row < 12; row += 4)
+            {
+                for (var column:int = 0; column < 4; column++)
+                {
+                    product[row + column] = a[row] * b[column] + a[row + 1] * b[4 + column] + a[row + 2] * b[8 + column] +
+                        (column == 3 ? a[row + 3] : 0);
+                }
+            }
+            return new AffineTransform(product);
+        }
+
+        /** Whether it turns left turns into right ones. */
+        public function get isMirror():Boolean
+        {
+            return _m[0] * (_m[5] * _m[10] - _m[6] * _m[9]) - _m[1] * (_m[4] * _m[10] - _m[6] * _m[8]) +
+                _m[2] * (_m[4] * _m[9] - _m[5] * _m[8]) < 0;
+        }
+
+        /**
+         * Transforms some points.
+         *
+         * @param points x, y, z each
+         * @param first the first of them
+         * @param end the one behind the last
+         * @param out where they go; long enough
+         * @param to where in it the first one goes
+         * @return whether all their coordinates are finite
+         */
+        public function place(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
+        {
+            var m00:Number = _m[0];
+            var m01:Number = _m[1];
+            var m02:Number = _m[2];
+            var m03:Number = _m[3];
+            var m10:Number = _m[4];
+            var m11:Number = _m[5];
+            var m12:Number = _m[6];
+            var m13:Number = _m[7];
+            var m20:Number = _m[8];
+            var m21:Number = _m[9];
+            var m22:Number = _m[10];
+            var m23:Number = _m[11];
+            var at:int = 3 * to;
+            var differences:Number = 0;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i += 3)
+            {
+                var j:int = i + 1;
+                var k:int = i + 2;
+                var x:Number = points[i];
+                var y:Number = points[j];
+                var z:Number = points[k];
+                var newX:Number = m00 * x + m01 * y + m02 * z + m03;
+                var newY:Number = m10 * x + m11 * y + m12 * z + m13;
+                var newZ:Number = m20 * x + m21 * y + m22 * z + m23;
+                differences += newX - newX + newY - newY + newZ - newZ;
+                out[at++] = newX;
+                out[at++] = newY;
+                out[at++] = newZ;
+            }
+            return differences == 0;
+        }
+    }
+}

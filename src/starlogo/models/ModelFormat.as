@@ -1,0 +1,49 @@
+package starlogo.models
+{
+    import starlogo.models.gltf.GltfFile;
+    import starlogo.models.stl.StlReader;
+
+    /** Tells the formats of text files apart: by what is in them, and by their names where that says nothing. */
+    internal final class ModelFormat
+    {
+        internal static const OBJ:String = "obj";
+        internal static const COLLADA:String = "dae";
+        internal static const GLTF:String = "gltf";
+        internal static const STL:String = "stl";
+
+        private static const HEAD_LENGTH:int = 10000;
+        private static const TAG:RegExp = /^﻿?\s*</;
+        private static const VERTEX:RegExp = /[\n\r][ \t]*v[ \t]+[\-+.\d]/;
+        private static const EXTENSION:RegExp = /^[^?#]*\.(obj|dae|zae|gltf|stl)([?#]|$)/i;
+
+        /** All is static. */
+        public function ModelFormat()
+        {
+        }
+
+        /**
+         * The format of a text.
+         *
+         * @param text the text
+         * @param url the address that it is from; null if there is none
+         */
+        internal static function of(text:String, url:String):String
+        {
+            if (TAG.test(text.substr(0, 1000)))
+            {
+                return COLLADA;
+            }
+            if (GltfFile.isText(text))
+            {
+                return GLTF;
+            }
+            if (StlReader.isText(text))
+            {
+                return STL;
+            }
+            var named:Array = url == null || VERTEX.test("\n" + text.substr(0, HEAD_LENGTH)) ? null : url.match(EXTENSION);
+            var extension:String = named == null ? OBJ : named[1].toLowerCase();
+            return extension == "zae" ? COLLADA : extension;
+        }
+    }
+}

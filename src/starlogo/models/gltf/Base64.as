@@ -1,0 +1,89 @@
+package starlogo.models.gltf
+{
+    import flash.utils.ByteArray;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+
+    /** Bytes that are written as text (RFC 4648), in steps. */
+    internal final class Base64 extends StepSequence
+    {
+        private static const CHARACTERS_PER_STEP:int = 16000;
+        private static const DIGITS:String = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+        private static var sValues:Vector.<int> = valuesOfDigits();
+
+        /** What was read so far; all when no step is left. */
+        public var bytes:ByteArray = new ByteArray();
+
+        private var _name:String;
+        private var _text:String;
+        private var _place:String;
+        private var _start:int;
+
+        /**
+         * @param name the model's name
+         * @param text has the digits
+         * @param start where in the text they begin
+         * @param place where it is, for errors
+         */
+        public function Base64(name:String, text:String, start:int, place:String)
+        {
+            _name = name;
+            _text = text;
+            _start = start;
+            _place = place;
+            var end:int = text.length;
+            while (end > start && end > text.length - 2 && text.charAt(end - 1) == "=")
+            {
+                end--;
+            }
+            refuseIf((end - start) % 4 == 1, name, "its base64 is cut off", place);
+            bytes.length = (end - start) * 3 >> 2;
+            slices(end - start, CHARACTERS_PER_STEP, decode);
+        }
+
+        // A step begins with a group of four digits, as their number is one of fours.
+        private function decode(first:int, end:int):void
+        {
+            var values:Vector.<int> = sValues;
+            var out:ByteArray = bytes;
+            var at:int = first * 3 >> 2;
+            var wrong:int = 0;
+            for (var i:int = first; i < end; i += 4)
+            {
+                var group:int = 0;
+                for (var k:int = 0; k < 4; k++)
+                {
+                    var code:int = i + k < end ? _text.charCodeAt(_start + i + k) : 0x41;
+                    var value:int = code < 128 ? values[code] : -1;
+                    wrong |= value;
+                    group = group << 6 | value;
+                }
+                out[at] = group >> 16 & 255;
+                if (i + 2 < end)
+                {
+                    out[int(at + 1)] = group >> 8 & 255;
+                }
+                if (i + 3 < end)
+                {
+                    out[int(at + 2)] = group & 255;
+                }
+                at += 3;
+            }
+            refuseIf(wrong < 0, _name, "expected base64, but found other characters", _place);
+        }
+
+        private static function valuesOfDigits():Vector.<int>
+        {
+            var values:Vector.<int> = new Vector.<int>(128);
+            for (var i:int = 0; i < 128; i++)
+            {
+                values[i] = DIGITS.indexOf(String.fromCharCode(i));
+            }
+            // what addresses have in their place
+            values[0x2D] = 62;
+            values[0x5F] = 63;
+            return values;
+        }
+    }
+}

@@ -1,0 +1,232 @@
+package starlogo.models.gltf
+{
+    import flash.utils.ByteArray;
+    import starlogo.steps.StepSequence;
+
+    /**
+     * Reads the numbers of an accessor, in steps: of any kind of number, normalised or not, in rows with gaps or without, sparse or not.
+     *
+     * <p>This file is not long, but its loops are written out for each kind of number: they are what reading a large file takes.</p>
+     */
+    internal final class GltfAccessor extends StepSequence
+    {
+        private static const NUMBERS_PER_STEP:int = 20000;
+
+        private static const BYTE:int = 5120;
+        private static const UNSIGNED_BYTE:int = 5121;
+        private static const SHORT:int = 5122;
+        private static const UNSIGNED_SHORT:int = 5123;
+        private static const UNSIGNED_INT:int = 5125;
+        private static const FLOAT:int = 5126;
+
+        private static const SIZES:Object = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4};
+        private static const WIDTHS:Object = {SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16};
+        private static const LARGEST:Object = {5120: 127, 5121: 255, 5122: 32767, 5123: 65535};
+
+        /** The numbers, when no step is left. */
+        public var numbers:Vector.<Number>;
+
+        /** How many elements there are, of some numbers each. */
+        public var count:int;
+
+        /** Where in the file it is. */
+        public var place:String;
+
+        private var _file:GltfFile;
+        private var _accessor:Object;
+        private var _width:int;
+        private var _kind:int;
+
+        // what an integer is divided by; 0 where it is taken as it is
+        private var _divisor:Number = 0;
+
+        // the rows: the view that they are in, from where in it, and how far apart
+        private var _view:int;
+        private var _offset:int;
+        private var _stride:int;
+
+        // of a sparse one the elements that are replaced
+        private var _sparse:Object;
+        private var _replaced:Vector.<Number>;
+
+        /**
+         * @param file the file, all steps of which are done
+         * @param index which accessor
+         * @param type "SCALAR", "VEC3" or another
+         * @param most how many elements it may have
+         */
+        public function GltfAccessor(file:GltfFile, index:int, type:String, most:int)
+        {
+            var json:GltfJson = file.json;
+            place = "accessors[" + index + "]";
+            _file = file;
+            _accessor = json.entry("accessors", index);
+            json.refuseIf(_accessor.type !== type, place + ".type", "expected \"" + type + "\", but found \"" + _accessor.type + "\"");
+            count = json.whole(_accessor, "count", place, most, -1);
+            _width = WIDTHS[type];
+            _kind = kindOf(_accessor, place);
+            _divisor = _accessor.normalized === true && LARGEST[_kind] > 0 ? LARGEST[_kind] : 0;
+            _view = json.reference(_accessor, "bufferView", place, "bufferViews");
+            _offset = json.whole(_accessor, "byteOffset", place, int.MAX_VALUE, 0);
+            numbers = new Vector.<Number>(count * _width);
+            if (_view >= 0)
+            {
+                var size:int = SIZES[_kind] * _width;
+                _stride = json.whole(json.entry("bufferViews", _view), "byteStride", "bufferViews[" + _view + "]", 252, size);
+                json.refuseIf(_stride < size, "bufferViews[" + _view + "].byteStride", "expected at least " + size + ", but found " + _stride);
+                rows(_offset, count, _stride);
+            }
+            _sparse = json.objectIn(_accessor, "sparse", place);
+            if (_sparse != null)
+            {
+                readSparse(json);
+            }
+        }
+
+        /** Whether its numbers are integers from 0 on: as a list of indices has to be. */
+        public function get areIndices():Boolean
+        {
+            return _divisor == 0 && (_kind == UNSIGNED_BYTE || _kind == UNSIGNED_SHORT || _kind == UNSIGNED_INT);
+        }
+
+        private function kindOf(owner:Object, where:String):int
+        {
+            var kind:int = _file.json.whole(owner, "componentType", where, int.MAX_VALUE, -1);
+            _file.json.refuseIf(!SIZES.hasOwnProperty(kind), where + ".componentType", "expected 5120 to 5123, 5125 or 5126, but found " + kind);
+            return kind;
+        }
+
+        // Checks that the rows are there, and reads them.
+        private function rows(offset:int, rowCount:int, stride:int):void
+        {
+            _file.openView(_view, offset, rowCount == 0 ? 0 : Number(rowCount - 1) * stride + SIZES[_kind] * _width, place);
+            slices(rowCount, NUMBERS_PER_STEP / _width, readRows);
+        }
+
+        private function readRows(first:int, end:int):void
+        {
+            if (first < end)
+            {
+                read(_view, _offset + Number(first) * _stride, _stride, _kind, _width, numbers, first, end);
+            }
+        }
+
+        private function readSparse(json:GltfJson):void
+        {
+            var where:String = place + ".sparse";
+            var sparseCount:int = json.whole(_sparse, "count", where, count, -1);
+            var indices:Object = json.objectIn(_sparse, "indices", where);
+            var values:Object = json.objectIn(_sparse, "values", where);
+            json.refuseIf(indices == null || values == null, where, "expected indices and values");
+            var indexKind:int = kindOf(indices, where + ".indices");
+            var indexView:int = json.reference(indices, "bufferView", where + ".indices", "bufferViews");
+            var valueView:int = json.reference(values, "bufferView", where + ".values", "bufferViews");
+            json.refuseIf(indexView < 0 || valueView < 0, where, "expected indices and values in bufferViews");
+            var indexOffset:int = json.whole(indices, "byteOffset", where + ".indices", int.MAX_VALUE, 0);
+            var valueOffset:int = json.whole(values, "byteOffset", where + ".values", int.MAX_VALUE, 0);
+            var size:int = SIZES[_kind] * _width;
+            _file.openView(indexView, indexOffset, Number(sparseCount) * SIZES[indexKind], where + ".indices");
+            _file.openView(valueView, valueOffset, Number(sparseCount) * size, where + ".values");
+            _replaced = new Vector.<Number>(sparseCount);
+            var row:Vector.<Number> = new Vector.<Number>(sparseCount * _width);
+            slices(sparseCount, NUMBERS_PER_STEP / _width, function(first:int, end:int):void
+                {
+                    if (first < end)
+                    {
+                        read(indexView, indexOffset + first * SIZES[indexKind], SIZES[indexKind], indexKind, 1, _replaced, first, end);
+                        read(valueView, valueOffset + first * size, size, _kind, _width, row, first, end);
+                        replace(row, first, end);
+                    }
+                });
+        }
+
+        private function replace(row:Vector.<Number>, first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var index:Number = _replaced[i];
+                if (!(index >= 0 && index < count && int(index) == index))
+                {
+                    throw _file.json.error(place + ".sparse.indices", "element " + i + " is " + index + ": there are " + count + " to be replaced");
+                }
+                for (var k:int = 0; k < _width; k++)
+                {
+                    numbers[int(index) * _width + k] = row[i * _width + k];
+                }
+            }
+        }
+
+        private function read(view:int, offset:Number, stride:int, kind:int, width:int, out:Vector.<Number>, first:int, end:int):void
+        {
+            var bytes:ByteArray = _file.openView(view, offset, Number(end - first - 1) * stride + SIZES[kind] * width, place);
+            var isDense:Boolean = stride == SIZES[kind] * width;
+            var at:int = first * width;
+            var last:int = end * width;
+            // what is dense is one long row
+            var rowLength:int = isDense ? last - at : width;
+            var start:int = bytes.position;
+            while (at < last)
+            {
+                bytes.position = start;
+                readRow(bytes, kind, out, at, at + rowLength);
+                at += rowLength;
+                start += stride;
+            }
+            if (_divisor > 0 && out != _replaced)
+            {
+                normalise(out, first * width, last);
+            }
+        }
+
+        private static function readRow(bytes:ByteArray, kind:int, out:Vector.<Number>, at:int, last:int):void
+        {
+            switch (kind)
+            {
+                case FLOAT:
+                    while (at < last)
+                    {
+                        out[at++] = bytes.readFloat();
+                    }
+                    break;
+                case UNSIGNED_INT:
+                    while (at < last)
+                    {
+                        out[at++] = bytes.readUnsignedInt();
+                    }
+                    break;
+                case UNSIGNED_SHORT:
+                    while (at < last)
+                    {
+                        out[at++] = bytes.readUnsignedShort();
+                    }
+                    break;
+                case SHORT:
+                    while (at < last)
+                    {
+                        out[at++] = bytes.readUnsignedShort() << 16 >> 16;
+                    }
+                    break;
+                case UNSIGNED_BYTE:
+                    while (at < last)
+                    {
+                        out[at++] = bytes.readUnsignedByte();
+                    }
+                    break;
+                case BYTE:
+                    while (at < last)
+                    {
+                        out[at++] = bytes.readByte();
+                    }
+            }
+        }
+
+        private function normalise(out:Vector.<Number>, at:int, last:int):void
+        {
+            for (var i:int = at; i < last; i++)
+            {
+                var value:Number = out[i] / _divisor;
+                out[i] = value < -1 ? -1 : value;
+            }
+        }
+    }
+}

@@ -1,0 +1,286 @@
+package starlogo.models.gltf
+{
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import starlogo.models.ModelFile;
+    import starlogo.models.ModelLimits;
+    import starlogo.models.TextTokens;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /**
+     * A glTF 2.0 file, binary or not: its JSON, and the buffers that are in it, in steps. Those beside it have to be given.
+     *
+     * @private
+     */
+    public final class GltfFile extends StepSequence
+    {
+        private static const MAGIC:uint = 0x46546C67;
+        private static const JSON_CHUNK:uint = 0x4E4F534A;
+        private static const BINARY_CHUNK:uint = 0x004E4942;
+        private static const HEADER_LENGTH:int = 12;
+        private static const CHUNK_HEADER_LENGTH:int = 8;
+
+        /** How many buffers may be beside a file: each is fetched. */
+        private static const MAX_MISSING:int = 100;
+
+        // what says nothing of shapes
+        private static const HARMLESS:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
+        private static const DRACO:String = "KHR_draco_mesh_compression";
+        private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;
+
+        /** The addresses of the buffers beside the file, as it has them, when no step is left. */
+        public var missing:Vector.<String> = new Vector.<String>();
+
+        /** The JSON, when no step is left. */
+        internal var json:GltfJson = null;
+
+        private var _name:String;
+        private var _bytes:ByteArray;
+        private var _text:String;
+
+        // of each buffer its bytes, null for what is not there, and where in them it starts
+        private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
+        private var _starts:Vector.<int> = new Vector.<int>();
+        private var _lengths:Vector.<int> = new Vector.<int>();
+
+        // the chunk of a binary file
+        private var _chunkStart:int = -1;
+        private var _chunkLength:int = 0;
+
+        private var _next:int = 0;
+        private var _decoding:Base64 = null;
+
+        /**
+         * @param name the model's name
+         * @param bytes a binary file, or text; its endianness is set; null if there is only text
+         * @param text the text; null for that of the bytes
+         */
+        public function GltfFile(name:String, bytes:ByteArray, text:String)
+        {
+            _name = name;
+            _bytes = bytes;
+            _text = text;
+            call(open).begin(measuring).call(parse).repeat(readBuffers);
+        }
+
+        /** Whether bytes begin like a binary glTF file. */
+        public static function isBinary(bytes:ByteArray):Boolean
+        {
+            return bytes.length >= 4 && bytes[0] == 0x67 && bytes[1] == 0x6C && bytes[2] == 0x54 && bytes[3] == 0x46;
+        }
+
+        /** Whether text is JSON that says it is glTF. */
+        public static function isText(text:String):Boolean
+        {
+            return /^﻿?\s*\{/.test(text.substr(0, 1000)) && text.indexOf("\"asset\"") > 0;
+        }
+
+        /**
+         * Gives a buffer that is beside the file.
+         *
+         * @param uri its address, as the file has it
+         * @param bytes its content; its endianness is set; null if it is not there
+         * @param problem what is said of it if it is not there
+         */
+        public function setBuffer(uri:String, bytes:ByteArray, problem:String):void
+        {
+            for (var i:int = 0; i < _buffers.length; i++)
+            {
+                if (_buffers[i] == null && json.entry("buffers", i).uri === uri)
+                {
+                    json.refuseIf(bytes == null, "buffers[" + i + "].uri", problem);
+                    keep(i, bytes, 0, bytes.length);
+                }
+            }
+        }
+
+        /** Says what is wrong with a bufferView, or opens its bytes where a part of it begins: their position is set. */
+        internal function openView(index:int, offset:Number, length:Number, place:String):ByteArray
+        {
+            var view:Object = json.entry("bufferViews", index);
+            var viewPlace:String = "bufferViews[" + index + "]";
+            var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
+            json.refuseIf(buffer < 0, viewPlace, "it names no buffer");
+            var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
+            var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
+            json.refuseIf(offset + length > size, place, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size);
+            if (_buffers[buffer] == null)
+            {
+                json.refuseIf(isCompressed(view, viewPlace), viewPlace, "its data are compressed with meshopt, which is not read: save the model " +
+                        "without compression (gltfpack without -c, or \"gltf-transform copy\")");
+                throw json.error("buffers[" + buffer + "]", "its data are not there");
+            }
+            json.refuseIf(Number(start) + size > _lengths[buffer], viewPlace, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+                    "], which has " + _lengths[buffer]);
+            _buffers[buffer].position = _starts[buffer] + start + offset;
+            return _buffers[buffer];
+        }
+
+        private function open():void
+        {
+            if (_bytes != null && isBinary(_bytes))
+            {
+                refuseIf(_bytes.length > ModelLimits.BYTES, _name, "the file has " + _bytes.length + " bytes: expected at most " + ModelLimits.BYTES);
+                openChunks();
+            }
+            else if (_text == null)
+            {
+                _text = ModelFile.text(_name, _bytes);
+                _bytes = null;
+            }
+            else if (_text.charCodeAt(0) == 0xFEFF)
+            {
+                _text = _text.substr(1);
+            }
+        }
+
+        private function openChunks():void
+        {
+            var length:int = _bytes.length;
+            refuseIf(length < HEADER_LENGTH + CHUNK_HEADER_LENGTH, _name, "the file is cut off: it has " + length + " bytes");
+            _bytes.endian = Endian.LITTLE_ENDIAN;
+            var version:uint = wordAt(4);
+            refuseIf(version != 2, _name, "expected binary glTF of version 2, but found " + version, "byte 4");
+            var end:uint = wordAt(8);
+            refuseIf(end > length, _name, "the file is cut off: it should have " + end + " bytes, but has " + length, "byte 8");
+            for (var place:int = HEADER_LENGTH; place + CHUNK_HEADER_LENGTH <= end; place += CHUNK_HEADER_LENGTH + chunkLength)
+            {
+                var chunkLength:uint = wordAt(place);
+                var kind:uint = wordAt(place + 4);
+                var start:int = place + CHUNK_HEADER_LENGTH;
+                refuseIf(chunkLength > end - start, _name, "a chunk should have " + chunkLength + " bytes, but " + (end - start) + " are left", "byte " + place);
+                refuseIf((_text == null) != (kind == JSON_CHUNK), _name, "the first chunk, and no other, must be JSON", "byte " + place);
+                if (_text == null)
+                {
+                    _bytes.position = start;
+                    _text = _bytes.readUTFBytes(chunkLength);
+                }
+                else if (kind == BINARY_CHUNK && _chunkStart < 0)
+                {
+                    _chunkStart = start;
+                    _chunkLength = chunkLength;
+                }
+            }
+            refuseIf(_text == null, _name, "there is no JSON in it");
+        }
+
+        private function wordAt(place:int):uint
+        {
+            _bytes.position = place;
+            return _bytes.readUnsignedInt();
+        }
+
+        private function measuring():Steps
+        {
+            return new JsonMeter(_name, _text);
+        }
+
+        private function parse():void
+        {
+            try
+            {
+                var root:Object = JSON.parse(_text);
+            }
+            catch (failure:Error)
+            {
+                refuseIf(true, _name, "its JSON can't be read: " + failure.message);
+            }
+            _text = null;
+            json = new GltfJson(_name, root);
+            var asset:Object = json.objectIn(root, "asset", "");
+            var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
+            json.refuseIf(!/^2\.0/.test(version), "asset.version", "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
+                    "\": save the model as 2.0");
+            for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
+            {
+                checkExtension(String(extension));
+            }
+        }
+
+        private function checkExtension(extension:String):void
+        {
+            json.refuseIf(extension == DRACO, "extensionsRequired", "its meshes are compressed with Draco (" + DRACO +
+                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")");
+            json.refuseIf(MESHOPT.test(extension), "extensionsRequired", "its data are compressed with meshopt (" + extension +
+                    "), which is not read: save the model without compression (gltfpack without -c, or \"gltf-transform copy\")");
+            json.refuseIf(!HARMLESS.test(extension), "extensionsRequired", "it needs the extension \"" + TextTokens.shorten(extension) +
+                    "\", which is not known: save the model without it");
+        }
+
+        /** Whether a primitive has its geometry in Draco's form alone. */
+        internal function refuseDraco(primitive:Object, place:String):void
+        {
+            json.refuseIf(json.hasExtension(primitive, DRACO, place), place, "it is compressed with Draco (" + DRACO +
+                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")");
+        }
+
+        private function isCompressed(view:Object, place:String):Boolean
+        {
+            return json.hasExtension(view, "EXT_meshopt_compression", place) || json.hasExtension(view, "KHR_meshopt_compression", place);
+        }
+
+        // A buffer, or a step of one that is text.
+        private function readBuffers():Boolean
+        {
+            if (_decoding != null)
+            {
+                if (!_decoding.step())
+                {
+                    keep(_next++, _decoding.bytes, 0, _decoding.bytes.length);
+                    _decoding = null;
+                }
+            }
+            else if (_next < json.count("buffers"))
+            {
+                readBuffer(json.entry("buffers", _next), "buffers[" + _next + "]");
+            }
+            return _decoding != null || _next < json.count("buffers");
+        }
+
+        private function readBuffer(buffer:Object, place:String):void
+        {
+            _buffers.push(null);
+            _starts.push(0);
+            _lengths.push(0);
+            json.whole(buffer, "byteLength", place, ModelLimits.BYTES, -1);
+            var uri:* = buffer.uri;
+            json.refuseIf(uri !== undefined && !(uri is String), place + ".uri", "expected an address");
+            if (uri === undefined)
+            {
+                if (_next == 0 && _chunkStart >= 0)
+                {
+                    keep(0, _bytes, _chunkStart, _chunkLength);
+                }
+                _next++;
+                return;
+            }
+            if (uri.indexOf("data:") == 0)
+            {
+                var comma:int = uri.indexOf(",");
+                json.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", place + ".uri", "expected data in base64");
+                _decoding = new Base64(_name, uri, comma + 1, place + ".uri");
+                return;
+            }
+            json.refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), place + ".uri", "expected data, or a path from the file's folder on, but found \"" +
+                    TextTokens.shorten(uri) + "\"");
+            if (missing.indexOf(uri) < 0)
+            {
+                json.refuseIf(missing.length == MAX_MISSING, place + ".uri", "more than " + MAX_MISSING + " files are beside this one");
+                missing.push(uri);
+            }
+            _next++;
+        }
+
+        private function keep(index:int, bytes:ByteArray, start:int, length:int):void
+        {
+            var wanted:int = json.entry("buffers", index).byteLength;
+            json.refuseIf(length < wanted, "buffers[" + index + "]", "it should have " + wanted + " bytes, but has " + length);
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            _buffers[index] = bytes;
+            _starts[index] = start;
+            _lengths[index] = length;
+        }
+    }
+}

@@ -1,0 +1,159 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.ModelError;
+    import starlogo.models.TextTokens;
+
+    /** The JSON of a glTF file: what of it is read is checked, and an error says where it is. */
+    internal final class GltfJson
+    {
+        /** Its outermost object. */
+        public var root:Object;
+
+        /** The model's name. */
+        public var name:String;
+
+        /**
+         * @param name the model's name
+         * @param root what the player has parsed
+         * @throws ModelError if it is no object
+         */
+        public function GltfJson(name:String, root:Object)
+        {
+            this.name = name;
+            this.root = root;
+            refuseIf(!isObject(root), "", "its JSON is no object");
+        }
+
+        /** What is wrong somewhere. */
+        public function error(place:String, problem:String):ModelError
+        {
+            return new ModelError(name, place, problem);
+        }
+
+        /** Refuses the file if something is wrong: see starlogo.models.refuseIf. */
+        public function refuseIf(isWrong:Boolean, place:String, problem:String):void
+        {
+            if (isWrong)
+            {
+                throw error(place, problem);
+            }
+        }
+
+        /** An object's list; one without elements if there is none. */
+        public function listIn(owner:Object, key:String, place:String):Array
+        {
+            var found:* = owner[key];
+            refuseIf(found !== undefined && !(found is Array), placeIn(place, key), "expected a list, but found " + shown(found));
+            return found === undefined ? [] : found;
+        }
+
+        /** An object's object; null if there is none. */
+        public function objectIn(owner:Object, key:String, place:String):Object
+        {
+            var found:* = owner[key];
+            refuseIf(found !== undefined && !isObject(found), placeIn(place, key), "expected an object, but found " + shown(found));
+            return found === undefined ? null : found;
+        }
+
+        /** How many things of a kind there are. */
+        public function count(kind:String):int
+        {
+            return listIn(root, kind, "").length;
+        }
+
+        /** A thing by its kind, "nodes" say, and its number. */
+        public function entry(kind:String, index:int):Object
+        {
+            return elementOf(listIn(root, kind, ""), index, kind);
+        }
+
+        /** An element of a list of objects. */
+        public function elementOf(list:Array, index:int, place:String):Object
+        {
+            var found:* = list[index];
+            refuseIf(!isObject(found), place + "[" + index + "]", "expected an object, but found " + shown(found));
+            return found;
+        }
+
+        /** The number of a thing that an object names; -1 if it names none. */
+        public function reference(owner:Object, key:String, place:String, kind:String):int
+        {
+            return owner[key] === undefined ? -1 : numberOf(owner[key], placeIn(place, key), kind);
+        }
+
+        /** The number of a thing. */
+        public function numberOf(value:*, place:String, kind:String):int
+        {
+            var most:int = count(kind);
+            refuseIf(!isWhole(value, most - 1), place, "expected the number of one of " + most + " " + kind + ", but found " + shown(value));
+            return value;
+        }
+
+        /** An object's integer from 0 to some other; what is preset if it has none. */
+        public function whole(owner:Object, key:String, place:String, most:int, preset:int):int
+        {
+            var found:* = owner[key];
+            if (found === undefined && preset >= 0)
+            {
+                return preset;
+            }
+            refuseIf(!isWhole(found, most), placeIn(place, key), "expected an integer from 0 to " + most + ", but found " + shown(found));
+            return found;
+        }
+
+        /** An object's list of finite numbers, some of them or, with -1, any; what is preset if there is none. */
+        public function numbers(owner:Object, key:String, place:String, length:int, preset:Vector.<Number> = null):Vector.<Number>
+        {
+            if (owner[key] === undefined)
+            {
+                return preset;
+            }
+            var list:Array = listIn(owner, key, place);
+            refuseIf(length >= 0 && list.length != length, placeIn(place, key), "expected " + length + " numbers, but found " + list.length);
+            var all:Vector.<Number> = new Vector.<Number>();
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var found:* = list[i];
+                refuseIf(!(found is Number) || found - found != 0, placeIn(place, key) + "[" + i + "]", "expected a finite number, but found " + shown(found));
+                all.push(found);
+            }
+            return all;
+        }
+
+        /** Whether there is an extension of an object. */
+        public function hasExtension(owner:Object, extension:String, place:String):Boolean
+        {
+            var extensions:Object = objectIn(owner, "extensions", place);
+            return extensions != null && extensions[extension] !== undefined;
+        }
+
+        /** Where in an object a key is. */
+        public static function placeIn(place:String, key:String):String
+        {
+            return place == "" ? key : place + "." + key;
+        }
+
+        private static function isObject(value:*):Boolean
+        {
+            return value is Object && !(value is Array || value is String || value is Number || value is Boolean);
+        }
+
+        private static function isWhole(value:*, most:int):Boolean
+        {
+            return value is Number && value >= 0 && value <= most && int(value) == value;
+        }
+
+        private static function shown(value:*):String
+        {
+            if (value === undefined || value === null)
+            {
+                return value === null ? "null" : "nothing";
+            }
+            if (value is String)
+            {
+                return "\"" + TextTokens.shorten(value) + "\"";
+            }
+            return value is Array ? "a list" : (isObject(value) ? "an object" : String(value));
+        }
+    }
+}

@@ -1,0 +1,119 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.ModelLimits;
+    import starlogo.steps.StepSequence;
+
+    /** Adds the surface of a primitive to a model, where a node has it, in steps; its vertices are there already. */
+    internal final class GltfPart extends StepSequence
+    {
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
+        private static const TRIANGLES:int = 4;
+        private static const STRIP:int = 5;
+        private static const FAN:int = 6;
+
+        private var _json:GltfJson;
+        private var _triangles:Vector.<uint>;
+        private var _indices:GltfAccessor = null;
+        private var _mode:int;
+        private var _place:String;
+        private var _firstVertex:int;
+        private var _vertexCount:int;
+        private var _isMirror:Boolean;
+        private var _firstCorner:int;
+
+        /**
+         * @param file the file
+         * @param primitive the primitive
+         * @param place where it is
+         * @param points its vertices
+         * @param triangles where its triangles go
+         */
+        public function GltfPart(file:GltfFile, primitive:Object, place:String, points:GltfPoints, triangles:Vector.<uint>)
+        {
+            _json = file.json;
+            _triangles = triangles;
+            _place = place;
+            _mode = modeOf(_json, primitive, place);
+            _firstVertex = points.firstVertex;
+            _vertexCount = points.count;
+            _isMirror = points.isMirror;
+            _firstCorner = triangles.length;
+            var index:int = _json.reference(primitive, "indices", place, "accessors");
+            if (index >= 0)
+            {
+                _indices = new GltfAccessor(file, index, "SCALAR", 3 * ModelLimits.TRIANGLES);
+                _json.refuseIf(!_indices.areIndices, _indices.place + ".componentType", "indices must be 5121, 5123 or 5125, and not normalized");
+                add(_indices);
+            }
+            var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
+            var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
+            _json.refuseIf(ModelLimits.areExceeded(0, _firstCorner / 3 + triangleCount), place, ModelLimits.PROBLEM);
+            triangles.length += 3 * triangleCount;
+            slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
+        }
+
+        /** Whether a primitive has a surface: it may be points or lines. */
+        public static function hasSurface(json:GltfJson, primitive:Object, place:String):Boolean
+        {
+            return modeOf(json, primitive, place) >= TRIANGLES;
+        }
+
+        private static function modeOf(json:GltfJson, primitive:Object, place:String):int
+        {
+            return json.whole(primitive, "mode", place, FAN, TRIANGLES);
+        }
+
+        // What most files have: the indices as they are.
+        private function copyTriangles(first:int, end:int):void
+        {
+            var to:Vector.<uint> = _triangles;
+            var from:Vector.<Number> = _indices.numbers;
+            var firstVertex:int = _firstVertex;
+            var count:int = _vertexCount;
+            var at:int = _firstCorner + 3 * first;
+            var last:int = 3 * end;
+            for (var i:int = 3 * first; i < last; i++)
+            {
+                var index:Number = from[i];
+                if (index >= count)
+                {
+                    cornerAt(i);
+                }
+                to[at++] = firstVertex + index;
+            }
+        }
+
+        // The corners of triangle n of a list are 3n, 3n+1, 3n+2, of a fan n+1, n+2, 0. Every other one of a strip is turned round.
+        private function addTriangles(first:int, end:int):void
+        {
+            var to:Vector.<uint> = _triangles;
+            var at:int = _firstCorner + 3 * first;
+            for (var i:int = first; i < end; i++)
+            {
+                var a:int = _mode == TRIANGLES ? 3 * i : (_mode == FAN ? i + 1 : i);
+                var b:int = a + 1;
+                var c:int = _mode == FAN ? 0 : a + 2;
+                var isTurned:Boolean = _isMirror != (_mode == STRIP && (i & 1) == 1);
+                to[at] = cornerAt(a);
+                to[int(at + 1)] = cornerAt(isTurned ? c : b);
+                to[int(at + 2)] = cornerAt(isTurned ? b : c);
+                at += 3;
+            }
+        }
+
+        private function cornerAt(corner:int):int
+        {
+            if (_indices == null)
+            {
+                return _firstVertex + corner;
+            }
+            var index:Number = _indices.numbers[corner];
+            if (index >= _vertexCount)
+            {
+                throw _json.error(_indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertexCount);
+            }
+            return _firstVertex + int(index);
+        }
+    }
+}

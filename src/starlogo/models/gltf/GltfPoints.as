@@ -1,0 +1,139 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.AffineTransform;
+    import starlogo.models.ModelLimits;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    /** Adds the vertices of a primitive to a model where a node has them, morphed and moved by its skin at rest, in steps. */
+    internal final class GltfPoints extends StepSequence
+    {
+        private static const VERTICES_PER_STEP:int = 4000;
+
+        /** The number in the model of the first of them. */
+        public var firstVertex:int;
+
+        /** How many there are, when no step is left. */
+        public var count:int;
+
+        private var _file:GltfFile;
+        private var _scene:GltfScene;
+        private var _node:int;
+        private var _skinIndex:int;
+        private var _attributes:Object;
+        private var _place:String;
+        private var _source:GltfAccessor;
+        private var _vertices:Vector.<Number>;
+        private var _points:Vector.<Number>;
+        private var _skin:GltfSkin = null;
+        private var _world:AffineTransform;
+
+        /**
+         * @param file the file
+         * @param scene knows where nodes are
+         * @param node the node that has the primitive
+         * @param primitive the primitive
+         * @param place where it is
+         * @param weights of its morph targets
+         * @param source the vertices of its mesh, being read
+         * @param vertices where its vertices go
+         */
+        public function GltfPoints(file:GltfFile, scene:GltfScene, node:int, primitive:Object, place:String, weights:Vector.<Number>,
+                source:GltfAccessor, vertices:Vector.<Number>)
+        {
+            var json:GltfJson = file.json;
+            _file = file;
+            _scene = scene;
+            _node = node;
+            _attributes = json.objectIn(primitive, "attributes", place);
+            _place = place;
+            _source = source;
+            _vertices = vertices;
+            _points = source.numbers;
+            _skinIndex = json.reference(json.entry("nodes", node), "skin", "nodes[" + node + "]", "skins");
+            if (_attributes.JOINTS_0 === undefined)
+            {
+                _skinIndex = -1;
+            }
+            firstVertex = vertices.length / 3;
+            count = source.count;
+            json.refuseIf(ModelLimits.areExceeded(firstVertex + count, 0), place, ModelLimits.PROBLEM);
+            vertices.length += 3 * count;
+            addTargets(json, json.listIn(primitive, "targets", place), weights);
+            begin(skinning).slices(count, VERTICES_PER_STEP, placeVertices);
+        }
+
+        /** Whether left turns are right ones there. */
+        public function get isMirror():Boolean
+        {
+            return _skin == null ? _world.isMirror : _skin.isMirror;
+        }
+
+        /** How many of a primitive's morph targets count. */
+        public static function activeCount(targets:Array, weights:Vector.<Number>):int
+        {
+            var active:int = 0;
+            for (var i:int = 0; i < targets.length && i < weights.length; i++)
+            {
+                active += weights[i] != 0 ? 1 : 0;
+            }
+            return active;
+        }
+
+        private function addTargets(json:GltfJson, targets:Array, weights:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < targets.length && i < weights.length; i++)
+            {
+                var where:String = _place + ".targets";
+                var index:int = json.reference(json.elementOf(targets, i, where), "POSITION", where + "[" + i + "]", "accessors");
+                if (index >= 0 && weights[i] != 0)
+                {
+                    addTarget(json, new GltfAccessor(_file, index, "VEC3", count), weights[i]);
+                }
+            }
+        }
+
+        private function addTarget(json:GltfJson, target:GltfAccessor, weight:Number):void
+        {
+            json.refuseIf(target.count != count, target.place, "it has " + target.count + " elements, but there are " + count + " vertices");
+            add(target).call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    for (var i:int = first; i < end; i++)
+                    {
+                        _points[i] += weight * target.numbers[i];
+                    }
+                });
+        }
+
+        // the mesh's own are for all nodes that have it
+        private function copyPoints():void
+        {
+            if (_points == _source.numbers)
+            {
+                _points = _points.slice();
+            }
+        }
+
+        private function skinning():Steps
+        {
+            if (_skinIndex < 0)
+            {
+                _world = _scene.worldOf(_node);
+                return null;
+            }
+            copyPoints();
+            _world = new AffineTransform();
+            _skin = new GltfSkin(_file, _scene, _skinIndex, _attributes, _place + ".attributes", _points);
+            return _skin;
+        }
+
+        private function placeVertices(first:int, end:int):void
+        {
+            if (!_world.place(_points, first, end, _vertices, firstVertex + first))
+            {
+                throw _file.json.error("nodes[" + _node + "]", "its vertices are no finite numbers, or too large to be such in their place (" +
+                        _source.place + ")");
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.ModelLimits;
+    import starlogo.models.ModelReader;
+    import starlogo.models.UpAxis;
+    import starlogo.models.VertexFilter;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.Steps;
+
+    /**
+     * Reads a glTF file; GltfModel says what of it.
+     *
+     * @private
+     */
+    public final class GltfReader extends ModelReader
+    {
+        /** How many points may be read for all meshes together: many may be of one source. */
+        private static const MAX_POINTS:int = 4000000;
+
+        private var _file:GltfFile;
+        private var _upAxis:String;
+        private var _scene:GltfScene = null;
+
+        // the node whose mesh is next, and the primitive of it
+        private var _node:int = 0;
+        private var _primitive:int = 0;
+        private var _reading:Steps = null;
+
+        // what is read: vertices of meshes by their accessors, and of the present node by all that they depend on
+        private var _sources:Object = {};
+        private var _placed:Object = {};
+        private var _pointCount:Number = 0;
+
+        // the vertices of points and lines: of use only where there are no surfaces
+        private var _loose:Vector.<Number> = new Vector.<Number>();
+
+        /**
+         * @param name the model's name
+         * @param file the file, all steps of which are done, with all of its buffers
+         * @param upAxis "x", "y" or "z", or a ModelTransform, for which the file is left as it is; null for y
+         */
+        public function GltfReader(name:String, file:GltfFile, upAxis:Object)
+        {
+            super(name);
+            _file = file;
+            _upAxis = upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name);
+            begin(walking).repeat(readParts).call(checkVertices).begin(droppingUnused);
+        }
+
+        /** @inheritDoc */
+        override public function get progress():Number
+        {
+            return _scene == null || _scene.nodes.length == 0 ? 0 : 0.9 * _node / _scene.nodes.length;
+        }
+
+        private function walking():Steps
+        {
+            _scene = new GltfScene(_file.json, UpAxis.transform(_upAxis));
+            return _scene;
+        }
+
+        private function readParts():Boolean
+        {
+            if (_reading == null || !_reading.step())
+            {
+                _reading = null;
+                return nextPart();
+            }
+            return true;
+        }
+
+        // Begins to read what is next of the present primitive, or goes on to another one; false if there are no more.
+        private function nextPart():Boolean
+        {
+            if (_node == _scene.nodes.length)
+            {
+                return false;
+            }
+            var json:GltfJson = _file.json;
+            var node:Object = json.entry("nodes", _scene.nodes[_node]);
+            var mesh:int = json.reference(node, "mesh", "nodes[" + _scene.nodes[_node] + "]", "meshes");
+            var primitives:Array = json.listIn(json.entry("meshes", mesh), "primitives", "meshes[" + mesh + "]");
+            if (_primitive == primitives.length)
+            {
+                _primitive = 0;
+                _node++;
+                _placed = {};
+                return true;
+            }
+            var where:String = "meshes[" + mesh + "].primitives";
+            var primitive:Object = json.elementOf(primitives, _primitive, where);
+            where += "[" + _primitive + "]";
+            _file.refuseDraco(primitive, where);
+            if (!beginReading(node, json.entry("meshes", mesh), mesh, primitive, where))
+            {
+                _primitive++;
+            }
+            return true;
+        }
+
+        // Whether there is more to be read of a primitive: the vertices of the mesh, these in their place, or the triangles.
+        private function beginReading(node:Object, mesh:Object, meshIndex:int, primitive:Object, where:String):Boolean
+        {
+            var json:GltfJson = _file.json;
+            var attributes:Object = json.objectIn(primitive, "attributes", where);
+            var position:int = attributes == null ? -1 : json.reference(attributes, "POSITION", where + ".attributes", "accessors");
+            if (position < 0)
+            {
+                return false; // nothing of it is drawn
+            }
+            var source:GltfAccessor = _sources["#" + position];
+            if (source == null)
+            {
+                source = new GltfAccessor(_file, position, "VEC3", ModelLimits.VERTICES);
+                countPoints(source.count, where);
+                _sources["#" + position] = source;
+                _reading = source;
+                return true;
+            }
+            var weights:Vector.<Number> = json.numbers(mesh, "weights", "meshes[" + meshIndex + "]", -1, new Vector.<Number>());
+            weights = json.numbers(node, "weights", "nodes[" + _scene.nodes[_node] + "]", -1, weights);
+            var hasSurface:Boolean = GltfPart.hasSurface(json, primitive, where);
+            var targets:Array = json.listIn(primitive, "targets", where);
+            // primitives may share their vertices, and be different triangles of them
+            var isPlain:Boolean = targets.length == 0 && attributes.JOINTS_0 === undefined;
+            var key:String = "#" + position + hasSurface + (isPlain ? "" : "," + _primitive);
+            var points:GltfPoints = _placed[key];
+            if (points == null)
+            {
+                countPoints(source.count * (1 + GltfPoints.activeCount(targets, weights)), where);
+                points = new GltfPoints(_file, _scene, _scene.nodes[_node], primitive, where, weights, source, hasSurface ? vertices : _loose);
+                _placed[key] = points;
+                _reading = points;
+                return true;
+            }
+            _primitive++;
+            _reading = hasSurface ? new GltfPart(_file, primitive, where, points, triangles) : null;
+            return true;
+        }
+
+        private function countPoints(count:Number, where:String):void
+        {
+            _pointCount += count;
+            refuseIf(_pointCount > MAX_POINTS, name, "all meshes up to here read more than " + MAX_POINTS + " points", where);
+        }
+
+        private function checkVertices():void
+        {
+            if (vertices.length == 0)
+            {
+                vertices = _loose;
+            }
+            refuseIf(vertices.length == 0, name, "no vertices: expected a mesh in the scene");
+        }
+
+        private function droppingUnused():Steps
+        {
+            return triangles.length == 0 ? null : new VertexFilter(vertices, triangles, new Vector.<uint>(vertices.length / 3));
+        }
+    }
+}

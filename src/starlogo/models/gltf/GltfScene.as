@@ -1,0 +1,166 @@
+package starlogo.models.gltf
+{
+    import starlogo.models.AffineTransform;
+    import starlogo.steps.StepSequence;
+
+    /** Finds the nodes of a glTF file's scene that have meshes, and where they are, in steps. */
+    internal final class GltfScene extends StepSequence
+    {
+        private static const NODES_PER_STEP:int = 200;
+
+        /** The numbers of the nodes in the scene that have a mesh, when no step is left. */
+        public var nodes:Vector.<int> = new Vector.<int>();
+
+        private var _json:GltfJson;
+        private var _root:AffineTransform;
+        private var _parents:Vector.<int>;
+        private var _worlds:Vector.<AffineTransform>;
+        private var _pending:Vector.<int> = new Vector.<int>();
+        private var _isVisited:Vector.<Boolean>;
+
+        /**
+         * @param json the file's
+         * @param root turns all of it
+         */
+        public function GltfScene(json:GltfJson, root:AffineTransform)
+        {
+            _json = json;
+            _root = root;
+            var count:int = json.count("nodes");
+            _parents = new Vector.<int>(count);
+            _worlds = new Vector.<AffineTransform>(count);
+            _isVisited = new Vector.<Boolean>(count);
+            for (var i:int = 0; i < count; i++)
+            {
+                _parents[i] = -1;
+            }
+            slices(count, NODES_PER_STEP, findParents).call(findRoots).repeat(walk);
+        }
+
+        /**
+         * Where a node is: its own transform, after it those of the nodes that it is in.
+         *
+         * @throws ModelError if a transform is no transform, or the node is in itself
+         */
+        public function worldOf(node:int):AffineTransform
+        {
+            var chain:Vector.<int> = new Vector.<int>();
+            for (var i:int = node; i >= 0 && _worlds[i] == null; i = _parents[i])
+            {
+                _json.refuseIf(chain.length > _worlds.length, "nodes[" + node + "]", "it is in itself");
+                chain.push(i);
+            }
+            var world:AffineTransform = i < 0 ? _root : _worlds[i];
+            while (chain.length > 0)
+            {
+                i = chain.pop();
+                world = world.after(localOf(_json.entry("nodes", i), "nodes[" + i + "]"));
+                _worlds[i] = world;
+            }
+            return world;
+        }
+
+        private function findParents(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var where:String = "nodes[" + i + "].children";
+                var children:Array = _json.listIn(_json.entry("nodes", i), "children", "nodes[" + i + "]");
+                for (var k:int = 0; k < children.length; k++)
+                {
+                    var child:int = _json.numberOf(children[k], where + "[" + k + "]", "nodes");
+                    _json.refuseIf(_parents[child] >= 0 || child == i, where + "[" + k + "]", "nodes[" + child + "] is in itself, or in two nodes");
+                    _parents[child] = i;
+                }
+            }
+        }
+
+        // The scene that the file shows; if it says of none that it does, all that there are; without scenes, all nodes that are in no other.
+        private function findRoots():void
+        {
+            var shown:int = _json.reference(_json.root, "scene", "", "scenes");
+            var sceneCount:int = _json.count("scenes");
+            for (var scene:int = Math.max(shown, 0); scene < (shown < 0 ? sceneCount : shown + 1); scene++)
+            {
+                var where:String = "scenes[" + scene + "]";
+                var roots:Array = _json.listIn(_json.entry("scenes", scene), "nodes", where);
+                for (var i:int = 0; i < roots.length; i++)
+                {
+                    enter(_json.numberOf(roots[i], where + ".nodes[" + i + "]", "nodes"));
+                }
+            }
+            for (i = 0; i < _parents.length && sceneCount == 0; i++)
+            {
+                if (_parents[i] < 0)
+                {
+                    enter(i);
+                }
+            }
+            _pending.reverse();
+        }
+
+        private function enter(node:int):void
+        {
+            if (!_isVisited[node])
+            {
+                _isVisited[node] = true;
+                _pending.push(node);
+            }
+        }
+
+        private function walk():Boolean
+        {
+            for (var i:int = 0; i < NODES_PER_STEP && _pending.length > 0; i++)
+            {
+                var node:int = _pending.pop();
+                var object:Object = _json.entry("nodes", node);
+                if (object.mesh !== undefined)
+                {
+                    nodes.push(node);
+                }
+                var children:Array = _json.listIn(object, "children", "nodes[" + node + "]");
+                for (var k:int = children.length - 1; k >= 0; k--)
+                {
+                    enter(children[k]);
+                }
+            }
+            return _pending.length > 0;
+        }
+
+        private function localOf(node:Object, where:String):AffineTransform
+        {
+            var m:Vector.<Number> = _json.numbers(node, "matrix", where, 16);
+            if (m != null)
+            {
+                _json.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, where + ".matrix", "expected 0, 0, 0 and 1 as every fourth number");
+                return ofColumns(m, 0);
+            }
+            var t:Vector.<Number> = _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
+            var r:Vector.<Number> = _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
+            var s:Vector.<Number> = _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
+            return ofParts(t, r, s);
+        }
+
+        /** The transform of 16 numbers in columns. */
+        public static function ofColumns(m:Vector.<Number>, at:int):AffineTransform
+        {
+            return new AffineTransform(new <Number>[
+                        m[at], m[at + 4], m[at + 8], m[at + 12],
+                        m[at + 1], m[at + 5], m[at + 9], m[at + 13],
+                        m[at + 2], m[at + 6], m[at + 10], m[at + 14]]);
+        }
+
+        // A scale, after it a turn by a unit quaternion x, y, z, w, after it a translation.
+        private static function ofParts(t:Vector.<Number>, r:Vector.<Number>, s:Vector.<Number>):AffineTransform
+        {
+            var x:Number = r[0];
+            var y:Number = r[1];
+            var z:Number = r[2];
+            var w:Number = r[3];
+            return new AffineTransform(new <Number>[
+                        (1 - 2 * (y * y + z * z)) * s[0], 2 * (x * y - w * z) * s[1], 2 * (x * z + w * y) * s[2], t[0],
+                        2 * (x * y + w * z) * s[0], (1 - 2 * (x * x + z * z)) * s[1], 2 * (y * z - w * x) * s[2], t[1],
+                        2 * (x * z - w * y) * s[0], 2 * (y * z + w * x) * s[1], (1 - 2 * (x * x + y * y)) * s[2], t[2]]);
+        }
+    }
+}

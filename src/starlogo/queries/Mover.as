@@ -1,0 +1,603 @@
+package starlogo.queries
+{
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Extents;
+    import starlogo.collision.Contact;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.geometry.touchingGap;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.search.AgentTable;
+    import starlogo.search.RowSweep;
+    import starlogo.search.Separation;
+    import starlogo.search.ShapeStrategy;
+
+    use namespace engine;
+
+    /**
+     * Moves a row of a table among others, until it touches one or along what it touches.
+     *
+     * <p>What it touches at the beginning, or meets, it is kept a hair away from while it moves: by an offset. So a sweep that begins there finds what
+     * it meets next, whatever shapes they have, and a touch that it leaves or runs along is none. Where no offset is free of a touch, as
+     * between two walls that leave no room, or in a deep overlap, the plane of the contact stands for the other: it must not be
+     * crossed, and nothing else of the other counts.</p>
+     *
+     * <p>Sliding is the projection on the planes of all that was touched (Fauerby, "Improved collision detection and response", 2003, with all planes
+     * kept).</p>
+     *
+     * <p>This file is long because all steps of a motion share where the row is and what it is kept away from.</p>
+     *
+     * @private
+     */
+    public final class Mover
+    {
+        // A hair, as a part of what depths may be off; how deep it is in a touch that it ends in; overlaps deeper than so many are planes.
+        private static const HAIR:Number = 0.02 * Tolerances.SEPARATION;
+        private static const DIP:Number = 0.02 * Tolerances.SEPARATION;
+        private static const DEEP:Number = 10 * Tolerances.SEPARATION;
+
+        // How far on a touch is looked at that may be of no consequence, as a part of the larger extent.
+        private static const AHEAD:Number = 1e-4;
+
+        private static const CLEARING_ROUNDS:int = 6;
+        private static const MOST_PLANES:int = 8;
+        private static const MOST_TOUCHES:int = 64;
+
+        // The sine of the angle up to which a motion runs along a plane; the square of the share of a motion that is none.
+        private static const LEVEL:Number = 1e-12;
+        private static const STUCK:Number = 1e-20;
+
+        /** Decides what touches. */
+        public var strategy:ShapeStrategy;
+
+        /** Where the agent is at the end. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        private var _sweep:RowSweep;
+        private var _separation:Separation;
+
+        // The row that moves, and the others: the first of all that count, until the motion turns.
+        private var _table:AgentTable;
+        private var _row:int;
+        private var _others:Vector.<int> = new Vector.<int>();
+        private var _count:int = 0;
+        private var _all:int = 0;
+
+        // What is left of the motion, and how far it has gone.
+        private var _restX:Number = 0;
+        private var _restY:Number = 0;
+        private var _restZ:Number = 0;
+        private var _gone:Number = 0;
+
+        // From where it is to where it is a hair away from all that it touches.
+        private var _offsetX:Number = 0;
+        private var _offsetY:Number = 0;
+        private var _offsetZ:Number = 0;
+
+        // The contacts whose planes must not be crossed.
+        private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+        private var _planeCount:int = 0;
+
+        // What it meets first, when, and how; room for a candidate's.
+        private var _first:int = -1;
+        private var _time:Number = 0;
+        private var _contact:ContactPoint = new ContactPoint();
+        private var _tried:ContactPoint = new ContactPoint();
+        private var _hasContact:Boolean = false;
+        private var _motion:RelativeMotion = new RelativeMotion();
+
+        // The best projection so far.
+        private var _bestX:Number = 0;
+        private var _bestY:Number = 0;
+        private var _bestZ:Number = 0;
+        private var _bestSquared:Number = 0;
+
+        /** @param strategy decides what touches */
+        public function Mover(strategy:ShapeStrategy)
+        {
+            this.strategy = strategy;
+            _sweep = new RowSweep(strategy);
+            _separation = new Separation(strategy, _sweep);
+            while (_planes.length < MOST_PLANES)
+            {
+                _planes.push(new ContactPoint());
+            }
+        }
+
+        /**
+         * Moves a row; it is back where it was afterwards, and x, y, z are where it would be.
+         *
+         * @param table has the row
+         * @param row moves
+         * @param others of the same table, as agents
+         * @param dx how far
+         * @param dy likewise
+         * @param dz likewise
+         * @param slides whether it goes on along what it meets
+         * @return how far it has come, as a part of the motion
+         */
+        public function move(table:AgentTable, row:int, others:Vector.<Agent>, dx:Number, dy:Number, dz:Number, slides:Boolean):Number
+        {
+            _table = table;
+            _row = row;
+            readOthers(others);
+            var atX:Number = x = table.x[row];
+            var atY:Number = y = table.y[row];
+            var atZ:Number = z = table.z[row];
+            var revision:int = table.revisions[row];
+            _restX = dx;
+            _restY = dy;
+            _restZ = dz;
+            _gone = 0;
+            _offsetX = _offsetY = _offsetZ = 0;
+            _planeCount = 0;
+            _hasContact = false;
+            var length:Number = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            if (length > 0)
+            {
+                clear();
+                _all = _count;
+                if (slides)
+                {
+                    slideOn();
+                }
+                else
+                {
+                    goUntilTouch();
+                }
+                end(slides);
+            }
+            table.putBack(row, atX, atY, atZ, revision);
+            _table = null;
+            if (!(length > 0))
+            {
+                return 1;
+            }
+            var part:Number = slides ? _gone / length : _gone;
+            return part < 1 ? part : 1;
+        }
+
+        /** Writes the contact of the last move that was not sliding. */
+        public function writeContact(part:Number, out:Contact):void
+        {
+            out.time = part;
+            if (_hasContact)
+            {
+                out.point.setTo(_contact.x, _contact.y, _contact.z);
+                out.normal.setTo(_contact.normalX, _contact.normalY, _contact.normalZ);
+                out.depth = _contact.depth;
+            }
+        }
+
+        private function readOthers(others:Vector.<Agent>):void
+        {
+            _count = 0;
+            for (var i:int = 0; i < others.length; i++)
+            {
+                var row:int = _table.rowOf(others[i]);
+                if (_table.shapes[row] != null)
+                {
+                    _others[_count] = row;
+                    _count++;
+                }
+            }
+        }
+
+        // Finds an offset that is free of the touches at the beginning. What it is not free of becomes a plane.
+        private function clear():void
+        {
+            for (var round:int = 0; round < CLEARING_ROUNDS; round++)
+            {
+                var isFree:Boolean = true;
+                for (var i:int = _count - 1; i >= 0; i--)
+                {
+                    var other:int = _others[i];
+                    put(0);
+                    if (!strategy.areTouching(_table, _row, other))
+                    {
+                        continue;
+                    }
+                    isFree = false;
+                    findStanding(other);
+                    if (round == CLEARING_ROUNDS - 1 || _tried.depth > DEEP * largerExtent(other))
+                    {
+                        addPlane(_tried);
+                        leaveOut(i);
+                        continue;
+                    }
+                    addOffset(_tried, _tried.depth + hair(other));
+                }
+                if (isFree)
+                {
+                    return;
+                }
+            }
+        }
+
+        // The contact with a row that touches where the moving one is, with its offset.
+        private function findStanding(other:int):void
+        {
+            _motion.endAfter(0, 0, 0);
+            _sweep.findContact(_table, _row, other, _motion, 0, _tried);
+            _separation.find(_table, _row, other, _motion, 0, _tried);
+        }
+
+        private function goUntilTouch():void
+        {
+            if (isAgainstPlanes())
+            {
+                return;
+            }
+            for (var touches:int = MOST_TOUCHES; touches > 0 && findFirst(); touches--)
+            {
+                if (isLeft() || isOfNoConsequence())
+                {
+                    continue;
+                }
+                // without the offset it would have been there before
+                var along:Number = alongRest(_contact);
+                if (along < 0)
+                {
+                    _time += (_offsetX * _contact.normalX + _offsetY * _contact.normalY + _offsetZ * _contact.normalZ) / along;
+                }
+                _time = _time > 0 ? _time : 0;
+                _hasContact = true;
+                _contact.depth = 0;
+                advance(_time);
+                turnAgainst();
+                _gone = _time;
+                return;
+            }
+            advance(1);
+            _gone = 1;
+        }
+
+        private function slideOn():void
+        {
+            var touches:int = MOST_TOUCHES;
+            while (touches > 0 && project())
+            {
+                touches--;
+                if (!findFirst())
+                {
+                    goOn(1);
+                    return;
+                }
+                if (isLeft() || isOfNoConsequence())
+                {
+                    continue;
+                }
+                goOn(_time);
+                _count = _all;
+                if (_planeCount == MOST_PLANES)
+                {
+                    return;
+                }
+                turnAgainst();
+                addPlane(_contact);
+                stayFree();
+            }
+        }
+
+        // A hair away from what it has met; where that touches something else, as in a corner, a hair back, where it was free.
+        private function stayFree():void
+        {
+            var distance:Number = hair(_others[_first]);
+            addOffset(_contact, distance);
+            put(0);
+            if (!touchesOne())
+            {
+                return;
+            }
+            addOffset(_contact, -distance);
+            var back:Number = -distance / alongRest(_contact);
+            var most:Number = _time / (1 - _time);
+            back = back < most ? back : most;
+            x -= back * _restX;
+            y -= back * _restY;
+            z -= back * _restZ;
+        }
+
+        private function touchesOne():Boolean
+        {
+            for (var i:int = 0; i < _count; i++)
+            {
+                if (strategy.areTouching(_table, _row, _others[i]))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        private function goOn(time:Number):void
+        {
+            _gone += time * Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
+            advance(time);
+        }
+
+        private function advance(time:Number):void
+        {
+            x += time * _restX;
+            y += time * _restY;
+            z += time * _restZ;
+            _restX *= 1 - time;
+            _restY *= 1 - time;
+            _restZ *= 1 - time;
+        }
+
+        // A contact that does not point against the motion is of features that do not stop it: what does is found a little way on.
+        private function turnAgainst():void
+        {
+            if (alongRest(_contact) < 0)
+            {
+                return;
+            }
+            putAhead(0);
+            if (strategy.areTouching(_table, _row, _others[_first]))
+            {
+                findStanding(_others[_first]);
+                if (alongRest(_tried) < 0)
+                {
+                    _contact.copyFrom(_tried);
+                    return;
+                }
+            }
+            _contact.pointAlong(-_restX, -_restY, -_restZ);
+        }
+
+        // Whether what is met first is no farther than rounding from where it is, and the motion leaves it or runs along it: then a hair away it is not met.
+        private function isLeft():Boolean
+        {
+            if (_time > 0 || alongRest(_contact) < 0)
+            {
+                return false;
+            }
+            addOffset(_contact, hair(_others[_first]));
+            return true;
+        }
+
+        // Whether what is met first is convex and gets no deeper than a hair: the motion runs along it. It does not count then any more.
+        private function isOfNoConsequence():Boolean
+        {
+            var other:int = _others[_first];
+            if (!isConvex(other))
+            {
+                return false;
+            }
+            putAhead(_time);
+            if (strategy.areTouching(_table, _row, other))
+            {
+                _tried.depth = 0;
+                findStanding(other);
+                if (_tried.depth > 2 * hair(other) || alongRest(_tried) < -hair(other))
+                {
+                    return false;
+                }
+            }
+            leaveOut(_first);
+            return true;
+        }
+
+        private function isConvex(other:int):Boolean
+        {
+            return (_table.shapes[_row].isSphere && _table.shapes[other].isSphere) || strategy.hasExactContact(_table, _row, other);
+        }
+
+        // Ends where it has come to, if that is a hair away from all; else with the offset.
+        private function end(slides:Boolean):void
+        {
+            if (!slides)
+            {
+                if (_hasContact && _first < 0)
+                {
+                    return;
+                }
+                if (_hasContact)
+                {
+                    var dip:Number = DIP * largerExtent(_others[_first]);
+                    x -= dip * _contact.normalX;
+                    y -= dip * _contact.normalY;
+                    z -= dip * _contact.normalZ;
+                    return;
+                }
+            }
+            if (_offsetX == 0 && _offsetY == 0 && _offsetZ == 0)
+            {
+                return;
+            }
+            var offsetX:Number = _offsetX;
+            var offsetY:Number = _offsetY;
+            var offsetZ:Number = _offsetZ;
+            _offsetX = -offsetX;
+            _offsetY = -offsetY;
+            _offsetZ = -offsetZ;
+            put(0);
+            if (touchesOne())
+            {
+                x += offsetX;
+                y += offsetY;
+                z += offsetZ;
+            }
+        }
+
+        // Finds what the rest of the motion meets first.
+        private function findFirst():Boolean
+        {
+            put(1);
+            _motion.endAfter(_restX, _restY, _restZ);
+            _time = RelativeMotion.NEVER;
+            for (var i:int = 0; i < _count; i++)
+            {
+                var time:Number = _sweep.findImpact(_table, _row, _others[i], _motion, _tried);
+                if (time < _time)
+                {
+                    _time = time;
+                    _first = i;
+                    _contact.copyFrom(_tried);
+                }
+            }
+            return _time <= 1;
+        }
+
+        // Puts the row, with its offset, so far along the rest of the motion.
+        private function put(time:Number):void
+        {
+            _table.displace(_row, x + _offsetX + time * _restX, y + _offsetY + time * _restY, z + _offsetZ + time * _restZ);
+        }
+
+        // A little further than at a time of it.
+        private function putAhead(time:Number):void
+        {
+            var length:Number = Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
+            put(time + AHEAD * largerExtent(_others[_first]) / length);
+        }
+
+        private function addOffset(contact:ContactPoint, distance:Number):void
+        {
+            _offsetX += distance * contact.normalX;
+            _offsetY += distance * contact.normalY;
+            _offsetZ += distance * contact.normalZ;
+        }
+
+        private function leaveOut(at:int):void
+        {
+            _count--;
+            _others[at] = _others[_count];
+        }
+
+        private function largerExtent(other:int):Number
+        {
+            var own:Number = longest(_row);
+            var others:Number = longest(other);
+            return own > others ? own : others;
+        }
+
+        private function longest(row:int):Number
+        {
+            var extents:Extents = _table.extents;
+            return 2 * Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
+        }
+
+        private function hair(other:int):Number
+        {
+            return HAIR * largerExtent(other) + 8 * touchingGap(x, y, z, _table.x[other], _table.y[other], _table.z[other]);
+        }
+
+        private function alongRest(contact:ContactPoint):Number
+        {
+            return contact.normalX * _restX + contact.normalY * _restY + contact.normalZ * _restZ;
+        }
+
+        private function addPlane(contact:ContactPoint):void
+        {
+            if (_planeCount < MOST_PLANES)
+            {
+                _planes[_planeCount].copyFrom(contact);
+                _planeCount++;
+            }
+        }
+
+        private static function along(plane:ContactPoint, vx:Number, vy:Number, vz:Number):Number
+        {
+            return plane.normalX * vx + plane.normalY * vy + plane.normalZ * vz;
+        }
+
+        // Whether the motion crosses a plane by more than rounding; what it does by rounding is taken off.
+        private function isAgainstPlanes():Boolean
+        {
+            var least:Number = 0;
+            for (var i:int = 0; i < _planeCount; i++)
+            {
+                var depth:Number = alongRest(_planes[i]);
+                if (depth < least)
+                {
+                    least = depth;
+                    _contact.copyFrom(_planes[i]);
+                }
+            }
+            if (least < -HAIR * longest(_row))
+            {
+                _first = -1;
+                _hasContact = true;
+                return true;
+            }
+            return least < 0 && !project();
+        }
+
+        // Projects the rest of the motion on the planes that it crosses, the nearest that crosses none; returns whether there is any left.
+        private function project():Boolean
+        {
+            var least:Number = _restX * _restX + _restY * _restY + _restZ * _restZ;
+            _bestX = _bestY = _bestZ = _bestSquared = 0;
+            tryRest(_restX, _restY, _restZ);
+            var isFree:Boolean = _bestSquared > 0;
+            for (var i:int = 0; !isFree && i < _planeCount; i++)
+            {
+                tryOnPlane(_planes[i]);
+            }
+            for (i = 0; _bestSquared == 0 && i < _planeCount; i++)
+            {
+                tryOnCreases(i);
+            }
+            _restX = _bestX;
+            _restY = _bestY;
+            _restZ = _bestZ;
+            return _bestSquared > STUCK * least;
+        }
+
+        private function tryOnPlane(plane:ContactPoint):void
+        {
+            var by:Number = alongRest(plane);
+            tryRest(_restX - by * plane.normalX, _restY - by * plane.normalY, _restZ - by * plane.normalZ);
+        }
+
+        // The lines in which one plane meets those after it.
+        private function tryOnCreases(first:int):void
+        {
+            var a:ContactPoint = _planes[first];
+            for (var i:int = first + 1; i < _planeCount; i++)
+            {
+                var b:ContactPoint = _planes[i];
+                var cx:Number = a.normalY * b.normalZ - a.normalZ * b.normalY;
+                var cy:Number = a.normalZ * b.normalX - a.normalX * b.normalZ;
+                var cz:Number = a.normalX * b.normalY - a.normalY * b.normalX;
+                var squared:Number = cx * cx + cy * cy + cz * cz;
+                if (squared > Tolerances.NEARLY_PARALLEL)
+                {
+                    var share:Number = (cx * _restX + cy * _restY + cz * _restZ) / squared;
+                    tryRest(share * cx, share * cy, share * cz);
+                }
+            }
+        }
+
+        // Takes a projection that crosses no plane, if it is longer than the best so far.
+        private function tryRest(vx:Number, vy:Number, vz:Number):void
+        {
+            var squared:Number = vx * vx + vy * vy + vz * vz;
+            if (!(squared > _bestSquared))
+            {
+                return;
+            }
+            var least:Number = -LEVEL * Math.sqrt(squared);
+            for (var i:int = 0; i < _planeCount; i++)
+            {
+                if (along(_planes[i], vx, vy, vz) < least)
+                {
+                    return;
+                }
+            }
+            _bestX = vx;
+            _bestY = vy;
+            _bestZ = vz;
+            _bestSquared = squared;
+        }
+    }
+}

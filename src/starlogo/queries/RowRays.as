@@ -1,0 +1,158 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Sphere;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.raySphere;
+    import starlogo.intersection.ray.rayStructure;
+    import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
+    import starlogo.search.ShapeStrategy;
+    import starlogo.solid.SolidRay;
+
+    use namespace engine;
+
+    /**
+     * Finds where a ray first meets a row of a table, as the table's strategy sees it.
+     *
+     * <p>The ray is brought into the space of the row's model, once: whatever represents the model is there as it was fitted, around the triangles, and
+     * what is computed rounds with the size of the model, not with its place. For that the point of the line that is nearest to the row's place is found
+     * first, and the same for every system: what the triangles of a model are hit at, its structures are hit at before. A ray is a line without
+     * thickness: the margin by which shapes at a place are enlarged (touchingGap) is not added.</p>
+     *
+     * @private
+     */
+    public final class RowRays
+    {
+        /** How far from the ray's origin the last row that was met is first met, in patches; 0 from inside. */
+        public var distance:Number = 0;
+
+        /** The normal there: of length 1, against the ray. */
+        public var normalX:Number = 0;
+
+        /** @copy #normalX */
+        public var normalY:Number = 0;
+
+        /** @copy #normalX */
+        public var normalZ:Number = 0;
+
+        /** How far the ray goes, in patches; what is just as far counts. May be made smaller between rows. */
+        public var limit:Number = Infinity;
+
+        /** Where the ray begins, in the world, and its direction. */
+        public var ray:Ray = new Ray();
+
+        private var _table:AgentTable;
+        private var _strategy:ShapeStrategy;
+        private var _line:Ray = new Ray();
+        private var _inModel:Ray = new Ray();
+        private var _solid:SolidRay = new SolidRay();
+        private var _placement:Placement = new Placement();
+        private var _ball:Sphere = new Sphere(new Vector3D(), 1);
+
+        /** No ray yet. */
+        public function RowRays()
+        {
+        }
+
+        /**
+         * Begins with the rows of a table; ray and limit are set.
+         *
+         * @param table has the rows
+         * @param strategy says what they are
+         * @throws RangeError if the limit is negative or not a number
+         */
+        public function begin(table:AgentTable, strategy:ShapeStrategy):void
+        {
+            if (!(limit >= 0))
+            {
+                throw new RangeError("maxDistance must not be negative: " + limit);
+            }
+            _table = table;
+            _strategy = strategy;
+        }
+
+        /** Whether the ray meets a row within the limit: then distance and normal are set. */
+        public function meets(row:int):Boolean
+        {
+            var shape:ModelShape = _table.shapes[row];
+            if (shape == null)
+            {
+                return false;
+            }
+            var placement:Placement = _table.placementOf(row, _placement);
+            var line:Ray = _line;
+            var toX:Number = placement.x - ray.x;
+            var toY:Number = placement.y - ray.y;
+            var toZ:Number = placement.z - ray.z;
+            line.directionX = ray.directionX;
+            line.directionY = ray.directionY;
+            line.directionZ = ray.directionZ;
+            var ahead:Number = toX * line.directionX + toY * line.directionY + toZ * line.directionZ;
+            line.x = ahead * line.directionX - toX;
+            line.y = ahead * line.directionY - toY;
+            line.z = ahead * line.directionZ - toZ;
+            var found:Ray = _inModel;
+            var size:Number = placement.size;
+            var isBall:Boolean = shape.hierarchy == null && shape.structure == null;
+            if (isBall)
+            {
+                size = _table.extents.halfX[row];
+                found.scale(line, size);
+            }
+            else
+            {
+                found.bringInto(placement, line);
+            }
+            var start:Number = -ahead / size;
+            found.from = start;
+            // what is too far by rounding alone is left out below
+            found.to = (limit - ahead + Tolerances.ROUNDING * (limit + Math.abs(ahead))) / size;
+            found.faceBack();
+            if (!found.isFinite || !meetsShape(row, shape, found))
+            {
+                return false;
+            }
+            distance = found.from > start ? Math.max(0, found.from * size + ahead) : 0;
+            if (distance > limit)
+            {
+                return false;
+            }
+            if (isBall)
+            {
+                normalX = found.normalX;
+                normalY = found.normalY;
+                normalZ = found.normalZ;
+                return true;
+            }
+            normalX = placement.r00 * found.normalX + placement.r01 * found.normalY + placement.r02 * found.normalZ;
+            normalY = placement.r10 * found.normalX + placement.r11 * found.normalY + placement.r12 * found.normalZ;
+            normalZ = placement.r20 * found.normalX + placement.r21 * found.normalY + placement.r22 * found.normalZ;
+            return true;
+        }
+
+        private function meetsShape(row:int, shape:ModelShape, found:Ray):Boolean
+        {
+            if (shape.hierarchy != null)
+            {
+                return _solid.find(shape.hierarchy, _strategy.depthOf(_table, row), _strategy.isExact, found);
+            }
+            if (shape.structure != null)
+            {
+                return rayStructure(found, shape.structure);
+            }
+            // as wide as its extents, and not turned
+            var extents:Extents = _table.extents;
+            var size:Number = extents.halfX[row];
+            var middle:Vector3D = _ball.center;
+            middle.x = (extents.x[row] - _table.x[row]) / size;
+            middle.y = (extents.y[row] - _table.y[row]) / size;
+            middle.z = (extents.z[row] - _table.z[row]) / size;
+            return raySphere(found, _ball);
+        }
+    }
+}

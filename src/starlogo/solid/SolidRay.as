@@ -1,0 +1,106 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.RayTraversal;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.TriangleRay;
+
+    use namespace engine;
+
+    /**
+     * Finds where a ray first meets a model: its hierarchy, visited to a depth, or its triangles; at once, where it begins inside of a closed surface.
+     *
+     * <p>Answers are nested: no depth finds a hit that is farther away than that of a greater one, or than that of the triangles. What is inside is
+     * asked at every depth: the leaves hug the surface. Nothing is allocated once the stacks have grown and the model's triangles
+     * were prepared.</p>
+     *
+     * @private
+     */
+    public final class SolidRay
+    {
+        private var _nodes:RayTraversal = new RayTraversal();
+        private var _triangles:TriangleRay = new TriangleRay();
+        private var _start:Vector3D = new Vector3D();
+
+        /** Nothing found yet. */
+        public function SolidRay()
+        {
+        }
+
+        /**
+         * Narrows a ray to what is behind its first hit.
+         *
+         * @param hierarchy the model's
+         * @param depth how many levels of it are visited
+         * @param exact whether depths do not count, and triangles decide where there are any, else the leaves
+         * @param ray in the model's space; its beginning becomes the hit, with the normal there: against the ray
+         * @return whether there is a hit
+         */
+        public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
+        {
+            if (hierarchy.hasTriangles && beginsInside(hierarchy, ray))
+            {
+                ray.faceBack();
+                return true;
+            }
+            if (exact && hierarchy.hasTriangles)
+            {
+                return findTriangle(hierarchy, ray);
+            }
+            return _nodes.find(hierarchy.root, exact ? int.MAX_VALUE : depth, ray);
+        }
+
+        private function beginsInside(hierarchy:SolidHierarchy, ray:Ray):Boolean
+        {
+            var root:HierarchyNode = hierarchy.root;
+            var place:Number = ray.x + ray.from * ray.directionX;
+            _start.x = place;
+            place -= root.x;
+            if (!(place <= root.halfX && place >= -root.halfX))
+            {
+                return false;
+            }
+            place = ray.y + ray.from * ray.directionY;
+            _start.y = place;
+            place -= root.y;
+            if (!(place <= root.halfY && place >= -root.halfY))
+            {
+                return false;
+            }
+            place = ray.z + ray.from * ray.directionZ;
+            _start.z = place;
+            place -= root.z;
+            return place <= root.halfZ && place >= -root.halfZ && hierarchy.solid.isInside(_start);
+        }
+
+        private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
+        {
+            var solid:Solid = hierarchy.solid;
+            var tree:RayTree = hierarchy.rays;
+            _triangles.begin(ray, tree.reach);
+            tree.find(ray, solid.corners, _triangles);
+            if (_triangles.triangle < 0)
+            {
+                return false;
+            }
+            ray.from = _triangles.at;
+            var plane:int = 5 * _triangles.triangle;
+            var x:Number = solid.planes[plane];
+            var y:Number = solid.planes[int(plane + 1)];
+            var z:Number = solid.planes[int(plane + 2)];
+            if (x == 0 && y == 0 && z == 0)
+            {
+                // without area
+                ray.faceBack();
+                return true;
+            }
+            ray.normalX = x;
+            ray.normalY = y;
+            ray.normalZ = z;
+            ray.turnNormal();
+            return true;
+        }
+    }
+}

@@ -1,0 +1,205 @@
+package starlogo.intersection.ray
+{
+    import evaluation.pairs.RandomStructures;
+    import evaluation.pairs.SeededRandom;
+    import flash.geom.Vector3D;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertFalse;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Cylinder;
+    import starlogo.bounding.Sphere;
+    import support.Effort;
+    import support.RayReference;
+    import support.Structures;
+    import support.assertThrows;
+
+    /** Rays against spheres, capsules and boxes. */
+    public class RayStructureTest
+    {
+        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
+
+        [Test]
+        public function meetsWhatGoingAlongTheRayMeets():void
+        {
+            var random:SeededRandom = new SeededRandom(2201);
+            var structures:RandomStructures = new RandomStructures(random);
+            for each (var kind:int in KINDS)
+            {
+                var counts:Array = [0, 0, 0];
+                for (var i:int = 0; i < Effort.choose(1500, 60000); i++)
+                {
+                    var structure:BoundingStructure = structures.ofKind(kind, random.logBetween(0.1, 3), 2);
+                    if (i % 7 == 0)
+                    {
+                        flatten(structure, random);
+                    }
+                    var origin:Vector3D = structures.position(4);
+                    var direction:Vector3D = towards(structure, origin, random, structures);
+                    var ray:Ray = rayOf(origin, direction);
+                    var expected:Number = RayReference.firstTouch(structure, origin, direction, 50, 1e-13);
+                    var isMet:Boolean = rayStructure(ray, structure);
+                    if (isNaN(expected))
+                    {
+                        counts[2]++;
+                        continue;
+                    }
+                    var message:String = structure + ", " + Structures.numbersOf(structure) + ", from " + origin + " along " + direction;
+                    assertEquals(message, expected < Infinity, isMet);
+                    counts[isMet ? 1 : 0]++;
+                    if (isMet)
+                    {
+                        assertTrue(message + ": " + expected + ", not " + ray.from, Math.abs(expected - ray.from) < 1e-7);
+                        assertNormal(message, ray, structure, origin, direction);
+                    }
+                }
+                assertTrue("kind " + kind + ", not met, met, not clear: " + counts, counts[0] > 100 && counts[1] > 300 && counts[2] < 0.05 * i);
+            }
+        }
+
+        [Test]
+        public function meetsItAtOnceFromInside():void
+        {
+            var random:SeededRandom = new SeededRandom(2202);
+            for each (var structure:BoundingStructure in Structures.samples().slice(0, 3))
+            {
+                for (var i:int = 0; i < 100; i++)
+                {
+                    var direction:Vector3D = new RandomStructures(random).direction();
+                    var ray:Ray = rayOf(Structures.pointOf(structure, random, random.between(0, 0.99)), direction);
+                    assertTrue(String(structure), rayStructure(ray, structure));
+                    assertEquals(0, ray.from);
+                    assertEquals(-ray.directionX, ray.normalX);
+                    assertEquals(-ray.directionY, ray.normalY);
+                    assertEquals(-ray.directionZ, ray.normalZ);
+                    assertTrue("it leaves it", ray.to > 0 && ray.to < 10);
+                }
+            }
+        }
+
+        [Test]
+        public function alongAxesAndFacesBordersCount():void
+        {
+            var box:Box = new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 0.5, 0);
+            assertEquals("in its plane", 4, distanceTo(box, new Vector3D(-4, 2, 3), new Vector3D(2, 0, 0)));
+            assertEquals("along an edge", 4, distanceTo(box, new Vector3D(-4, 2.5, 3), new Vector3D(1, 0, 0)));
+            assertEquals("beside it", Infinity, distanceTo(box, new Vector3D(-4, 2.5 + 1e-12, 3), new Vector3D(1, 0, 0)));
+            assertEquals("across it", 7, distanceTo(box, new Vector3D(1.5, 1.5, 10), new Vector3D(0, 0, -1)));
+            assertEquals("away", Infinity, distanceTo(box, new Vector3D(1.5, 1.5, 10), new Vector3D(0, 0, 1)));
+            assertEquals("from a corner", 0, distanceTo(box, new Vector3D(2, 2.5, 3), new Vector3D(1, 1, 1)));
+            var sphere:Sphere = new Sphere(new Vector3D(0, 0, 5), 2);
+            assertTrue(Math.abs(distanceTo(sphere, new Vector3D(2, 0, 0), new Vector3D(0, 0, 3)) - 5) < 1e-5);
+            assertTrue(Math.abs(distanceTo(sphere, new Vector3D(0, 0, 0), new Vector3D(0, 0, 1e-200)) - 3) < 1e-12);
+            var capsule:Capsule = new Capsule(new Vector3D(0, 0, 1), new Vector3D(0, 0, 4), 1);
+            assertTrue("along it", Math.abs(distanceTo(capsule, new Vector3D(0.6, 0, -2), new Vector3D(0, 0, 1e200)) - 2.2) < 1e-12);
+            assertTrue("across it", Math.abs(distanceTo(capsule, new Vector3D(3, 0.6, 2), new Vector3D(-1, 0, 0)) - 2.2) < 1e-12);
+            assertEquals("beside it", Infinity, distanceTo(capsule, new Vector3D(3, 0, 5.5), new Vector3D(-1, 0, 0)));
+        }
+
+        [Test]
+        public function degenerateStructuresArePointsAndSegments():void
+        {
+            assertEquals("a point", 5, distanceTo(new Sphere(new Vector3D(1, 2, 5), 0), new Vector3D(1, 2, 0), new Vector3D(0, 0, 1)));
+            assertEquals("past it", Infinity, distanceTo(new Sphere(new Vector3D(1, 2.001, 5), 0), new Vector3D(1, 2, 0), new Vector3D(0, 0, 1)));
+            var ball:Capsule = new Capsule(new Vector3D(0, 0, 5), new Vector3D(0, 0, 5), 1);
+            assertTrue("a ball", Math.abs(distanceTo(ball, new Vector3D(0, 0, 0), new Vector3D(0, 0, 1)) - 4) < 1e-12);
+            var segment:Capsule = new Capsule(new Vector3D(-1, 0, 5), new Vector3D(1, 0, 5), 0);
+            assertEquals("a segment", 5, distanceTo(segment, new Vector3D(0.5, 0, 0), new Vector3D(0, 0, 1)));
+            assertEquals("along a segment", 3, distanceTo(segment, new Vector3D(-4, 0, 5), new Vector3D(1, 0, 0)));
+            var point:Box = new Box(new Vector3D(1, 2, 5), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+            assertEquals("a box that is a point", 5, distanceTo(point, new Vector3D(1, 2, 0), new Vector3D(0, 0, 1)));
+            assertEquals("past it", Infinity, distanceTo(point, new Vector3D(1, 2.001, 0), new Vector3D(0, 0, 1)));
+        }
+
+        [Test]
+        public function capsulesNearlyAlongTheRay():void
+        {
+            var random:SeededRandom = new SeededRandom(2203);
+            for (var i:int = 0; i < 2000; i++)
+            {
+                var tilt:Number = random.logBetween(1e-18, 1e-2);
+                var around:Number = random.between(0, 7);
+                var capsule:Capsule = new Capsule(new Vector3D(0, 0, 0), new Vector3D(3 * tilt * Math.cos(around), 3 * tilt * Math.sin(around), 3), 0.5);
+                var x:Number = random.between(-0.4, 0.4);
+                var found:Number = distanceTo(capsule, new Vector3D(x, 0, -5), new Vector3D(0, 0, 1));
+                assertTrue("tilt " + tilt + ": " + found, Math.abs(found - (5 - Math.sqrt(0.25 - x * x))) < 1e-9);
+                found = distanceTo(capsule, new Vector3D(x, 0, 9), new Vector3D(0, 0, -1));
+                assertTrue("tilt " + tilt + ", from above: " + found, Math.abs(found - (6 - Math.sqrt(0.25 - x * x))) < 0.2);
+            }
+        }
+
+        [Test]
+        public function refusesCylindersAndDirectionsThatAreNone():void
+        {
+            assertThrows(ArgumentError, /no test of rays/, rayStructure, new Ray(), new Cylinder(new Vector3D(), new Vector3D(1, 0, 0), 1));
+            var ray:Ray = rayOf(new Vector3D(), new Vector3D(0, 3, 0));
+            for each (var direction:Vector3D in [new Vector3D(), new Vector3D(NaN, 0, 1), new Vector3D(0, Infinity, 1), new Vector3D(1, 0, NaN)])
+            {
+                assertThrows(ArgumentError, /needs a direction/, ray.aim, new Vector3D(), direction);
+            }
+            assertEquals("as it was", 1, ray.directionY);
+            for each (var length:Number in [5e-324, 1e-310, 1e-160, 1, 1e160, 1.7e308])
+            {
+                ray.aim(new Vector3D(), new Vector3D(length, -length, 0));
+                assertTrue("length " + length, Math.abs(ray.directionX - Math.SQRT1_2) < 1e-15 && Math.abs(ray.directionY + Math.SQRT1_2) < 1e-15);
+                assertEquals(0, ray.directionZ);
+            }
+        }
+
+        // Flat, or thin, or one point.
+        private static function flatten(structure:BoundingStructure, random:SeededRandom):void
+        {
+            if (structure is Box)
+            {
+                Box(structure).halfY = random.pick([0, 1e-6]);
+            }
+            else if (structure is Capsule)
+            {
+                Capsule(structure).end = Capsule(structure).start.clone();
+            }
+        }
+
+        // To a point of it, or past it.
+        private static function towards(structure:BoundingStructure, origin:Vector3D, random:SeededRandom, structures:RandomStructures):Vector3D
+        {
+            if (random.chance(0.2))
+            {
+                return structures.direction();
+            }
+            var direction:Vector3D = Structures.pointOf(structure, random, random.between(0, 1.6)).subtract(origin);
+            direction.normalize();
+            return direction;
+        }
+
+        private static function assertNormal(message:String, ray:Ray, structure:BoundingStructure, origin:Vector3D, direction:Vector3D):void
+        {
+            var normal:Vector3D = new Vector3D(ray.normalX, ray.normalY, ray.normalZ);
+            assertTrue(message + ": length of " + normal, Math.abs(normal.length - 1) < 1e-9);
+            assertTrue(message + ": against the ray", normal.dotProduct(direction) < 1e-6);
+            if (ray.from > 0)
+            {
+                // a step out along it leads as far away
+                normal.scaleBy(1e-3);
+                var at:Vector3D = direction.clone();
+                at.scaleBy(ray.from);
+                var gap:Number = RayReference.distance(structure, origin.add(at).add(normal));
+                assertTrue(message + ": out of it, " + gap, Math.abs(gap - 1e-3) < 1e-6);
+            }
+        }
+
+        private static function distanceTo(structure:BoundingStructure, origin:Vector3D, direction:Vector3D):Number
+        {
+            var ray:Ray = rayOf(origin, direction);
+            return rayStructure(ray, structure) ? ray.from : Infinity;
+        }
+
+        private static function rayOf(origin:Vector3D, direction:Vector3D):Ray
+        {
+            var ray:Ray = new Ray();
+            ray.aim(origin, direction);
+            return ray;
+        }
+    }
+}

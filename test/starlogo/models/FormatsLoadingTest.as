@@ -1,0 +1,176 @@
+package starlogo.models
+{
+    import flash.events.ErrorEvent;
+    import flash.events.Event;
+    import flash.events.IOErrorEvent;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import org.flexunit.async.Async;
+    import support.Collada;
+    import support.Gltf;
+    import support.SlowReceiver;
+    import support.Zip;
+
+    /** A ModelLoader tells formats apart by what is in the files, whatever they are called, and fetches what is beside a glTF file. */
+    public class FormatsLoadingTest
+    {
+        private static const OBJ:String = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+        private static const STL:String = "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\nendsolid\n";
+        private static const DOCUMENT:String = Collada.document(Collada.geometry("a", "0 0 0 1 0 0 1 1 0", Collada.triangles("0 1 2")));
+
+        private var _loader:TestedLoader;
+        private var _log:Array;
+
+        [Before]
+        public function setUp():void
+        {
+            _loader = new TestedLoader(new SlowReceiver(0), 200);
+            _log = [];
+            _loader.addEventListener(ModelEvent.LOADED, function(event:ModelEvent):void
+                {
+                    _log.push(event.model.name + " " + event.model.triangles.length / 3);
+                });
+            _loader.addEventListener(ErrorEvent.ERROR, function(event:ErrorEvent):void
+                {
+                    _log.push(event.text);
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function tellsFormatsApartWhateverTheyAreCalled():void
+        {
+            var files:Array = ["obj", bytesOf(OBJ), "stl", bytesOf(STL), "binary stl", binaryStl(), "gltf", Gltf.tetrahedron().toTextBytes(),
+                    "glb", Gltf.tetrahedron().toBinary(), "COLLADA", bytesOf(DOCUMENT), "zip", Zip.of(["a.dae", DOCUMENT])];
+            var names:Array = ["a.obj", "a.stl", "a.glb?x=1", "a.gltf", "a.dae", "a.zae", "a.png", "a"];
+            for each (var name:String in names)
+            {
+                for (var i:int = 0; i < files.length; i += 2)
+                {
+                    _loader.load(files[i], name);
+                    _loader.fetches[_loader.fetches.length - 1].deliver(files[i + 1]);
+                }
+            }
+            // what says nothing is what it is called
+            for each (name in ["a.stl", "a.gltf", "a.dae", "a.obj", "a"])
+            {
+                _loader.load("nothing", name);
+                _loader.fetches[_loader.fetches.length - 1].deliver(bytesOf("# nothing"));
+            }
+            _loader.loadText("text", OBJ);
+            _loader.loadText("text", STL);
+            _loader.loadText("text", Gltf.tetrahedron().toText());
+            _loader.loadText("text", "\uFEFF \n" + Gltf.tetrahedron().toText());
+            _loader.loadText("text", DOCUMENT);
+            _loader.loadBytes("bytes", Gltf.tetrahedron().toBinary());
+            var wanted:int = _loader.pendingCount;
+            whenComplete(function():void
+                {
+                    assertEquals(wanted, _log.length);
+                    assertEquals('no vertices: expected facets,its JSON,this is,no vertices: expected lines,no vertices: expected lines',
+                            nothings());
+                    for each (var line:String in _log)
+                    {
+                        assertTrue(line, /^(obj|stl|binary stl|COLLADA|zip) 1$|^(gltf|glb|bytes) 4$|^text [14]$/.test(line));
+                    }
+                });
+        }
+
+        // The beginnings of what is said of "nothing", which is taken out of the log.
+        private function nothings():String
+        {
+            var all:Array = [];
+            for (var i:int = _log.length - 1; i >= 0; i--)
+            {
+                var words:Array = _log[i].match(/^model "nothing"[^:]*: (\w+ \w+(: \w+ \w+)?)/);
+                if (words != null)
+                {
+                    all.unshift(words[1]);
+                    _log.splice(i, 1);
+                }
+            }
+            return all.join();
+        }
+
+        [Test(async, timeout="5000")]
+        public function fetchesWhatIsBesideAFile():void
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var isDelivered:Boolean = false;
+            _loader.load("a", "http://host/models/bear.gltf?v=1#x");
+            _loader.load("b", "bear.gltf");
+            _loader.load("lost", "lost.gltf");
+            _loader.loadBytes("bytes", file.toTextBytes("bear.bin"));
+            _loader.fetches[0].deliver(file.toTextBytes("parts/bear.bin"));
+            _loader.fetches[1].deliver(file.toTextBytes("bear.bin"));
+            _loader.fetches[2].deliver(file.toTextBytes("lost.bin"));
+            _loader.addEventListener("progress", function(event:Event):void
+                {
+                    if (_loader.fetches.length == 6 && !isDelivered)
+                    {
+                        isDelivered = true;
+                        _loader.fetches[3].deliver(file.binary);
+                        _loader.fetches[4].deliver(file.binary);
+                        _loader.fetches[5].dispatchEvent(new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, "404"));
+                    }
+                });
+            whenComplete(function():void
+                {
+                    _log.sort();
+                    assertEquals("http://host/models/parts/bear.bin,bear.bin,lost.bin", [_loader.fetches[3].addresses, _loader.fetches[4].addresses,
+                                _loader.fetches[5].addresses].join());
+                    assertEquals('a 4\nb 4\nmodel "bytes", buffers[0].uri: it is beside the file, whose address is not known: load() fetches it\n' +
+                            'model "lost", buffers[0].uri: its file can\'t be fetched: 404', _log.join("\n"));
+                });
+        }
+
+        [Test(async, timeout="5000")]
+        public function cancelledLoadsFetchNothingMore():void
+        {
+            _loader.load("a", "bear.gltf");
+            _loader.fetches[0].deliver(Gltf.tetrahedron().toTextBytes("bear.bin"));
+            _loader.addEventListener("progress", function(event:Event):void
+                {
+                    if (_loader.fetches.length == 2)
+                    {
+                        _loader.cancel("a");
+                    }
+                });
+            Async.handleEvent(this, _loader, Event.CANCEL, function(event:Event, data:Object):void
+                {
+                    assertEquals(1, _loader.fetches[1].closeCount);
+                    assertEquals(0, _log.length);
+                }, 5000);
+        }
+
+        private function whenComplete(check:Function):void
+        {
+            Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
+                {
+                    check();
+                }, 5000);
+        }
+
+        private static function binaryStl():ByteArray
+        {
+            var bytes:ByteArray = bytesOf("solid");
+            bytes.length = 84;
+            bytes[80] = 1;
+            bytes.position = 96;
+            for each (var number:Number in [0, 0, 0, 1, 0, 0, 1, 1, 0])
+            {
+                bytes.endian = "littleEndian";
+                bytes.writeFloat(number);
+            }
+            bytes.writeShort(0);
+            return bytes;
+        }
+
+        private static function bytesOf(text:String):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeUTFBytes(text);
+            return bytes;
+        }
+    }
+}

@@ -1,0 +1,264 @@
+package starlogo.models
+{
+    import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import support.Failures;
+    import support.Gltf;
+    import support.Surfaces;
+
+    /** What glTF files have. What three.js draws of random ones is compared in test/module/gltf.test.mjs. */
+    public class GltfModelTest
+    {
+        private static const SQUARE:Array = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
+
+        private var _file:Gltf;
+
+        [Before]
+        public function setUp():void
+        {
+            _file = new Gltf();
+        }
+
+        [Test]
+        public function readsBothKindsOfFiles():void
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var binary:Model = GltfModel.fromBytes("a", file.toBinary());
+            var text:Model = GltfModel.fromBytes("a", file.toTextBytes());
+            assertEquals(binary.vertices.join(), text.vertices.join());
+            assertEquals("0,2,1,0,1,3,0,3,2,1,2,3", binary.triangles.join());
+            assertEquals(binary.triangles.join(), text.triangles.join());
+            // y is up in the file: its z of 2 is the extent in y, its y of 4 the height
+            var bounds:Vector.<Number> = Surfaces.bounds(binary.vertices);
+            assertTrue(bounds.join(), Math.abs(bounds[5] - 4 / 3) < 1e-12 && Math.abs(bounds[4] - 1 / 3) < 1e-12);
+            assertTrue(Surfaces.volume(binary) > 0);
+        }
+
+        [Test]
+        public function takesAnotherAxisUpOrATransform():void
+        {
+            var bytes:ByteArray = Gltf.tetrahedron().toBinary();
+            assertEquals("0,0,0,3,0,0,0,4,0,0,0,2", GltfModel.fromBytes("a", bytes, "z", Model.AS_GIVEN).vertices.join());
+            assertEquals("0,0,0,3,0,0,0,0,4,0,-2,0", positive(GltfModel.fromBytes("a", bytes, null, Model.AS_GIVEN)));
+            assertEquals("0,0,0,3,0,0,0,0,4,0,-2,0", positive(GltfModel.fromBytes("a", bytes, "y", Model.AS_GIVEN)));
+            assertEquals("0,0,0,0,0,3,-4,0,0,0,-2,0", positive(GltfModel.fromBytes("a", bytes, "x", Model.AS_GIVEN)));
+            var moved:ModelTransform = new ModelTransform(null, null, new Vector3D(1, 2, 3));
+            assertEquals("1,2,3,4,2,3,1,6,3,1,2,5", GltfModel.fromBytes("a", bytes, moved, Model.AS_GIVEN).vertices.join());
+        }
+
+        [Test]
+        public function readsStripsFansAndWhatHasNoIndices():void
+        {
+            for each (var each:Array in [[4, [0, 1, 2, 1, 3, 2], "0,1,2,1,3,2"], [4, [0, 1, 2, 3, 2], "0,1,2"], [5, [0, 1, 2, 3], "0,1,2,1,3,2"],
+                        [6, [0, 1, 2, 3], "1,2,0,2,3,0"], [undefined, [2, 1, 0], "2,1,0"]])
+            {
+                _file = new Gltf();
+                _file.addMesh({attributes: {POSITION: _file.addNumbers(SQUARE, "VEC3", Gltf.FLOAT)}, mode: each[0],
+                            indices: _file.addNumbers(each[1], "SCALAR", Gltf.UNSIGNED_SHORT)});
+                _file.json.nodes.push({mesh: 0});
+                assertEquals(each[2], read().triangles.join());
+                delete _file.json.meshes[0].primitives[0].indices;
+                var count:int = each[0] > 4 ? 6 : 3;
+                assertEquals(String(each[0]), count, read().triangles.length);
+            }
+        }
+
+        [Test]
+        public function readsRowsWithGapsThatAreSparse():void
+        {
+            var base:int = _file.addNumbers([9, 9, 9, 1, 0, 0, 9, 9, 9], "VEC3", Gltf.FLOAT, 20);
+            _file.json.accessors[base].sparse = {count: 2, indices: {bufferView: _file.addView([0, 2], 1, Gltf.UNSIGNED_BYTE), componentType: Gltf.UNSIGNED_BYTE},
+                    values: {bufferView: _file.addView([0, 0, 0, 0, 1, 0], 3, Gltf.FLOAT)}};
+            // an accessor without a bufferView is zeros
+            _file.json.accessors.push({componentType: Gltf.FLOAT, type: "VEC3", count: 3});
+            _file.addMesh({attributes: {POSITION: base}}, {attributes: {POSITION: base + 1}});
+            _file.json.nodes.push({mesh: 0});
+            assertEquals("0,0,0,1,0,0,0,1,0,0,0,0,0,0,0,0,0,0", read().vertices.join());
+        }
+
+        [Test]
+        public function readsEveryKindOfNumber():void
+        {
+            for each (var each:Array in [[Gltf.BYTE, 127, -128], [Gltf.UNSIGNED_BYTE, 255, 0], [Gltf.SHORT, 32767, -32768],
+                        [Gltf.UNSIGNED_SHORT, 65535, 0], [Gltf.FLOAT, 1, -1]])
+            {
+                for each (var isNormalised:Boolean in [false, true])
+                {
+                    _file = new Gltf();
+                    var least:Number = each[2];
+                    var most:Number = each[1];
+                    var position:int = _file.addNumbers([least, 0, 0, most, 0, 0, 0, most, 0], "VEC3", each[0]);
+                    _file.json.accessors[position].normalized = isNormalised;
+                    _file.json.extensionsRequired = ["KHR_mesh_quantization"];
+                    _file.addMesh({attributes: {POSITION: position}});
+                    _file.json.nodes.push({mesh: 0});
+                    var low:Number = isNormalised ? (least < 0 ? -1 : 0) : least;
+                    var high:Number = isNormalised ? 1 : most;
+                    assertEquals([low, 0, 0, high, 0, 0, 0, high, 0].join(), read().vertices.join());
+                }
+            }
+        }
+
+        [Test]
+        public function placesMeshesAsOftenAsNodesHaveThem():void
+        {
+            _file = Gltf.tetrahedron();
+            _file.json.nodes = [ {mesh: 0, children: [1, 2]}, {mesh: 0, translation: [10, 0, 0]}, {mesh: 0, scale: [-1, 1, 1], children: [3]}, {name: "empty"}];
+            _file.json.scenes = [ {nodes: [0]}];
+            var model:Model = read();
+            assertEquals(12, model.triangles.length / 3);
+            var bounds:Vector.<Number> = Surfaces.bounds(model.vertices);
+            assertEquals("-3,0,0,13,4,2", bounds.join());
+            // three tetrahedra of volume 4, the mirrored one too
+            assertTrue(String(Surfaces.volume(model)), Math.abs(Surfaces.volume(model) - 12) < 1e-9);
+        }
+
+        [Test]
+        public function readsTheSceneThatIsShown():void
+        {
+            _file = Gltf.tetrahedron();
+            _file.json.nodes = [ {mesh: 0}, {mesh: 0, translation: [10, 0, 0]}, {mesh: 0, translation: [20, 0, 0]}];
+            assertEquals("without scenes, all nodes", "0,23", widthOf(read()));
+            _file.json.scenes = [ {nodes: [0]}, {nodes: [1]}];
+            assertEquals("none is shown: all scenes", "0,13", widthOf(read()));
+            _file.json.scene = 1;
+            assertEquals("10,13", widthOf(read()));
+            _file.json.scenes = [ {name: "a"}, {name: "b"}];
+            Failures.assertFails("", "no vertices", read);
+        }
+
+        [Test]
+        public function makesPointsOfWhatHasNoSurface():void
+        {
+            _file.addMesh({attributes: {POSITION: _file.addNumbers(SQUARE, "VEC3", Gltf.FLOAT)}, mode: 0});
+            _file.json.nodes.push({mesh: 0});
+            var model:Model = read();
+            assertNull(model.triangles);
+            assertEquals(SQUARE.join(), model.vertices.join());
+            _file.addMesh({attributes: {POSITION: _file.addNumbers([5, 5, 5, 6, 5, 5, 6, 6, 5], "VEC3", Gltf.FLOAT)}});
+            _file.json.nodes.push({mesh: 1});
+            assertEquals("a surface alone counts", "5,5,5,6,5,5,6,6,5", read().vertices.join());
+        }
+
+        [Test]
+        public function leavesOutWhatNoTriangleUsesAndSharesTheRest():void
+        {
+            var position:int = _file.addNumbers(SQUARE.concat([7, 7, 7]), "VEC3", Gltf.FLOAT);
+            _file.addMesh({attributes: {POSITION: position}, indices: _file.addNumbers([0, 1, 2], "SCALAR", Gltf.UNSIGNED_INT)},
+                    {attributes: {POSITION: position}, indices: _file.addNumbers([0, 2, 3], "SCALAR", Gltf.UNSIGNED_INT)});
+            _file.json.nodes.push({mesh: 0});
+            assertEquals(SQUARE.join(), read().vertices.join());
+            assertEquals("0,1,2,0,2,3", read().triangles.join());
+        }
+
+        [Test]
+        public function morphsByTheWeightsOfTheNodeOrTheMesh():void
+        {
+            var position:int = _file.addNumbers([0, 0, 0, 1, 0, 0, 0, 1, 0], "VEC3", Gltf.FLOAT);
+            var up:int = _file.addNumbers([0, 0, 2, 0, 0, 0, 0, 0, 0], "VEC3", Gltf.FLOAT);
+            var along:int = _file.addNumbers([0, 0, 0, 4, 0, 0, 0, 0, 0], "VEC3", Gltf.FLOAT);
+            _file.addMesh({attributes: {POSITION: position}, targets: [ {POSITION: up}, {NORMAL: 0}, {POSITION: along}]});
+            _file.json.nodes.push({mesh: 0});
+            assertEquals("0,0,0,1,0,0,0,1,0", read().vertices.join());
+            _file.json.meshes[0].weights = [0.5, 1, 0];
+            assertEquals("0,0,1,1,0,0,0,1,0", read().vertices.join());
+            _file.json.nodes[0].weights = [0, 0, 0.25];
+            assertEquals("0,0,0,2,0,0,0,1,0", read().vertices.join());
+        }
+
+        [Test]
+        public function putsSkinsWhereTheirJointsAreAtRest():void
+        {
+            var position:int = _file.addNumbers([0, 0, 0, 1, 0, 0, 0, 1, 0], "VEC3", Gltf.FLOAT);
+            var joints:int = _file.addNumbers([0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0], "VEC4", Gltf.UNSIGNED_BYTE);
+            // shares that do not add up to 1, and no share at all
+            var weights:int = _file.addNumbers([0, 0, 0, 0, 2, 0, 0, 0, 1, 3, 0, 0], "VEC4", Gltf.FLOAT);
+            _file.addMesh({attributes: {POSITION: position, JOINTS_0: joints, WEIGHTS_0: weights}});
+            _file.json.nodes = [ {mesh: 0, skin: 0, translation: [99, 99, 99]}, {translation: [0, 0, 8], children: [2]}, {scale: [2, 2, 2]}];
+            var identity:Array = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+            var bind:Array = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -4, 1];
+            _file.json.skins = [ {joints: [1, 2], inverseBindMatrices: _file.addNumbers(bind.concat(bind), "MAT4", Gltf.FLOAT)}];
+            // joint 0 is at z = 8 - 4, joint 1 at 8 - 2 * 4 and twice as large; the node that has the mesh plays no part
+            assertEquals("0,0,4,2,0,0,0,1.75,1", read().vertices.join());
+            _file.json.skins[0].inverseBindMatrices = _file.addNumbers(identity.concat(identity), "MAT4", Gltf.FLOAT);
+            assertEquals("0,0,8,2,0,8,0,1.75,8", read().vertices.join());
+            delete _file.json.skins[0].inverseBindMatrices;
+            assertEquals("0,0,8,2,0,8,0,1.75,8", read().vertices.join());
+        }
+
+        [Test]
+        public function takesBuffersBesideTheFile():void
+        {
+            var file:Gltf = Gltf.tetrahedron();
+            var bytes:ByteArray = file.toTextBytes("a%20b.bin");
+            var given:Object = {};
+            given["a%20b.bin"] = file.binary;
+            assertEquals(12, GltfModel.fromBytes("a", bytes, null, Model.FOOTPRINT, given).triangles.length);
+            Failures.assertFails("buffers[0].uri", "beside the file, and was not given", function():void
+                {
+                    GltfModel.fromBytes("a", bytes);
+                });
+            Failures.assertFails("buffers[0].uri", "beside the file, and was not given", function():void
+                {
+                    GltfModel.fromBytes("a", file.toTextBytes("constructor"), null, Model.FOOTPRINT, {});
+                });
+            for each (var uri:String in ["http://host/a.bin", "/a.bin", "\\a", "file:a", "data:,abc", "data:;base64", "data:;base64,ab$d"])
+            {
+                Failures.assertFails("buffers[0].uri", "expected", function():void
+                    {
+                        GltfModel.fromBytes("a", file.toTextBytes(uri), null, Model.FOOTPRINT, {});
+                    });
+            }
+        }
+
+        [Test]
+        public function refusesWhatIsCompressedInWordsThatSayWhatToDo():void
+        {
+            // the names of what cannot be read say what to do
+            for each (var each:Array in [["KHR_draco_mesh_compression", "Draco.*without compression"], ["EXT_meshopt_compression", "meshopt.*gltfpack"],
+                        ["KHR_meshopt_compression", "meshopt"], ["ACME_curves", "needs the extension \"ACME_curves\""]])
+            {
+                _file = Gltf.tetrahedron();
+                _file.json.extensionsUsed = [each[0]];
+                assertEquals("it may do without", 12, read().triangles.length);
+                _file.json.extensionsRequired = ["KHR_materials_unlit", "KHR_texture_transform", each[0]];
+                var error:ModelError = Failures.of(read);
+                assertEquals("extensionsRequired", error.place);
+                assertTrue(error.message, new RegExp(each[1]).test(error.message));
+            }
+            _file = Gltf.tetrahedron();
+            _file.json.meshes[0].primitives[0].extensions = {KHR_draco_mesh_compression: {}};
+            Failures.assertFails("meshes[0].primitives[0]", "Draco", read);
+            _file = Gltf.tetrahedron();
+            _file.json.buffers.push({byteLength: 100});
+            _file.json.bufferViews[0].buffer = 1;
+            _file.json.bufferViews[0].extensions = {EXT_meshopt_compression: {}};
+            Failures.assertFails("bufferViews[0]", "meshopt", read);
+        }
+
+        private function read():Model
+        {
+            return GltfModel.fromBytes("a", _file.toBinary(), "z", Model.AS_GIVEN);
+        }
+
+        private static function widthOf(model:Model):String
+        {
+            var bounds:Vector.<Number> = Surfaces.bounds(model.vertices);
+            return bounds[0] + "," + bounds[3];
+        }
+
+        // -0 as 0
+        private static function positive(model:Model):String
+        {
+            var numbers:Array = [];
+            for each (var number:Number in model.vertices)
+            {
+                numbers.push(number + 0);
+            }
+            return numbers.join();
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package starlogo.models
+{
+    import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import support.Failures;
+    import support.Surfaces;
+
+    public class StlModelTest
+    {
+        private static const TETRAHEDRON:Array = [[0, 0, 0, 0, 4, 0, 3, 0, 0], [0, 0, 0, 3, 0, 0, 0, 0, 2], [0, 0, 0, 0, 0, 2, 0, 4, 0],
+                [3, 0, 0, 0, 4, 0, 0, 0, 2]];
+
+        [Test]
+        public function readsBothKinds():void
+        {
+            var binary:Model = StlModel.fromBytes("a", binaryOf(TETRAHEDRON));
+            var text:Model = StlModel.fromBytes("a", bytesOf(textOf(TETRAHEDRON)));
+            assertEquals(binary.vertices.join(), text.vertices.join());
+            assertEquals("vertices at equal places are one", 12, binary.vertices.length);
+            assertEquals("0,1,2,0,2,3,0,3,1,2,1,3", binary.triangles.join());
+            assertEquals(binary.triangles.join(), text.triangles.join());
+            assertTrue(Surfaces.volume(binary) > 0);
+        }
+
+        [Test]
+        public function aBinaryFileMayBeginLikeText():void
+        {
+            assertEquals(12, StlModel.fromBytes("a", binaryOf(TETRAHEDRON, "solid facet normal 0 0 1\n")).triangles.length);
+            var trailing:ByteArray = binaryOf(TETRAHEDRON, "solid");
+            trailing.position = trailing.length;
+            trailing.writeUTFBytes("more");
+            assertEquals(12, StlModel.fromBytes("a", trailing).triangles.length);
+        }
+
+        [Test]
+        public function takesAnAxisUpOrATransformAndAScaling():void
+        {
+            var bytes:ByteArray = binaryOf([[0, 0, 0, 1, 0, 0, 0, 2, 0]]);
+            assertEquals("0,0,0,1,0,0,0,2,0", StlModel.fromBytes("a", bytes, "z", Model.AS_GIVEN).vertices.join());
+            assertEquals(2, StlModel.fromBytes("a", bytes, "y", Model.AS_GIVEN).vertices[8]);
+            var moved:ModelTransform = new ModelTransform(null, null, new Vector3D(1, 2, 3));
+            assertEquals("1,2,3,2,2,3,1,4,3", StlModel.fromBytes("a", bytes, moved, Model.AS_GIVEN).vertices.join());
+        }
+
+        [Test]
+        public function readsTextHoweverItIsWritten():void
+        {
+            var facet:String = "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet";
+            for each (var text:String in [textOf(TETRAHEDRON.slice(0, 1)), textOf(TETRAHEDRON.slice(0, 1)).split("\n").join("\r\n"),
+                        "SOLID A VERTEX\nFACET NORMAL 0 0 0\n OUTER LOOP\n\tVERTEX 0 0 0\n\tVERTEX\t1e0  0 0\nVERTEX 0 1 -0\nENDLOOP\nENDFACET\nENDSOLID",
+                        "\uFEFFsolid\n\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\ncolor 1 0 0\nendfacet\n"])
+            {
+                assertEquals(text, 3, StlModel.fromBytes("a", bytesOf(text)).triangles.length);
+            }
+            var two:String = textOf(TETRAHEDRON.slice(0, 2)) + textOf([]) + textOf(TETRAHEDRON.slice(2));
+            assertEquals("several solids make one model", 12, StlModel.fromBytes("a", bytesOf(two)).triangles.length);
+            assertEquals("all in one line", 6, StlModel.fromBytes("a", bytesOf("solid a\n" + facet + " " + facet)).triangles.length);
+        }
+
+        [Test]
+        public function saysWhatIsWrongAndWhere():void
+        {
+            refuses("", "the file is empty", "");
+            refuses("", "no vertices", textOf([]));
+            refuses("line 4", "expected a vertex, three finite numbers, but found \"0 0\"", "solid\nfacet\nouter loop\nvertex 0 0\n");
+            refuses("line 4", "but found \"a b c\"", "solid\nfacet\nouter loop\nvertex a b c\n");
+            refuses("line 4", "but found \"1 2 Infinity\"", "solid\nfacet\nouter loop\nvertex 1 2 Infinity\n");
+            refuses("line 4", "expected a facet of three vertices, but found 1", "solid\nouter loop\nvertex 1 2 3\nendloop\n");
+            refuses("line 5", "a facet has more than three vertices", "solid\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\nvertex 1 2 3\n");
+            refuses("line 3", "a loop begins before", "solid\nvertex 1 2 3\nouter loop\n");
+            refuses("line 4", "the file is cut off", "solid\nvertex 1 2 3\nvertex 1 2 3");
+            Failures.assertFails("triangle 1", "three finite numbers for a vertex, but found 1, NaN, 3", function():void
+                {
+                    StlModel.fromBytes("a", binaryOf([TETRAHEDRON[0], [0, 0, 0, 1, NaN, 3, 0, 0, 0]]));
+                });
+            Failures.assertFails("", "no vertices", function():void
+                {
+                    StlModel.fromBytes("a", binaryOf([]));
+                });
+            Failures.assertFails("", "the up axis must be", function():void
+                {
+                    StlModel.fromBytes("a", binaryOf(TETRAHEDRON), "up");
+                });
+            var whole:ByteArray = binaryOf(TETRAHEDRON);
+            for (var length:int = 0; length < whole.length; length++)
+            {
+                var part:ByteArray = new ByteArray();
+                if (length > 0)
+                {
+                    part.writeBytes(whole, 0, length);
+                }
+                Failures.of(function():void
+                    {
+                        StlModel.fromBytes("a", part);
+                    });
+            }
+        }
+
+        [Test]
+        public function manyFacetsAreReadInSteps():void
+        {
+            var facets:Array = [];
+            for (var i:int = 0; i < 2000; i++)
+            {
+                facets.push([i, 0, 0, i + 1, 0, 0, i, 1, 0]);
+            }
+            var model:Model = StlModel.fromBytes("a", binaryOf(facets));
+            assertEquals(2000, model.triangles.length / 3);
+            assertEquals(4001, model.vertices.length / 3);
+        }
+
+        private static function binaryOf(facets:Array, header:String = ""):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            bytes.writeUTFBytes(header);
+            bytes.length = 80;
+            bytes.position = 80;
+            bytes.writeUnsignedInt(facets.length);
+            for each (var facet:Array in facets)
+            {
+                for each (var number:Number in [0, 0, 0].concat(facet))
+                {
+                    bytes.writeFloat(number);
+                }
+                bytes.writeShort(0);
+            }
+            return bytes;
+        }
+
+        private static function textOf(facets:Array):String
+        {
+            var text:String = "solid vertex of something\n";
+            for each (var f:Array in facets)
+            {
+                text += "  facet normal 0 0 0\n    outer loop\n";
+                for (var i:int = 0; i < 9; i += 3)
+                {
+                    text += "      vertex " + f[i] + " " + f[i + 1] + " " + f[i + 2] + "\n";
+                }
+                text += "    endloop\n  endfacet\n";
+            }
+            return text + "endsolid vertex of something\n";
+        }
+
+        private static function bytesOf(text:String):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeUTFBytes(text);
+            return bytes;
+        }
+
+        private static function refuses(place:String, words:String, text:String):void
+        {
+            Failures.assertFails(place, words, function():void
+                {
+                    StlModel.fromBytes("a", bytesOf(text));
+                });
+        }
+    }
+}

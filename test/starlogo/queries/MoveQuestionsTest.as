@@ -1,0 +1,334 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.SolidModels;
+    import support.assertThrows;
+
+    /** How far agents go until they touch, against fine steps; and what stops nothing. */
+    public class MoveQuestionsTest
+    {
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "plank", "hollow", "apart"];
+        private static const HAIR:Number = 1e-9;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            for each (var model:Model in SolidModels.all())
+            {
+                sGreatLand.addModel(model);
+            }
+            sGreatLand.addModel(BuiltInModel.cylinder());
+            sGreatLand.addModel(SolidModels.of("plank", [[1, 0, 0, 0, false], [0.2, 0.9, 0, 0, false], [0.2, 1.4, 0.1, 0, false]]));
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(2203);
+            _wrong = new Complaints();
+        }
+
+        [Test]
+        public function goesAsFarAsNothingTouches():void
+        {
+            var stopped:int = 0;
+            var free:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(100, 3000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = anyAgents(6, 3);
+                    queries.update(agents);
+                    var mover:Agent = agents[0];
+                    if (touchesAny(collider, mover, agents))
+                    {
+                        continue;
+                    }
+                    var d:Array = [_random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2)];
+                    var from:Array = [mover.x, mover.y, mover.z];
+                    var contact:Contact = new Contact();
+                    var part:Number = queries.moveUntilTouch(mover, d[0], d[1], d[2], null, contact);
+                    var at:Array = [mover.x, mover.y, mover.z];
+                    if (contact.time != part || !(part >= 0 && part <= 1))
+                    {
+                        _wrong.add(name + ": another time", part + ", " + contact.time);
+                    }
+                    // nothing touches before
+                    for (var k:int = 0; k <= 50; k++)
+                    {
+                        var t:Number = part * (1 - 1e-7) * k / 50;
+                        mover.moveTo(from[0] + t * d[0], from[1] + t * d[1], from[2] + t * d[2]);
+                        if (touchesAny(collider, mover, agents))
+                        {
+                            _wrong.add(name + ": goes through", t + " of " + part);
+                            break;
+                        }
+                    }
+                    if (part == 1)
+                    {
+                        free++;
+                        assertEquals(from[0] + d[0], at[0]);
+                        continue;
+                    }
+                    stopped++;
+                    mover.moveTo(at[0], at[1], at[2]);
+                    if (!touchesAny(collider, mover, agents))
+                    {
+                        _wrong.add(name + ": ends without a touch", String(part));
+                    }
+                    if (deepest(collider, mover, agents) > HAIR)
+                    {
+                        _wrong.add(name + ": ends deep", String(deepest(collider, mover, agents)));
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(stopped + " stopped, " + free + " free", stopped > 50 && free > 50);
+        }
+
+        [Test]
+        public function whatIsLeftOrRunAlongStopsNothing():void
+        {
+            for each (var name:String in ["tightest fits", "hierarchies", "triangles", "combinations"])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var mover:Agent = cubeAt(0, 0, 0);
+                // below it a floor of tiles, at its left a wall
+                var agents:Vector.<Agent> = new <Agent>[mover, cubeAt(-1, 0, 0), cubeAt(0, 0, -1), cubeAt(0, 1, -1), cubeAt(0, 2, -1), cubeAt(0, 3, -1)];
+                queries.update(agents);
+                assertTrue(name, queries.moveUntilTouch(mover, -1, 0, 0) < 1e-9);
+                assertTrue(name, queries.moveUntilTouch(mover, 0, 0, -0.5) < 1e-9);
+                assertTrue(name, queries.moveUntilTouch(mover, -1, 1, 0) < 1e-9);
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, 3, 0));
+                assertNear(name, mover, 0, 3, 0);
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, -3, 0));
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, 0, 1.5));
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 0, 0, -1.5));
+                assertNear(name, mover, 0, 0, 0);
+                assertTrue(name, Math.abs(queries.slide(mover, -3, 2, -4) - 2 / Math.sqrt(29)) < 1e-8);
+                assertNear(name, mover, 0, 2, 0);
+                assertTrue(name, queries.slide(mover, 0, 0, -1) < 1e-9);
+                assertEquals(name, 1, queries.slide(mover, 0.25, 0.25, 0.25));
+                assertNear(name, mover, 0.25, 2.25, 0.25);
+            }
+        }
+
+        [Test]
+        public function aCorridorAsWideAsTheAgentIsAWay():void
+        {
+            for each (var name:String in ["tightest fits", "combinations"])
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var mover:Agent = cubeAt(0, 0, 0);
+                var agents:Vector.<Agent> = new <Agent>[mover];
+                for (var i:int = 0; i < 6; i++)
+                {
+                    agents.push(cubeAt(i, 1, 0), cubeAt(i, -1, 0));
+                }
+                agents.push(cubeAt(5, 0, 0));
+                queries.update(agents);
+                var part:Number = queries.moveUntilTouch(mover, 8, 0, 0);
+                assertTrue(name + ": " + part, Math.abs(part - 0.5) < 1e-8);
+                assertNear(name, mover, 4, 0, 0);
+                part = queries.slide(mover, -3, 0.3, 0);
+                assertTrue(name + ": " + part + " " + mover.x, mover.x < 1.001);
+                queries.slide(mover, -3, -0.3, 0);
+                assertNear(name, mover, -2, mover.y, 0);
+            }
+        }
+
+        [Test]
+        public function outOfADeepOverlapTheWayIsFree():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                var mover:Agent = cubeAt(0.7, 0.02, 0);
+                queries.update(new <Agent>[mover, cubeAt(0, 0, 0)]);
+                var contact:Contact = new Contact();
+                assertEquals(name, 0, queries.moveUntilTouch(mover, -0.1, 0, 0, null, contact));
+                assertNear(name, mover, 0.7, 0.02, 0);
+                assertTrue(name, contact.normal.x > 0.9 && contact.time == 0 && contact.depth > 0.2);
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 0.1, 0, 0));
+                assertNear(name, mover, 0.8, 0.02, 0);
+                queries.slide(mover, -0.1, 0.2, 0);
+                assertTrue(name, mover.y > 0.2 && mover.x > 0.79);
+                assertEquals(name, 1, queries.moveUntilTouch(mover, 3, 0, 0));
+                assertTrue(name, queries.moveUntilTouch(mover, -5, 0, 0) < 0.9);
+            }
+        }
+
+        [Test]
+        public function whatIsFreeInOthersIsFreeByTriangles():void
+        {
+            var exact:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+            var shorter:int = 0;
+            for each (var name:String in ["tightest fits", "hierarchies", "combinations"])
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var other:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(150, 20000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = anyAgents(5, 3);
+                    var mover:Agent = agents[0];
+                    if (touchesAny(collider, mover, agents))
+                    {
+                        continue;
+                    }
+                    exact.update(agents);
+                    other.update(agents);
+                    var d:Array = [_random.between(-4, 4), _random.between(-4, 4), _random.between(-2, 2)];
+                    var from:Array = [mover.x, mover.y, mover.z];
+                    var part:Number = other.moveUntilTouch(mover, d[0], d[1], d[2]);
+                    mover.moveTo(from[0], from[1], from[2]);
+                    var most:Number = exact.moveUntilTouch(mover, d[0], d[1], d[2]);
+                    shorter += part < most ? 1 : 0;
+                    if (part > most)
+                    {
+                        _wrong.add(name, part + " of " + most);
+                    }
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(String(shorter), shorter > 30);
+        }
+
+        [Test]
+        public function motionsMustBeNumbersAndNoneIsNone():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("triangles", sGreatLand));
+            var mover:Agent = cubeAt(0, 0, 0);
+            queries.update(new <Agent>[cubeAt(0.5, 0, 0), cubeAt(3, 0, 0)]);
+            assertThrows(RangeError, /NaN/, queries.moveUntilTouch, mover, NaN, 0, 0);
+            assertThrows(RangeError, /Infinity/, queries.slide, mover, 0, 0, Infinity);
+            assertThrows(ArgumentError, /null/, queries.slide, null, 0, 0, 1);
+            var revision:Number = mover.x;
+            assertEquals(1, queries.moveUntilTouch(mover, 0, 0, 0));
+            assertEquals(1, queries.slide(mover, 0, 0, 0));
+            assertEquals(revision, mover.x);
+        }
+
+        [Test]
+        public function filtersLetThrough():void
+        {
+            var queries:AgentQueries = new AgentQueries(EachCollider.make("hierarchies", sGreatLand));
+            var mover:Agent = cubeAt(0, 0, 0);
+            var ghost:Agent = cubeAt(2, 0, 0);
+            ghost.breed = "ghosts";
+            queries.update(new <Agent>[mover, ghost, cubeAt(4, 0, 0)]);
+            var filter:AgentFilter = new AgentFilter();
+            filter.exceptBreeds = new <String>["ghosts"];
+            assertTrue(Math.abs(queries.moveUntilTouch(mover, 8, 0, 0, filter) - 3 / 8) < 1e-9);
+            mover.moveTo(0, 0, 0);
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                // a question of its own
+                queries.moveUntilTouch(cubeAt(0, 50, 0), 1, 0, 0);
+                return agent.x < 0;
+            };
+            assertEquals(1, queries.moveUntilTouch(mover, 8, 0, 0, filter));
+            assertEquals(1, queries.countNear(cubeAt(8, 0, 0), 0.1));
+        }
+
+        [Test]
+        public function farOutAndOfAnySizeItIsTheSame():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                for each (var far:Number in [0, 1e3, 1e6])
+                {
+                    for each (var size:Number in [1e-3, 1, 1e3])
+                    {
+                        var mover:Agent = cubeAt(far, far, 0);
+                        var other:Agent = cubeAt(far + 3 * size, far, 0);
+                        mover.size = other.size = size;
+                        queries.update(new <Agent>[mover, other]);
+                        var part:Number = queries.moveUntilTouch(mover, 4 * size, 0, 0);
+                        assertTrue(name + ", " + far + ", " + size + ": " + part, Math.abs(part - 0.5) < 1e-8 + 1e-15 * far / size);
+                        assertTrue(name, mover.x - far <= 2 * size * (1 + 1e-9) + 1e-15 * far);
+                    }
+                }
+            }
+        }
+
+        private static function cubeAt(x:Number, y:Number, z:Number):Agent
+        {
+            var cube:Agent = new Agent("cube");
+            cube.moveTo(x, y, z);
+            return cube;
+        }
+
+        private static function assertNear(message:String, agent:Agent, x:Number, y:Number, z:Number):void
+        {
+            var distance:Number = Math.abs(agent.x - x) + Math.abs(agent.y - y) + Math.abs(agent.z - z);
+            assertTrue(message + ": " + agent.x + ", " + agent.y + ", " + agent.z, distance < 3e-9);
+        }
+
+        private function deepest(collider:Collider, agent:Agent, others:Vector.<Agent>):Number
+        {
+            var most:Number = 0;
+            for each (var other:Agent in others)
+            {
+                if (other !== agent && collider.areColliding(agent, other))
+                {
+                    most = Math.max(most, collider.contactOf(agent, other).depth / (2.5 * Math.max(agent.size, other.size)));
+                }
+            }
+            return most;
+        }
+
+        private static function touchesAny(collider:Collider, agent:Agent, others:Vector.<Agent>):Boolean
+        {
+            for each (var other:Agent in others)
+            {
+                if (other !== agent && collider.areColliding(agent, other))
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        private function anyAgents(count:int, reach:Number):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < count; i++)
+            {
+                var agent:Agent = new Agent(_random.pick(SHAPES));
+                agent.size = _random.logBetween(0.3, 2);
+                agent.hierarchical = _random.chance();
+                agent.heading = _random.chance() ? 0 : _random.between(0, 360);
+                agent.pitch = _random.chance() ? 0 : _random.between(0, 360);
+                agent.moveTo(_random.between(-reach, reach), _random.between(-reach, reach), _random.between(-1, 1));
+                agents.push(agent);
+            }
+            return agents;
+        }
+    }
+}

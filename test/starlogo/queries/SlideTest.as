@@ -1,0 +1,335 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.collision.Collider;
+    import starlogo.models.BuiltInModel;
+    import starlogo.models.ObjModel;
+    import support.Complaints;
+    import support.EachCollider;
+    import support.Effort;
+    import support.Fixtures;
+    import support.SolidModels;
+
+    /**
+     * Agents that slide through mazes: never deeper in anything than 1e-9 of the larger extent, and among boxes as far as a point can that slides along
+     * the same boxes, widened.
+     */
+    public class SlideTest
+    {
+        /** What is read. */
+        public static const FIXTURES:Array = ["/assets/fortress.obj"];
+
+        private static const HAIR:Number = 1e-9;
+        private static const HASH:uint = 3872856717;
+
+        private static var sGreatLand:GreatLand;
+
+        private var _random:SeededRandom;
+        private var _wrong:Complaints;
+
+        // The walls: their middles and half-extents.
+        private var _walls:Array;
+
+        [BeforeClass]
+        public static function makeModels():void
+        {
+            sGreatLand = new GreatLand();
+            sGreatLand.addModel(BuiltInModel.cube());
+            sGreatLand.addModel(BuiltInModel.sphere());
+            sGreatLand.addModel(SolidModels.of("post", [[0.2, 0, 0, 0, false], [0.2, 0, 0, 0.2, false], [0.2, 0, 0, 0.4, false],
+                            [0.2, 0, 0, 0.6, false]]));
+            sGreatLand.addModel(new ObjModel("fortress", Fixtures.text("/assets/fortress.obj")));
+        }
+
+        [AfterClass]
+        public static function forgetModels():void
+        {
+            sGreatLand = null;
+        }
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(2204);
+            _wrong = new Complaints();
+        }
+
+        [Test]
+        public function amongBoxesAsFarAsCanBe():void
+        {
+            for each (var name:String in ["tightest fits", "hierarchies", "triangles"])
+            {
+                var gone:Number = 0;
+                var possible:Number = 0;
+                var touched:int = 0;
+                for (var world:int = 0; world < 4; world++)
+                {
+                    var isTiled:Boolean = world % 2 == 1;
+                    var agents:Vector.<Agent> = boxes(isTiled, 60);
+                    var mover:Agent = agents[0];
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                    queries.update(agents);
+                    var dx:Number = 0;
+                    var dy:Number = 0;
+                    var dz:Number = 0;
+                    for (var step:int = Effort.choose(250, 40000); step > 0; step--)
+                    {
+                        if (step % 20 == 0 || dx == 0)
+                        {
+                            dx = _random.between(-0.5, 0.5);
+                            dy = _random.between(-0.5, 0.5);
+                            dz = isTiled ? 0 : _random.between(-0.2, 0.2);
+                        }
+                        var length:Number = Math.sqrt(dx * dx + dy * dy + dz * dz);
+                        var far:Number = slidePoint(mover, dx, dy, dz);
+                        var part:Number = queries.slide(mover, dx, dy, dz);
+                        gone += Math.min(part * length, far);
+                        possible += far;
+                        touched += far < length ? 1 : 0;
+                        if (overlap(mover) > HAIR)
+                        {
+                            _wrong.add(name + ": deep", String(overlap(mover)));
+                        }
+                        if (Math.abs(mover.x) > 4.5 || Math.abs(mover.y) > 4.5 || Math.abs(mover.z) > 2)
+                        {
+                            mover.moveTo(0, 0, 0);
+                            queries.moved(mover);
+                        }
+                    }
+                }
+                if (gone < 0.999 * possible)
+                {
+                    _wrong.add(name + ": not far enough", gone + " of " + possible);
+                }
+                assertTrue(name + ": touched " + touched, touched > 200);
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function neverDeepInAnything():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var gone:Number = 0;
+                var steps:int = Effort.choose(name == "triangles" ? 150 : 400, 30000);
+                for (var world:int = 0; world < 3; world++)
+                {
+                    var agents:Vector.<Agent> = mixture(collider, world == 2);
+                    var mover:Agent = agents[0];
+                    var queries:AgentQueries = new AgentQueries(collider);
+                    queries.update(agents);
+                    var dx:Number = 0;
+                    var dy:Number = 0;
+                    var dz:Number = 0;
+                    for (var step:int = steps / 3; step > 0; step--)
+                    {
+                        if (step % 15 == 0 || dx == 0)
+                        {
+                            dx = _random.between(-0.4, 0.4);
+                            dy = _random.between(-0.4, 0.4);
+                            dz = _random.chance() ? 0 : _random.between(-0.1, 0.1);
+                        }
+                        gone += queries.slide(mover, dx, dy, dz);
+                        for each (var other:Agent in agents)
+                        {
+                            if (other !== mover && collider.areColliding(mover, other))
+                            {
+                                var depth:Number = collider.contactOf(mover, other).depth / Math.max(mover.size, other.size);
+                                if (depth > HAIR)
+                                {
+                                    _wrong.add(name + " " + world + " " + other.shape, String(depth));
+                                }
+                            }
+                        }
+                        if (Math.abs(mover.x) > 6 || Math.abs(mover.y) > 6 || Math.abs(mover.z) > 3)
+                        {
+                            putFree(collider, agents);
+                            queries.moved(mover);
+                        }
+                    }
+                }
+                assertTrue(name + ": " + gone / steps, gone > 0.2 * steps);
+            }
+            _wrong.assertNone();
+        }
+
+        [Test]
+        public function theSameOnAllMachines():void
+        {
+            var hash:uint = 2166136261;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var agents:Vector.<Agent> = mixture(EachCollider.make(name, sGreatLand), false);
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                queries.update(agents);
+                for (var step:int = 0; step < 60; step++)
+                {
+                    queries.slide(agents[0], 0.2 * Math.sqrt(step % 7) - 0.3, 0.4 - 0.1 * (step % 9), 0.02 * (step % 3 - 1));
+                    for each (var at:Number in [agents[0].x, agents[0].y, agents[0].z])
+                    {
+                        // to a millionth
+                        var digits:int = Math.round(at * 1e6);
+                        for (var i:int = 0; i < 32; i += 8)
+                        {
+                            hash = times(hash ^ (digits >>> i & 255));
+                        }
+                    }
+                }
+            }
+            assertEquals(HASH, hash);
+        }
+
+        // By the prime of FNV-1a, 2 to the 24th and 403.
+        private static function times(hash:uint):uint
+        {
+            return (hash << 24) + 403 * (hash & 65535) + ((403 * (hash >>> 16)) << 16);
+        }
+
+        // A point among the boxes, each wider by the mover: how far it slides, all faces kept that it has come to.
+        private function slidePoint(mover:Agent, dx:Number, dy:Number, dz:Number):Number
+        {
+            var half:Number = mover.size / 2;
+            var at:Array = [mover.x, mover.y, mover.z + half];
+            var rest:Array = [dx, dy, dz];
+            var gone:Number = 0;
+            for (var round:int = 0; round < 4; round++)
+            {
+                var first:Number = 1;
+                var axis:int = -1;
+                for each (var wall:Array in _walls)
+                {
+                    var enters:Number = -Infinity;
+                    var leaves:Number = Infinity;
+                    var through:int = -1;
+                    for (var i:int = 0; i < 3; i++)
+                    {
+                        var reach:Number = wall[3 + i] + half - 1e-8;
+                        var from:Number = at[i] - wall[i];
+                        if (rest[i] == 0)
+                        {
+                            if (Math.abs(from) >= reach)
+                            {
+                                leaves = -Infinity;
+                            }
+                            continue;
+                        }
+                        var side:Number = rest[i] > 0 ? 1 : -1;
+                        var enter:Number = (-side * reach - from) / rest[i];
+                        if (enter > enters)
+                        {
+                            enters = enter;
+                            through = i;
+                        }
+                        leaves = Math.min(leaves, (side * reach - from) / rest[i]);
+                    }
+                    if (enters < leaves && leaves > 0 && enters < first && through >= 0 && enters > -1e-6)
+                    {
+                        first = Math.max(enters, 0);
+                        axis = through;
+                    }
+                }
+                gone += first * Math.sqrt(rest[0] * rest[0] + rest[1] * rest[1] + rest[2] * rest[2]);
+                for (i = 0; i < 3; i++)
+                {
+                    at[i] += first * rest[i];
+                    rest[i] *= 1 - first;
+                }
+                if (axis < 0)
+                {
+                    break;
+                }
+                rest[axis] = 0;
+            }
+            return gone;
+        }
+
+        // How far the mover overlaps the wall that it overlaps most.
+        private function overlap(mover:Agent):Number
+        {
+            var half:Number = mover.size / 2;
+            var most:Number = 0;
+            for each (var wall:Array in _walls)
+            {
+                most = Math.max(most, Math.min(wall[3] + half - Math.abs(mover.x - wall[0]), wall[4] + half - Math.abs(mover.y - wall[1]),
+                            wall[5] + half - Math.abs(mover.z + half - wall[2])));
+            }
+            return most;
+        }
+
+        // The mover and cubes around it: of any size, or of one size on the squares of a grid.
+        private function boxes(isTiled:Boolean, count:int):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent("cube")];
+            _walls = [];
+            agents[0].size = isTiled ? 0.7 : 0.4;
+            while (_walls.length < count)
+            {
+                var wall:Agent = new Agent("cube");
+                wall.size = isTiled ? 1 : _random.between(0.3, 1.5);
+                wall.moveTo(_random.between(-4, 4), _random.between(-4, 4), _random.between(-1.5, 1));
+                if (isTiled)
+                {
+                    wall.moveTo(_random.integer(-4, 4), _random.integer(-4, 4), 0);
+                }
+                var half:Number = wall.size / 2;
+                _walls.push([wall.x, wall.y, wall.z + half, half, half, half]);
+                if (overlap(agents[0]) > 0)
+                {
+                    _walls.pop();
+                    continue;
+                }
+                agents.push(wall);
+            }
+            return agents;
+        }
+
+        // A mover among spheres, posts and turned cubes, or in a fortress.
+        private function mixture(collider:Collider, isFortress:Boolean):Vector.<Agent>
+        {
+            var agents:Vector.<Agent> = new <Agent>[new Agent(_random.pick(["cube", "sphere", "post"]))];
+            agents[0].size = _random.between(0.2, 0.6);
+            agents[0].hierarchical = _random.chance();
+            for (var i:int = 0; i < 40; i++)
+            {
+                var other:Agent = new Agent(_random.pick(["cube", "sphere", "post"]));
+                other.size = _random.between(0.5, 2);
+                other.heading = _random.between(0, 360);
+                other.pitch = _random.chance() ? 0 : _random.between(-90, 90);
+                other.hierarchical = _random.chance();
+                other.moveTo(_random.between(-5, 5), _random.between(-5, 5), _random.between(-1.5, 1));
+                agents.push(other);
+            }
+            if (isFortress)
+            {
+                agents.length = 2;
+                agents[1] = new Agent("fortress");
+                agents[1].size = 9;
+                agents[1].hierarchical = true;
+                agents[1].heading = 20;
+            }
+            putFree(collider, agents);
+            return agents;
+        }
+
+        // Where the mover touches nothing.
+        private function putFree(collider:Collider, agents:Vector.<Agent>):void
+        {
+            var isFree:Boolean = false;
+            for (var tries:int = 0; tries < 2000 && !isFree; tries++)
+            {
+                agents[0].jumpTo(_random.between(-6, 6), _random.between(-6, 6), _random.between(-1, 1.5));
+                isFree = true;
+                for (var i:int = 1; i < agents.length && isFree; i++)
+                {
+                    isFree = !collider.areColliding(agents[0], agents[i]);
+                }
+            }
+        }
+    }
+}

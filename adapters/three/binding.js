@@ -11,7 +11,6 @@ const position = new Vector3();
 const quaternion = new Quaternion();
 const scale = new Vector3();
 const matrix = new Matrix4();
-const now = new Float64Array(16);
 
 /**
  * Keeps an agent and an object, or an instance of an InstancedMesh, in the same place: position, rotation and size. The object's parent,
@@ -72,7 +71,7 @@ export class ThreeAgentBinding {
 	/** Puts the object where the agent is, as large, turned the same way. */
 	updateObject() {
 		const place = this.#place;
-		if (!place.read() && !this.#hasChanged()) return;
+		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
 		position.copy(this.#origin).multiplyScalar(place.size).applyQuaternion(place.quaternion).add(place.position);
 		quaternion.copy(place.quaternion);
 		if (this.#turn) quaternion.multiply(this.#turn);
@@ -83,7 +82,7 @@ export class ThreeAgentBinding {
 	/** Gives the agent the object's place, size and rotation. */
 	updateAgent() {
 		const place = this.#place;
-		if (!place.read() && !this.#hasChanged()) return;
+		if (!place.read() && !this.#drawn.differsFrom(this.#last)) return;
 		this.#readDrawn();
 		const size = scale.x / this.#scale;
 		if (this.#turn) quaternion.multiply(turned.copy(this.#turn).conjugate());
@@ -93,24 +92,19 @@ export class ThreeAgentBinding {
 		this.#drawn.fill(this.#last);
 	}
 
-	#hasChanged() {
-		this.#drawn.fill(now);
-		const last = this.#last;
-		for (let i = 0; i < 16; i++) if (now[i] !== last[i]) return true;
-		return false;
-	}
-
 	/** Reads the place of what is drawn, with a scale that is the same and positive in x, y and z. */
 	#readDrawn() {
 		const isSimilar = this.#drawn.read();
 		const { x, y, z } = scale;
-		const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
 		// mirrored twice is turned
 		if (x * y * z > 0 && !(x > 0 && y > 0)) {
 			quaternion.multiply(turned.set(x > 0 ? 1 : 0, y > 0 ? 1 : 0, z > 0 ? 1 : 0, 0));
 			scale.set(Math.abs(x), Math.abs(y), Math.abs(z));
 		}
-		if (!isSimilar || !isEven(scale)) throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${said}`);
+		if (!isSimilar || !isEven(scale)) {
+			const said = isSimilar ? `scale ${x}, ${y}, ${z}` : `matrix ${matrix.elements.join(", ")}`;
+			throw new ArgumentError(`${this.agent} can't be as its object is: it must be turned, moved and evenly scaled, and nothing else, not ${said}`);
+		}
 		const length = quaternion.length();
 		if (!(Math.abs(length - 1) <= TOLERANCE)) throw new ArgumentError(`${this.agent} can't be as its object is: the quaternion must be of length 1, not ${length}`);
 		if (length !== 1) quaternion.normalize();
@@ -146,25 +140,35 @@ class DrawnObject {
 		this.object = object;
 	}
 
-	/** Writes what says where it is into an array of 16 numbers. */
-	fill(into) {
+	/** Whether an array of 16 numbers has not what says where it is. */
+	differsFrom(last) {
+		const { object } = this;
+		if (!object.matrixAutoUpdate) return differ(object.matrix.elements, 0, last);
+		const { position: at, quaternion: turn, scale: factors } = object;
+		return at.x !== last[0] || at.y !== last[1] || at.z !== last[2] || turn.x !== last[3] || turn.y !== last[4] || turn.z !== last[5] || turn.w !== last[6]
+			|| factors.x !== last[7] || factors.y !== last[8] || factors.z !== last[9] || last[10] === last[10];
+	}
+
+	/** Writes that into it. */
+	fill(last) {
 		const { object } = this;
 		if (!object.matrixAutoUpdate) {
-			into.set(object.matrix.elements);
+			last.set(object.matrix.elements);
 			return;
 		}
 		const { position: at, quaternion: turn, scale: factors } = object;
-		into[0] = at.x;
-		into[1] = at.y;
-		into[2] = at.z;
-		into[3] = turn.x;
-		into[4] = turn.y;
-		into[5] = turn.z;
-		into[6] = turn.w;
-		into[7] = factors.x;
-		into[8] = factors.y;
-		into[9] = factors.z;
-		for (let i = 10; i < 16; i++) into[i] = 0;
+		last[0] = at.x;
+		last[1] = at.y;
+		last[2] = at.z;
+		last[3] = turn.x;
+		last[4] = turn.y;
+		last[5] = turn.z;
+		last[6] = turn.w;
+		last[7] = factors.x;
+		last[8] = factors.y;
+		last[9] = factors.z;
+		// no matrix
+		last[10] = NaN;
 	}
 
 	/** Reads position, quaternion and scale; whether they are all that there is. */
@@ -196,10 +200,14 @@ class DrawnInstance {
 		this.index = index;
 	}
 
-	fill(into) {
+	differsFrom(last) {
+		return differ(this.object.instanceMatrix.array, 16 * this.index, last);
+	}
+
+	fill(last) {
 		const { array } = this.object.instanceMatrix;
 		const first = 16 * this.index;
-		for (let i = 0; i < 16; i++) into[i] = array[first + i];
+		for (let i = 0; i < 16; i++) last[i] = array[first + i];
 	}
 
 	read() {
@@ -215,6 +223,12 @@ class DrawnInstance {
 		mesh.boundingSphere = null;
 		mesh.boundingBox = null;
 	}
+}
+
+/** Whether 16 numbers of an array, from one on, are not those of another. */
+function differ(array, first, last) {
+	for (let i = 0; i < 16; i++) if (array[first + i] !== last[i]) return true;
+	return false;
 }
 
 /** Takes a matrix apart, into position, quaternion and scale; whether it turns, evenly scales and moves, and nothing else. */

@@ -146,7 +146,7 @@ class DrawnObject {
 		if (!object.matrixAutoUpdate) return differ(object.matrix.elements, 0, last);
 		const { position: at, quaternion: turn, scale: factors } = object;
 		return at.x !== last[0] || at.y !== last[1] || at.z !== last[2] || turn.x !== last[3] || turn.y !== last[4] || turn.z !== last[5] || turn.w !== last[6]
-			|| factors.x !== last[7] || factors.y !== last[8] || factors.z !== last[9] || last[10] === last[10];
+			|| factors.x !== last[7] || factors.y !== last[8] || factors.z !== last[9];
 	}
 
 	/** Writes that into it. */
@@ -167,8 +167,6 @@ class DrawnObject {
 		last[7] = factors.x;
 		last[8] = factors.y;
 		last[9] = factors.z;
-		// no matrix
-		last[10] = NaN;
 	}
 
 	/** Reads position, quaternion and scale; whether they are all that there is. */

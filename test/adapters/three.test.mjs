@@ -1,7 +1,10 @@
 /** Tests of the adapter to three.js, with each version of three.js that it is for. What three.js says is the truth. */
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
 import { test } from "node:test";
-import { peers } from "./peers.mjs";
+import { pathToFileURL } from "node:url";
+import { peers, root } from "./peers.mjs";
 import { Scenes, drawnCorners } from "./scenes.mjs";
 
 const all = await peers();
@@ -30,7 +33,7 @@ function differenceOf(found, { corners, flips }) {
 }
 
 // the random ones are different with each version
-for (const [number, { version, THREE, engine, adapter }] of all.entries()) {
+for (const [number, { version, folder, THREE, engine, adapter }] of all.entries()) {
 	const [sceneCount, pickCount] = [SCENES, PICKS].map(({ first, others }) => (number === 0 ? first : others));
 	const { Agent, Model } = engine;
 	const { ThreeAgentBinding, bindInstance, modelFromObject, ThreeWireframe } = adapter;
@@ -98,6 +101,35 @@ for (const [number, { version, THREE, engine, adapter }] of all.entries()) {
 		assert.deepEqual([Math.max(...upright.vertices), upright.source.unit], [2, 2]);
 	});
 
+	test(`three ${version}: bones may be anywhere, groups may overlap, and many positions may be equal`, () => {
+		const geometry = new THREE.BoxGeometry();
+		const { count } = geometry.attributes.position;
+		geometry.setAttribute("skinIndex", new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+		geometry.setAttribute("skinWeight", new THREE.Float32BufferAttribute(Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
+		const mesh = new THREE.SkinnedMesh(geometry, new THREE.MeshBasicMaterial());
+		const [land, arm, bone] = [new THREE.Group(), new THREE.Group(), new THREE.Bone()];
+		land.add(new THREE.Group().add(mesh), arm.add(bone));
+		mesh.bind(new THREE.Skeleton([bone]));
+		land.children[0].position.set(5, 6, 7);
+		arm.position.set(1, 2, 3);
+		bone.scale.y = 2;
+		const { vertices } = modelFromObject("bone", mesh, { up: "z", scaling: Model.AS_GIVEN });
+		const ofAxis = (axis) => vertices.filter((_, i) => i % 3 === axis);
+		assert.deepEqual([0, 1, 2].map((axis) => [Math.min(...ofAxis(axis)), Math.max(...ofAxis(axis))]), [[-4.5, -3.5], [-5, -3], [-4.5, -3.5]]);
+		const grouped = new THREE.Mesh(new THREE.BoxGeometry(), [new THREE.MeshBasicMaterial(), new THREE.MeshBasicMaterial()]);
+		grouped.geometry.clearGroups();
+		grouped.geometry.addGroup(0, 24, 0);
+		grouped.geometry.addGroup(12, 24, 1);
+		assert.equal(modelFromObject("groups", grouped).triangles.length, 36);
+		if (number > 0) return;
+		const many = Float32Array.from({ length: 450000 }, () => Math.fround(dice.number()));
+		const soup = new THREE.BufferGeometry();
+		soup.setAttribute("position", new THREE.BufferAttribute(Float32Array.from([...many, ...many]), 3));
+		const model = modelFromObject("many", soup, { up: "z", scaling: Model.AS_GIVEN });
+		assert.deepEqual([model.vertices.length, model.triangles.length], [450000, 300000]);
+		assert.ok(model.triangles.every((corner, i) => corner === i % 150000) && model.vertices.every((coordinate, i) => coordinate === many[i]));
+	});
+
 	test(`three ${version}: nothing changes where nothing has changed`, () => {
 		const object = scenes.place(new THREE.Object3D());
 		const agent = new Agent("any");
@@ -106,6 +138,10 @@ for (const [number, { version, THREE, engine, adapter }] of all.entries()) {
 		agent.moveTo(1, 2, 3);
 		binding.updateObject();
 		object.position.x = 7;
+		// the same rotation
+		object.quaternion.set(...object.quaternion.toArray().map((number) => -number));
+		binding.updateAgent();
+		object.quaternion.set(...object.quaternion.toArray().map((number) => -number));
 		binding.updateAgent();
 		assert.deepEqual([agent.heading, agent.x, agent.y, agent.z], [725, 7, 2, 3]);
 		let writes = 0;
@@ -172,15 +208,19 @@ for (const [number, { version, THREE, engine, adapter }] of all.entries()) {
 		agent.moveTo(1, 2, 3);
 		agent.setQuaternion(...scenes.quaternion().toArray());
 		const object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial());
-		const binding = new ThreeAgentBinding(agent, object, model, { up: "z" });
-		binding.updateObject();
-		assert.ok(differenceOf(cornersOf(model, agent, "z"), drawnCorners(THREE, object)) < 1e-12);
-		const before = matrixOf(agent);
-		object.position.x += 1;
-		binding.updateAgent();
-		object.position.x -= 1;
-		binding.updateAgent();
-		assert.ok(matrixOf(agent).every((element, i) => Math.abs(element - before[i]) < 1e-12));
+		for (const up of ["z", "y"]) {
+			const binding = new ThreeAgentBinding(agent, object, model, { up, modelUp: "z" });
+			binding.updateObject();
+			assert.ok(differenceOf(cornersOf(model, agent, up), drawnCorners(THREE, object)) < 1e-12);
+			const before = matrixOf(agent);
+			object.position.x += 1;
+			binding.updateAgent();
+			object.position.x -= 1;
+			// rounded, as files have it
+			object.quaternion.set(...object.quaternion.toArray().map((number) => number * (1 + 5e-7)));
+			binding.updateAgent();
+			assert.ok(matrixOf(agent).every((element, i) => Math.abs(element - before[i]) < 1e-12));
+		}
 		assert.throws(() => new ThreeAgentBinding(agent, object, new engine.ObjModel("flat", source, turns(2, 2, 1))), /ArgumentError: model "flat" is mirrored or stretched/);
 	});
 
@@ -273,8 +313,14 @@ for (const [number, { version, THREE, engine, adapter }] of all.entries()) {
 			wireframe.update();
 			check();
 			const { version: before } = wireframe.geometry.attributes.position;
+			agent.size = 3;
 			wireframe.update();
-			assert.equal(wireframe.geometry.attributes.position.version, before);
+			assert.equal(wireframe.geometry.attributes.position.version, before + 2);
+			agent.size = 2;
+			wireframe.update();
+			const { version: after } = wireframe.geometry.attributes.position;
+			wireframe.update();
+			assert.equal(wireframe.geometry.attributes.position.version, after);
 			const hit = Object.assign(new engine.RayHit(), { distance: 2 });
 			hit.normal.setTo(0, -1, 0);
 			wireframe.clearLines().showRay(contact.point, new engine.Vector3D(0, 2, 0), 6, hit);
@@ -327,5 +373,24 @@ for (const [number, { version, THREE, engine, adapter }] of all.entries()) {
 			assert.ok(first.point.distanceTo(new THREE.Vector3(hit.point.x, hit.point.z, -hit.point.y)) < 1e-9);
 		}
 		assert.ok(hits > 0.2 * pickCount && hits < 0.9 * pickCount, `${hits} hits`);
+	});
+
+	test(`three ${version}: what its loader makes of a glTF file is where a GltfModel of the file is, and the model of the object is the same`, async () => {
+		const { GLTFLoader } = await import(pathToFileURL(path.join(folder, "node_modules/three/examples/jsm/loaders/GLTFLoader.js")));
+		for (const name of ["bear", "seagull"]) {
+			const bytes = readFileSync(path.join(root, `examples/three/${name}.glb`));
+			const { scene } = await new GLTFLoader().parseAsync(Uint8Array.from(bytes).buffer, "");
+			const read = engine.GltfModel.fromBytes(name, bytes);
+			const model = modelFromObject(name, scene);
+			for (let axis = 0; axis < 3; axis++) {
+				const extents = [read, model].map(({ vertices }) => vertices.filter((_, i) => i % 3 === axis)).map((all) => [Math.min(...all), Math.max(...all)]);
+				extents[0].forEach((extent, i) => assert.ok(Math.abs(extent - extents[1][i]) < 1e-12));
+			}
+			const agent = new Agent(name);
+			agent.moveTo(1, 2, 3);
+			agent.setQuaternion(...scenes.quaternion().toArray());
+			new ThreeAgentBinding(agent, scene, read).updateObject();
+			assert.ok(differenceOf(cornersOf(model, agent, "y"), drawnCorners(THREE, scene)) < 1e-12);
+		}
 	});
 }

@@ -4,8 +4,8 @@
  *
  *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
  */
-import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
 import { transformSync } from "esbuild";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
@@ -47,6 +47,7 @@ copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
 copyFileSync(join(ROOT, "module/picture.svg"), join(out, "picture.svg"));
+cpSync(join(ROOT, "adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
 
 function fail(qname) {
@@ -71,9 +72,12 @@ function manifest() {
 			"./min": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
 			"./package.json": "./package.json",
+			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
 		},
+		peerDependencies: { three: ">=0.180.0" },
+		peerDependenciesMeta: { three: { optional: true } },
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg"],
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three"],
 	};
 }
 

@@ -2,14 +2,17 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
  */
 import { execFileSync } from "node:child_process";
+import { writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { install } from "../adapters/peers.mjs";
 import { AgentCells } from "./agent-cells.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
@@ -386,5 +389,56 @@ function fits() {
 	print("Twelve models, ms", ["", "fits known", "computed", "times"], [...rows, ["reading nine of their files", files12, "", ""]]);
 }
 
+/** Agents bound to three.js's objects: each frame what moves them, untimed, and then the bindings. */
+async function bindings() {
+	const entry = join(install("benchmark"), "entry.mjs");
+	writeFileSync(entry, 'export * as three from "three";\nexport { Agent } from "starlogo-collision";\nexport * from "starlogo-collision/three";\n');
+	const { three, Agent: Bound, ThreeAgentBinding, bindInstance, modelFromObject } = await import(pathToFileURL(entry));
+	const geometry = new three.BoxGeometry(1, 2, 3);
+	const model = modelFromObject("box", geometry);
+	const mesh = new three.InstancedMesh(geometry, new three.MeshBasicMaterial(), 1000);
+	const random = randomNumbers(3);
+	const bind = (make) => Array.from({ length: 1000 }, (_, i) => {
+		const agent = new Bound("box");
+		agent.moveTo(random(), random(), random());
+		agent.heading = 360 * random();
+		const binding = make(agent, i);
+		binding.updateObject();
+		return binding;
+	});
+	const kinds = { objects: bind((agent) => new ThreeAgentBinding(agent, new three.Object3D(), model)), instances: bind((agent, i) => bindInstance(agent, mesh, i, model)) };
+	const taken = [];
+	const motions = {
+		"none moving": () => {},
+		"all moving": ({ agent, object }, round) => {
+			agent.moveTo(round % 40, agent.y, agent.z);
+			if (object !== mesh) object.position.x = -round % 40;
+		},
+		"all moving and turning": ({ agent, object }, round) => {
+			agent.moveTo(round % 40, agent.y, agent.z);
+			agent.heading = round % 360;
+			// as it is after the frame of a collider
+			agent.getQuaternion(taken);
+			if (object !== mesh) object.rotation.y = 1 + (round % 360) / 100;
+		},
+	};
+	// what no binding can do without
+	const alone = Array.from({ length: 1000 }, () => new three.Object3D());
+	const turns = Array.from({ length: 360 }, (_, i) => new three.Quaternion(0, Math.sin(i), 0, Math.cos(i)));
+	let count = 0;
+	const place = (object, name) => {
+		if (name === "none moving") return;
+		object.position.set(count++, 2, 3);
+		object.scale.set(2, 2, 2);
+		if (name === "all moving and turning") object.quaternion.copy(turns[count % 360]);
+	};
+	const rows = Object.entries(motions).map(([name, move]) => {
+		const task = (all, update) => ({ prepare: (round) => all.forEach((binding) => move(binding, round)), run: () => all.forEach(update) });
+		const times = measure([{ run: () => alone.forEach((object) => place(object, name)) }, task(kinds.objects, (each) => each.updateObject()), task(kinds.objects, (each) => each.updateAgent()), task(kinds.instances, (each) => each.updateObject())], 200);
+		return [name, ...times];
+	});
+	print(`1,000 agents bound to three.js ${three.REVISION}, ms a frame`, ["", "three.js alone", "updateObject", "updateAgent", "updateObject of instances"], rows);
+}
+
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings]) if (parts.length === 0 || parts.includes(part.name)) await part();

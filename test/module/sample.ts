@@ -165,13 +165,26 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const near: Agent[] = queries.near(agents[0], 3, null, []);
 	const touching: Agent[] = queries.touching(agents[0]);
 	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
+	const origin = new Vector3D(0, 0, 0);
+	const first: Agent | null = queries.nearestToPoint(origin, 9);
+	const nearIt: Agent[] = queries.nearPoint(origin, 9, filter);
+	const inFront: Agent[] = queries.inCone(agents[0], 9, 90);
+	log.push(`${first}, ${nearIt.length} of ${queries.countNearPoint(origin, 9)}, ${inFront.length} of ${queries.countNear(agents[0], 9)}`);
 	log.push(`${nearest}, ${near.length} near, ${touching.length} touching, ${overlapping.length} overlapping`);
 	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
 	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
 	const hits: RayHit[] = queries.castAll(eye, ahead);
 	log.push(`${hit?.agent} at ${hit?.distance}, ${hits.length} hits, ${queries.canSee(agents[0], agents[1])}`);
 	const blocks = new DetectionBlocks(new CollisionBlocks(greatLand, agents));
-	log.push(`${blocks.countWithin(agents[0], "paintballs", 3)} within 3`);
+	const [bear, ball] = agents;
+	log.push(`${blocks.countWithin(bear, "paintballs", 3)} within 3, ${blocks.countWith(bear, Collision.ANY_BREED, "size", 0.2)} of size 0.2`);
+	const nearestBall: Agent | null = blocks.nearestWithin(bear, "paintballs", 9) ?? blocks.nearestWith(bear, "paintballs", "size", 0.2);
+	log.push(`${nearestBall}, ${blocks.isTouching(bear, "paintballs")}, ${blocks.canSee(bear, ball)}, ${blocks.distanceTo(bear, ball)}`);
+	const [onBear, onBall] = [new Vector3D(), new Vector3D()];
+	log.push(`${queries.distance(bear, ball, onBear, onBall)}, ${onBear}, ${onBall}`);
+	const contact = new Contact();
+	const free: number = queries.moveUntilTouch(ball, 0, 0, -9, null, contact);
+	log.push(`${free} free, ${contact.time}, ${queries.slide(ball, 1, 0, -1)} slid`);
 }
 
 // What a program of blocks calls.

@@ -6,8 +6,8 @@ package starlogo.blocks
     import starlogo.queries.AgentQueries;
 
     /**
-     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "distance to". The agent that asks is never
-     * in an answer. It is where it is; the others are where they were when the frame began, or when <code>moved()</code> told of them.
+     * The blocks that ask about other agents: "count within", "count with", "nearest within", "nearest with", "touching?", "can see?", "distance to". The agent that asks
+     * is never in an answer. It is where it is; the others are where they were when the frame began, or when <code>moved()</code> told of them.
      */
     public class DetectionBlocks
     {
@@ -151,6 +151,19 @@ package starlogo.blocks
         }
 
         /**
+         * The block "can see?": whether no agent is between the middles of the two, as the collision system sees agents.
+         *
+         * @param agent asks
+         * @param other another agent
+         * @throws BlockError if something is missing, or both are one
+         */
+        public function canSee(agent:Agent, other:Agent):Boolean
+        {
+            checkBoth("can see?", agent, other);
+            return queries.canSee(agent, other);
+        }
+
+        /**
          * The block "distance to": how far the surfaces of the agent and another are apart, as the collision system sees them; 0 if they touch.
          *
          * @param agent asks
@@ -160,11 +173,7 @@ package starlogo.blocks
          */
         public function distanceTo(agent:Agent, other:Agent):Number
         {
-            check("distance to", agent, Collision.ANY_BREED);
-            if (other == null || other === agent)
-            {
-                throw new BlockError("distance to", "needs another agent, but got " + (other == null ? "nothing" : "the same") + ".");
-            }
+            checkBoth("distance to", agent, other);
             return queries.distance(agent, other);
         }
 
@@ -195,6 +204,15 @@ package starlogo.blocks
                 throw new BlockError(block, "needs an agent that asks, but got nothing. Remember: \"collidee\" is an agent only while a collision block runs.");
             }
             BlockSubject.checkBreed(block, breed);
+        }
+
+        private static function checkBoth(block:String, agent:Agent, other:Agent):void
+        {
+            check(block, agent, Collision.ANY_BREED);
+            if (other == null || other === agent)
+            {
+                throw new BlockError(block, "needs another agent, but got " + (other == null ? "nothing" : "the same") + ".");
+            }
         }
 
         private static function checkDistance(block:String, distance:Number):void

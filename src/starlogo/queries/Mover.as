@@ -44,6 +44,9 @@ package starlogo.queries
         private static const MOST_PLANES:int = 8;
         private static const MOST_TOUCHES:int = 64;
 
+        // When the last touch of a motion is, at the latest: so that some of it is left, which has its direction.
+        private static const LAST:Number = 1 - 1e-15;
+
         // The sine of the angle up to which a motion runs along a plane; the square of the share of a motion that is none.
         private static const LEVEL:Number = 1e-12;
         private static const STUCK:Number = 1e-20;
@@ -444,7 +447,12 @@ package starlogo.queries
                     _contact.copyFrom(_tried);
                 }
             }
-            return _time <= 1;
+            if (_time > 1)
+            {
+                return false;
+            }
+            _time = _time < LAST ? _time : LAST;
+            return true;
         }
 
         // Puts the row, with its offset, so far along the rest of the motion.

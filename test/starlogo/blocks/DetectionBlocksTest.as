@@ -70,6 +70,19 @@ package starlogo.blocks
         }
 
         [Test]
+        public function seesWhatNoAgentIsInFrontOf():void
+        {
+            assertTrue(_blocks.canSee(_turtle, _agents[1]));
+            assertFalse(_blocks.canSee(_turtle, _agents[2]));
+            assertTrue(_blocks.canSee(_turtle, _agents[4]));
+            _agents[1].y = 9;
+            assertFalse("not before the next update", _blocks.canSee(_turtle, _agents[2]));
+            _blocks.moved(_agents[1]);
+            assertTrue(_blocks.canSee(_turtle, _agents[2]));
+            assertFalse(_blocks.canSee(_turtle, _agents[3]));
+        }
+
+        [Test]
         public function othersAreWhereTheFrameBegan():void
         {
             assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));
@@ -94,6 +107,9 @@ package starlogo.blocks
             assertThrows(BlockError, /"count with" does not know the trait "colour"/, _blocks.countWith, _turtle, "wolves", "colour", 1);
             assertThrows(BlockError, /"nearest with" does not know the trait nothing/, _blocks.nearestWith, _turtle, "wolves", null, 1);
             assertThrows(BlockError, /"touching\?" needs an agent or a breed, but got nothing/, _blocks.isTouching, _turtle, null);
+            assertThrows(BlockError, /"can see\?" needs an agent that asks/, _blocks.canSee, null, _turtle);
+            assertThrows(BlockError, /"can see\?" needs another agent, but got nothing/, _blocks.canSee, _turtle, null);
+            assertThrows(BlockError, /"can see\?" needs another agent, but got the same/, _blocks.canSee, _turtle, _turtle);
             assertThrows(BlockError, /"distance to" needs another agent, but got nothing/, _blocks.distanceTo, _turtle, null);
             assertThrows(BlockError, /"distance to" needs another agent, but got the same/, _blocks.distanceTo, _turtle, _turtle);
             assertThrows(ArgumentError, /blocks are needed/, function():void

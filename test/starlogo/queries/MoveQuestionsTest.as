@@ -52,6 +52,38 @@ package starlogo.queries
         }
 
         [Test]
+        public function aTouchAtTheVeryEndOfAWayHasANormal():void
+        {
+            var ends:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                for each (var shape:String in ["sphere", "cube", "cylinder"])
+                {
+                    var agents:Vector.<Agent> = new <Agent>[new Agent(shape), new Agent(shape)];
+                    agents[1].x = 3;
+                    queries.update(agents);
+                    var free:Number = 4 * queries.moveUntilTouch(agents[0], 4, 0, 0);
+                    for (var i:int = -40; i <= 40; i++)
+                    {
+                        var contact:Contact = new Contact();
+                        agents[0].moveTo(0, 0, 0);
+                        var part:Number = queries.moveUntilTouch(agents[0], free * (1 + i * 1e-16), 0, 0, null, contact);
+                        if (part < 1)
+                        {
+                            ends++;
+                            assertTrue(name + ", " + shape + ", normal " + contact.normal, contact.normal.x < -0.5);
+                        }
+                        agents[0].moveTo(0, 0, 0);
+                        queries.slide(agents[0], free * (1 + i * 1e-16), 0, 0);
+                        assertEquals(name + ", " + shape, free, Math.round(agents[0].x * 1e6) == Math.round(free * 1e6) ? free : agents[0].x);
+                    }
+                }
+            }
+            assertTrue(ends + " ended in a touch", ends > 100);
+        }
+
+        [Test]
         public function goesAsFarAsNothingTouches():void
         {
             var stopped:int = 0;

@@ -4,9 +4,9 @@
  *
  *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
  */
-import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { transformSync } from "esbuild";
+import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join, resolve } from "node:path";
+import { buildSync, transformSync } from "esbuild";
 import { SETUP, standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, publicSignatures } from "./names.mjs";
@@ -47,6 +47,20 @@ copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
+cpSync(join(ROOT, "adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
+// the adapter and the engine as a classic script
+buildSync({
+	entryPoints: [join(out, "nova/index.js")],
+	outfile: join(out, "nova.js"),
+	alias: { [NAME]: resolve(out, minified) },
+	bundle: true,
+	minify: true,
+	keepNames: true,
+	format: "iife",
+	globalName: "StarLogoCollision",
+	target: "es2022",
+	legalComments: "inline",
+});
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
 
 function fail(qname) {
@@ -66,9 +80,10 @@ function manifest() {
 		exports: {
 			".": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },
 		},
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md"],
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "nova"],
 	};
 }
 

@@ -12,6 +12,8 @@ export class Cells {
 	#half;
 	#width;
 	#cells = Array.from({ length: SIDE * SIDE }, () => []);
+	// the same, each entry's agent: questions look at nothing else
+	#agents = Array.from({ length: SIDE * SIDE }, () => []);
 
 	/** Cells for a ground from -half to half. */
 	constructor(half) {
@@ -21,7 +23,7 @@ export class Cells {
 
 	/** Nobody is left. */
 	clear() {
-		for (const cell of this.#cells) cell.length = 0;
+		for (const cell of [...this.#cells, ...this.#agents]) cell.length = 0;
 	}
 
 	/** Puts an entry, { agent, cell, slot }, where its agent is; its cell is -1 before it is in one. */
@@ -32,15 +34,19 @@ export class Cells {
 		this.take(entry);
 		entry.cell = cell;
 		entry.slot = this.#cells[cell].push(entry) - 1;
+		this.#agents[cell].push(entry.agent);
 	}
 
 	/** Takes an entry out, if it is in. */
 	take(entry) {
 		if (entry.cell < 0) return;
 		const list = this.#cells[entry.cell];
+		const agents = this.#agents[entry.cell];
 		const last = list.pop();
+		const lastAgent = agents.pop();
 		if (last !== entry) {
 			list[entry.slot] = last;
+			agents[entry.slot] = lastAgent;
 			last.slot = entry.slot;
 		}
 		entry.cell = -1;
@@ -58,12 +64,12 @@ export class Cells {
 		for (let column = lowX; column <= highX; column++) {
 			const farX = this.#farther(x, column);
 			for (let row = lowY; row <= highY; row++) {
-				const list = this.#cells[column * SIDE + row];
+				const list = this.#agents[column * SIDE + row];
 				const farY = this.#farther(y, row);
 				const isInside = farX * farX + farY * farY < reach;
 				for (let i = 0; i < list.length; i++) {
-					const other = list[i].agent;
-					if (other === asker || other.isDead || (breed !== null && other.breed.id !== breed)) continue;
+					const other = list[i];
+					if ((breed !== null && other.breed.id !== breed) || other.isDead) continue;
 					const state = other.state;
 					const dz = z - state.z;
 					if (!isInside || dz !== 0) {
@@ -71,7 +77,7 @@ export class Cells {
 						const dy = y - state.y;
 						if (!(dx * dx + dy * dy + dz * dz <= reach)) continue;
 					}
-					if (accepts === null || accepts(other)) found++;
+					if (other !== asker && (accepts === null || accepts(other))) found++;
 				}
 			}
 		}
@@ -95,10 +101,10 @@ export class Cells {
 				const step = Math.abs(i - column) === ring || ring === 0 ? 1 : 2 * ring;
 				for (let j = step === 1 ? lowY : row - ring; j <= highY; j += step) {
 					if (j < 0) continue;
-					const list = this.#cells[i * SIDE + j];
+					const list = this.#agents[i * SIDE + j];
 					for (let k = 0; k < list.length; k++) {
-						const other = list[k].agent;
-						if (other === asker || other.isDead || (breed !== null && other.breed.id !== breed)) continue;
+						const other = list[k];
+						if ((breed !== null && other.breed.id !== breed) || other.isDead || other === asker) continue;
 						const state = other.state;
 						const dx = x - state.x;
 						const dy = y - state.y;

@@ -165,6 +165,14 @@ export class NovaCollisions {
 		return this.#found;
 	}
 
+	/** Whether two agents touch, as the last getCollisions saw them. */
+	areColliding(a, b) {
+		const first = this.#entryOf(a);
+		const second = this.#entryOf(b);
+		if (first === null || second === null || first === second) return false;
+		return this.#collider.areColliding(first.body, second.body) && (!this.#isBins || doSpheresMeet(a.state, b.state));
+	}
+
 	/** How many of a breed are within a radius of an agent, which has some trait. */
 	count(agent, breedName, radius, trait, value) {
 		const reach = Number(radius);

@@ -72,6 +72,11 @@ class Installation {
 		return this.#collisions.shapes.problems;
 	}
 
+	/** Whether two agents touch, as the last getCollisions saw them. */
+	areColliding(a, b) {
+		return this.#collisions.areColliding(a, b);
+	}
+
 	/** Goes on with other options. */
 	exchange(options) {
 		this.#collisions.exchange(options);

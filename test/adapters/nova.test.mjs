@@ -1,6 +1,12 @@
 /** Tests of the adapter to the StarLogo Nova client, in a small client of their own; nova-real.test.mjs has those in the real one. */
 import assert from "node:assert/strict";
+import { copyFileSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
 import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { BuiltInModel, Model, ModelTransform, ObjModel, TightestFitCollider, GreatLand, Agent } from "../../bin/module/starlogo-collision.min.js";
+import { serve } from "../headless/server.mjs";
+import { asset, randomNumbers } from "../module/games.mjs";
 import { installInto } from "../../bin/module/nova/index.js";
 import { alive, bruteCollisions, hatch, makeWindow, pairKeys, playGame, within } from "./nova-client.mjs";
 
@@ -164,4 +170,83 @@ test("systems are exchanged while a game runs, and nobody is lost", () => {
 	assert.ok(exact.length < expected.length && exact.every((pair) => expected.includes(pair)));
 	assert.deepEqual(pairsOf({ system: "bins", exact: false }), expected);
 	playGame(window, 6, 10, check);
+});
+
+test("shapes are the client's models by their addresses, with transform files; spheres until they are there", async (context) => {
+	const folder = fileURLToPath(new URL("../../bin/generated/nova-test", import.meta.url));
+	rmSync(folder, { recursive: true, force: true });
+	mkdirSync(folder, { recursive: true });
+	copyFileSync(fileURLToPath(new URL("../../assets/bear.obj", import.meta.url)), path.join(folder, "bear.obj"));
+	const slb = "rotate 90 0 30\ntranslate 0.4 0 0.2\n";
+	writeFileSync(path.join(folder, "bear.slb"), slb);
+	const server = await serve(null, { "": folder });
+	context.after(() => server.close());
+
+	const shape = `${server.url}bear.obj`;
+	const game = two({ system: "tightest" }, { shape }, { shape: "Sphere" }, { shape: `${server.url}none.obj` }, { shape: "cube" });
+	const { agents: [bear, ball, none, cube], installation } = game;
+	none.state.x = 20;
+	cube.state.x = -20;
+	assert.equal(game.pairs(), 1);
+	assert.ok(installation.areColliding(bear, ball) && !installation.areColliding(bear, none));
+	const end = Date.now() + 20000;
+	while (installation.pendingCount > 0 && Date.now() < end) await new Promise((resolve) => setTimeout(resolve, 10));
+	assert.ok(installation.greatLand.hasModel(shape));
+	assert.equal(installation.problems.length, 1);
+	assert.match(installation.problems[0], /none\.obj/);
+
+	const greatLand = new GreatLand();
+	greatLand.addModel(new ObjModel("bear", asset("bear.obj"), ModelTransform.fromText(slb), Model.VOLUME));
+	greatLand.addModel(BuiltInModel.sphere());
+	const collider = new TightestFitCollider(greatLand);
+	const [first, second] = [new Agent("bear"), new Agent("sphere")];
+	const random = randomNumbers(3);
+	let hits = 0;
+	let departsFromSphere = 0;
+	for (let i = 0; i < 400; i++) {
+		bear.state.heading = first.heading = random() * 360;
+		Object.assign(ball.state, { x: random() * 3 - 1.5, y: random() * 3 - 1.5, z: random() * 2 - 1 });
+		second.moveTo(ball.state.x, ball.state.y, ball.state.z);
+		const expected = collider.areColliding(first, second);
+		assert.equal(game.pairs(), Number(expected));
+		hits += Number(expected);
+		departsFromSphere += Number(expected !== Math.hypot(ball.state.x, ball.state.y, ball.state.z) <= 1);
+	}
+	assert.ok(hits > 80 && hits < 320 && departsFromSphere > 20, `${hits} ${departsFromSphere}`);
+});
+
+test("traits of breeds and agents: what sweeps is not missed, what was set elsewhere has not moved there", () => {
+	const game = two({ system: "tightest", breeds: { Fish: { sweeps: true } } }, { x: -5 }, { x: 0 });
+	const [fast] = game.agents;
+	assert.equal(game.pairs(), 0);
+	const move = (x, before) => {
+		fast.prevState.x = before;
+		fast.state.x = x;
+		game.Collisions.update(fast);
+	};
+	move(5, -5);
+	assert.equal(game.pairs(), 1);
+	move(-5, -5);
+	assert.equal(game.pairs(), 0);
+	game.installation.setTraits("Fish", null);
+	move(5, -5);
+	assert.equal(game.pairs(), 0);
+	game.installation.setTraits(fast, { sweeps: true });
+	move(-5, 5);
+	assert.equal(game.pairs(), 1);
+});
+
+test("models and structures may be given: a cube is as wide as a box, and its corners as far as a sphere", () => {
+	const cube = new Model("block", BuiltInModel.cube().vertices, BuiltInModel.cube().triangles);
+	const game = two({ system: "tightest", shapes: { Fisch: cube } }, { shape: "Fisch" }, { shape: "Fisch", x: 0.95, y: 0.95 });
+	assert.equal(game.pairs(), 1);
+	game.agents[1].state.x = 1.01;
+	assert.equal(game.pairs(), 0);
+	game.installation.setTraits("Fish", { structure: "sphere" });
+	assert.equal(game.pairs(), 1);
+	for (const shape of ["Cube", "Pyramid", "Triangle"]) {
+		const built = two({ system: "hierarchical", exact: true }, { shape }, { shape, z: 0.2, y: 0.1 });
+		assert.equal(built.pairs(), shape === "Triangle" ? 0 : 1);
+		assert.ok(built.installation.greatLand.hasModel(shape));
+	}
 });

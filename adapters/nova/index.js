@@ -37,11 +37,7 @@ class Installation {
 		if (typeof window.Execution.AgentController.scatterAllAgents === "function") {
 			this.#replace(window.Execution.AgentController, "scatterAllAgents", (scatter) => function (...args) {
 				collisions.forgetPlaces();
-				try {
-					return scatter.apply(this, args);
-				} finally {
-					collisions.forgetPlaces();
-				}
+				return scatter.apply(this, args);
 			});
 		}
 		this.#addAll();

@@ -23,7 +23,7 @@ after(() => site?.close());
  * In the page: sets the project up and runs it. Each answer is compared with brute force. Of the client's own collisions, those that depart
  * are counted, and with `mends` put right. Gives what was counted, and a line for each tick of where all agents are.
  */
-function drive({ ticks, options, mends = false }) {
+async function drive({ ticks, options, mends = false }) {
 	const { AgentController, Collisions, Engine } = Execution;
 	const { State } = Common;
 	Helper.Utils.randomSeed = 42;
@@ -82,6 +82,12 @@ function drive({ ticks, options, mends = false }) {
 		const toggle = WidgetManager.getWidgetsByType(slnova.ToggleButtonWidget)[0].getName();
 		State.pushedButtons.add(push);
 		Engine.tick();
+		if (installation) {
+			// which asks for the models
+			given.getCollisions();
+			while (installation.pendingCount > 0) await new Promise((resolve) => setTimeout(resolve, 20));
+			seen.models = [...new Set(alive().map(({ state }) => state.shape))].filter((shape) => installation.greatLand.hasModel(shape)).length;
+		}
 		let known = new Set(alive().map((agent) => agent.id));
 		for (let tick = 0; tick < ticks; tick++) {
 			State.toggledButtons.add(toggle);
@@ -111,6 +117,7 @@ for (const project of NOVA ? PROJECTS : ["FishAlgae"]) {
 			assert.equal(problem, null);
 			assert.deepEqual([seen.again, seen.missed, seen.extra, seen.wrongCounts, seen.wrongNearests], [0, 0, 0, 0, 0]);
 			assert.deepEqual([said, problems], [[], []]);
+			assert.ok(seen.most > 50 && (system.system === "bins" || seen.models > 0));
 			await page.close();
 		}
 	});

@@ -1,9 +1,10 @@
 /** Tests of the adapter to the StarLogo Nova client, in a small client of their own; nova-real.test.mjs has those in the real one. */
 import assert from "node:assert/strict";
-import { copyFileSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import vm from "node:vm";
 import { BuiltInModel, Model, ModelTransform, ObjModel, TightestFitCollider, GreatLand, Agent } from "../../bin/module/starlogo-collision.min.js";
 import { serve } from "../headless/server.mjs";
 import { asset, randomNumbers } from "../module/games.mjs";
@@ -28,7 +29,7 @@ test("bins: every pair, count and nearest of random games is that of brute force
 	for (let seed = 1; seed <= 12; seed++) {
 		const window = makeWindow();
 		installInto(window, { system: "bins" });
-		playGame(window, seed, 60, check, { spread: seed % 3 === 0 ? 10 : 50.5 });
+		playGame(window, seed, 60, check, { spread: [50.5, 10, 70][seed % 3] });
 		assert.equal(window.Execution.Collisions.calls, 0);
 	}
 	assert.ok(seen.pairs > 300 && seen.noPairs > 5 && seen.count > 1000 && seen.nearest > 2000 && seen.empty > 500, JSON.stringify(seen));
@@ -249,4 +250,27 @@ test("models and structures may be given: a cube is as wide as a box, and its co
 		assert.equal(built.pairs(), shape === "Triangle" ? 0 : 1);
 		assert.ok(built.installation.greatLand.hasModel(shape));
 	}
+});
+
+test("what the types declare is what is there", async () => {
+	const declared = readFileSync(new URL("../../bin/module/nova/index.d.ts", import.meta.url), "utf8");
+	const exported = await import("../../bin/module/nova/index.js");
+	assert.deepEqual([...declared.matchAll(/^export function (\w+)/gm)].map(([, name]) => name), Object.keys(exported));
+	const [, members] = /^export interface NovaInstallation \{([^]*?)\n\}$/m.exec(declared);
+	const names = [...members.matchAll(/^ {4}(?:readonly )?(\w+)[:(]/gm)].map(([, name]) => name);
+	assert.deepEqual(names.sort(), Object.getOwnPropertyNames(Object.getPrototypeOf(installInto(makeWindow()))).filter((name) => name !== "constructor").sort());
+	const [, traits] = /^export interface NovaTraits \{([^]*?)\n\}$/m.exec(declared);
+	const installation = installInto(makeWindow());
+	for (const [, name] of traits.matchAll(/^ {4}(\w+)\?:/gm)) assert.throws(() => installation.setTraits("Fish", { [name]: undefined, wrong: 1 }), new RegExp(`${name}.*not wrong`));
+});
+
+test("nova.js is a classic script, with one global that does the same", () => {
+	const context = vm.createContext({ console, performance, setTimeout, clearTimeout, queueMicrotask });
+	vm.runInContext(readFileSync(new URL("../../bin/module/nova.js", import.meta.url), "utf8"), context);
+	assert.deepEqual(Object.keys(context.StarLogoCollision), ["installInto"]);
+	const window = makeWindow();
+	context.StarLogoCollision.installInto(window);
+	const { check, seen } = checker();
+	playGame(window, 1, 25, check, { spread: 10 });
+	assert.ok(seen.pairs > 3 && window.Execution.Collisions.calls === 0, JSON.stringify(seen));
 });

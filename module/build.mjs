@@ -5,8 +5,8 @@
  *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
  */
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { basename, join } from "node:path";
-import { transformSync } from "esbuild";
+import { basename, join, resolve } from "node:path";
+import { buildSync, transformSync } from "esbuild";
 import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, publicSignatures } from "./names.mjs";
@@ -48,6 +48,20 @@ copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
 copyFileSync(join(ROOT, "module/picture.svg"), join(out, "picture.svg"));
 cpSync(join(ROOT, "adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
+cpSync(join(ROOT, "adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
+// the adapter and the engine as a classic script
+buildSync({
+	entryPoints: [join(out, "nova/index.js")],
+	outfile: join(out, "nova.js"),
+	alias: { [NAME]: resolve(out, readable) },
+	bundle: true,
+	minify: true,
+	keepNames: true,
+	format: "iife",
+	globalName: "StarLogoCollision",
+	target: "es2022",
+	legalComments: "inline",
+});
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
 
 function fail(qname) {
@@ -73,11 +87,12 @@ function manifest() {
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
 			"./package.json": "./package.json",
 			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
+			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },
 		},
 		peerDependencies: { three: ">=0.180.0" },
 		peerDependenciesMeta: { three: { optional: true } },
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three"],
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three", "nova"],
 	};
 }
 

@@ -1,0 +1,68 @@
+/** Which breeds have collision blocks for which, as the client's State says. */
+
+/** The client's State.collidingBreeds and State.collidedBreeds, and the handlers of a Collision that are for them. */
+export class Blocks {
+	#state;
+	#handler;
+	#known = [];
+	#next = [];
+	#lists = new Map();
+	#pairs = [];
+	#collision = null;
+
+	/** Ids of the breeds that take part in any block. */
+	concerned = new Set();
+
+	/** Of the client's State; the handler is called with each pair of bodies that has a block. */
+	constructor(state, handler) {
+		this.#state = state;
+		this.#handler = handler;
+	}
+
+	/** Brings the handlers of a Collision up to date. */
+	read(collision) {
+		const { collidingBreeds, collidedBreeds } = this.#state;
+		const next = this.#next;
+		let count = 0;
+		for (const id of collidingBreeds) {
+			const others = collidedBreeds.get(id);
+			if (!others) continue;
+			next[count++] = id;
+			next[count++] = others.length;
+			for (let i = 0; i < others.length; i++) next[count++] = others[i];
+		}
+		next.length = count;
+		if (collision === this.#collision && count === this.#known.length && next.every((id, i) => id === this.#known[i])) return;
+		this.#next = this.#known;
+		this.#known = next;
+		if (this.#collision) for (const [id, other] of this.#pairs) this.#collision.removeHandler(id, other, this.#handler);
+		this.#collision = collision;
+		this.#change();
+	}
+
+	/** Where an agent of one breed looks for another: a place in its list of breeds, or -1 if it does not. */
+	rank(breed, other) {
+		return this.#lists.get(breed)?.get(other) ?? -1;
+	}
+
+	#change() {
+		this.#lists = new Map();
+		this.#pairs = [];
+		this.concerned = new Set();
+		for (let i = 0; i < this.#known.length; i += 2 + this.#known[i + 1]) {
+			const id = this.#known[i];
+			const ranks = new Map();
+			for (let k = 0; k < this.#known[i + 1]; k++) {
+				const other = this.#known[i + 2 + k];
+				// a breed may be there twice, for a block of its own and one of everyone's
+				if (ranks.has(other)) continue;
+				ranks.set(other, k);
+				this.concerned.add(id).add(other);
+				// a handler of either side would call twice
+				if (!this.#lists.get(other)?.has(id)) this.#pairs.push([String(id), String(other)]);
+			}
+			this.#lists.set(id, ranks);
+		}
+		for (const [id, other] of this.#pairs) this.#collision.onCollision(id, other, this.#handler);
+	}
+}

@@ -1,0 +1,148 @@
+/** Who is how near: the agents in square cells of the ground, asked where they are now. */
+
+/** Cells to a side: ten on the ground, and one on either side for what is beyond. */
+const SIDE = 12;
+const LAST = SIDE - 1;
+
+/**
+ * Agents of the client by the cell of the ground that they were last put into. A question reads where its candidates are now, so that only who
+ * has left its cell without being put anew is missed; height, breed and traits are always of the moment.
+ */
+export class Cells {
+	#half;
+	#width;
+	#cells = Array.from({ length: SIDE * SIDE }, () => []);
+	// the same, each entry's agent: questions look at nothing else
+	#agents = Array.from({ length: SIDE * SIDE }, () => []);
+
+	/** Cells for a ground from -half to half. */
+	constructor(half) {
+		this.#half = half;
+		this.#width = 2 * half / (SIDE - 2);
+	}
+
+	/** Nobody is left. */
+	clear() {
+		for (const cell of [...this.#cells, ...this.#agents]) cell.length = 0;
+	}
+
+	/** Puts an entry, { agent, cell, slot }, where its agent is; its cell is -1 before it is in one. */
+	put(entry) {
+		const { x, y } = entry.agent.state;
+		const cell = this.#index(x) * SIDE + this.#index(y);
+		if (cell === entry.cell) return;
+		this.take(entry);
+		entry.cell = cell;
+		entry.slot = this.#cells[cell].push(entry) - 1;
+		this.#agents[cell].push(entry.agent);
+	}
+
+	/** Takes an entry out, if it is in. */
+	take(entry) {
+		if (entry.cell < 0) return;
+		const list = this.#cells[entry.cell];
+		const agents = this.#agents[entry.cell];
+		const last = list.pop();
+		const lastAgent = agents.pop();
+		if (last !== entry) {
+			list[entry.slot] = last;
+			agents[entry.slot] = lastAgent;
+			last.slot = entry.slot;
+		}
+		entry.cell = -1;
+	}
+
+	/** How many others are within a radius, its border inclusive: of a breed, or of all if it is null, which `accepts` takes if it is one. */
+	count(asker, breed, radius, accepts) {
+		const { x, y, z } = asker.state;
+		const reach = radius * radius;
+		const lowX = this.#index(x - radius);
+		const highX = this.#index(x + radius);
+		const lowY = this.#index(y - radius);
+		const highY = this.#index(y + radius);
+		let found = 0;
+		for (let column = lowX; column <= highX; column++) {
+			const farX = this.#farther(x, column);
+			for (let row = lowY; row <= highY; row++) {
+				const list = this.#agents[column * SIDE + row];
+				const farY = this.#farther(y, row);
+				const isInside = farX * farX + farY * farY < reach;
+				for (let i = 0; i < list.length; i++) {
+					const other = list[i];
+					if ((breed !== null && other.breed.id !== breed) || other.isDead) continue;
+					const state = other.state;
+					const dz = z - state.z;
+					if (!isInside || dz !== 0) {
+						const dx = x - state.x;
+						const dy = y - state.y;
+						if (!(dx * dx + dy * dy + dz * dz <= reach)) continue;
+					}
+					if (other !== asker && (accepts === null || accepts(other))) found++;
+				}
+			}
+		}
+		return found;
+	}
+
+	/** The nearest other within a radius, of equally near ones that of the smallest id; null if there is none. The rest is as for count. */
+	nearest(asker, breed, radius, accepts) {
+		const { x, y, z } = asker.state;
+		const column = this.#index(x);
+		const row = this.#index(y);
+		let best = null;
+		let least = radius * radius;
+		for (let ring = 0; ring < SIDE; ring++) {
+			const gap = ring === 0 ? 0 : this.#gap(x, y, column, row, ring - 1);
+			if (gap > 0 && gap * gap > least) break;
+			const lowY = Math.max(0, row - ring);
+			const highY = Math.min(LAST, row + ring);
+			for (let i = Math.max(0, column - ring); i <= Math.min(LAST, column + ring); i++) {
+				// between the first and the last column of the ring only its ends are new
+				const step = Math.abs(i - column) === ring || ring === 0 ? 1 : 2 * ring;
+				for (let j = step === 1 ? lowY : row - ring; j <= highY; j += step) {
+					if (j < 0) continue;
+					const list = this.#agents[i * SIDE + j];
+					for (let k = 0; k < list.length; k++) {
+						const other = list[k];
+						if ((breed !== null && other.breed.id !== breed) || other.isDead || other === asker) continue;
+						const state = other.state;
+						const dx = x - state.x;
+						const dy = y - state.y;
+						const dz = z - state.z;
+						const squared = dx * dx + dy * dy + dz * dz;
+						if (squared < least || (squared === least && (best === null || other.id < best.id))) {
+							if (accepts !== null && !accepts(other)) continue;
+							best = other;
+							least = squared;
+						}
+					}
+				}
+			}
+		}
+		return best;
+	}
+
+	/** The column, or row, of a coordinate; 0 for what is no number. */
+	#index(coordinate) {
+		const index = Math.floor((coordinate + this.#half) / this.#width) + 1;
+		return index >= LAST ? LAST : index > 0 ? index : 0;
+	}
+
+	/** How far the farther side of a column, or row, is; with a hair for rounding. */
+	#farther(coordinate, index) {
+		if (index === 0 || index === LAST) return Infinity;
+		const low = (index - 1) * this.#width - this.#half;
+		return Math.max(Math.abs(coordinate - low), Math.abs(coordinate - low - this.#width)) + 1e-9;
+	}
+
+	/** What is outside of so many rings of cells about one is at least so far away. */
+	#gap(x, y, column, row, rings) {
+		return Math.min(this.#inner(x, column, rings), this.#inner(y, row, rings)) - 1e-9;
+	}
+
+	#inner(coordinate, index, rings) {
+		const low = index - rings;
+		const high = index + rings;
+		return Math.min(low <= 0 ? Infinity : coordinate - ((low - 1) * this.#width - this.#half), high >= LAST ? Infinity : high * this.#width - this.#half - coordinate);
+	}
+}

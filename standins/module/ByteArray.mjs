@@ -142,6 +142,14 @@ export class ByteArray {
 		this.#write(new TextEncoder().encode(text));
 	}
 
+	/** Text in UTF-8, its length in two bytes before it. */
+	writeUTF(text) {
+		const bytes = new TextEncoder().encode(text);
+		if (bytes.length > 65535) throw new RangeError("Error #2006: The supplied index is out of bounds.");
+		this.writeShort(bytes.length);
+		this.#write(bytes);
+	}
+
 	writeMultiByte(text, charset) {
 		if (LATIN_1.test(charset)) this.#write(Uint8Array.from(text, (letter) => letter.charCodeAt(0)));
 		else if (/^(utf-16|unicode)(le)?$/i.test(charset)) this.#write(utf16(text, true));

@@ -28,6 +28,7 @@ package soak
         private var _counts:SoakCounts;
         private var _greatLand:GreatLand = new GreatLand();
         private var _loaders:Vector.<ModelLoader> = new Vector.<ModelLoader>();
+        private var _storage:SoakStorage;
         private var _lasting:Array = [];
         private var _reaches:Object = {};
         private var _passing:int = 0;
@@ -40,7 +41,8 @@ package soak
         {
             _random = random;
             _counts = counts;
-            _greatLand.fitStore = new FitStore(KEPT_BYTES, new SoakStorage(random, counts));
+            _storage = new SoakStorage(random, counts);
+            _greatLand.fitStore = new FitStore(KEPT_BYTES, _storage);
             var points:Model = new Model("points", cloud());
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), points,
                         SolidModels.hollow(), SolidModels.apart()])
@@ -59,6 +61,12 @@ package soak
         public function get greatLand():GreatLand
         {
             return _greatLand;
+        }
+
+        /** Has their fits. */
+        internal function get storage():SoakStorage
+        {
+            return _storage;
         }
 
         /** A shape that agents may have now: a model that is there, or is loading. */

@@ -2,7 +2,8 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits,
+ *                                                  snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
@@ -209,6 +210,8 @@ async function distances() {
 		return [`${model.name}s up to ${spread} away`, ...[trees, own, other].map((ms) => 1000 * ms / pairs.length), other / own, worst];
 	}));
 	print("Distances, microseconds a pair", ["", "at depth 5", "exact", "three-mesh-bvh", "times", "apart at most"], rows);
+}
+
 /** First hits of rays at one model, and what is kept for them. */
 async function rays() {
 	const rows = [];
@@ -364,5 +367,24 @@ function fits() {
 	print("Twelve models, ms", ["", "fits known", "computed", "times"], [...rows, ["reading nine of their files", files12, "", ""]]);
 }
 
+/** A snapshot of 10,000 agents that all move, and going back to it. */
+function snapshots() {
+	const { agents, walk } = scatter(10000, ["sphere"]);
+	const rows = [false, true].map((hasEnds) => {
+		const collision = new engine.Collision(new TightestFitCollider(greatLand));
+		collision.onCollision("turtles", "turtles", () => {});
+		if (hasEnds) collision.onCollisionEnd("turtles", "turtles", () => {});
+		walk();
+		collision.update(agents);
+		let bytes = collision.snapshot();
+		const [take, back] = measure([
+			{ run: () => { bytes = collision.snapshot(); } },
+			{ run: () => collision.restore(bytes, agents) },
+		], 100);
+		return [hasEnds ? "with starts and ends" : "collisions alone", take, back, bytes.length];
+	});
+	print("Snapshots of 10,000 agents, ms", ["", "snapshot", "restore", "bytes"], rows);
+}
+
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -1,5 +1,6 @@
 package soak
 {
+    import flash.errors.IllegalOperationError;
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.bounding.Box;
@@ -86,9 +87,9 @@ package soak
                 _collision.removeHandler(Collision.ANY_BREED, Collision.ANY_BREED, seeContact);
                 seeFits();
             }
-            if (_frame % PERIOD == PERIOD / 2 && !isModelGone && _collision.handlerErrors.length == 0)
+            if (_frame % PERIOD == PERIOD / 2)
             {
-                _hash.addBytes(_collision.snapshot());
+                seeSnapshot();
             }
             _frame++;
         }
@@ -134,6 +135,19 @@ package soak
             _hash.addNumber(agent.y);
             _hash.addNumber(agent.z);
             agent.moveTo(x, y, z);
+        }
+
+        private function seeSnapshot():void
+        {
+            try
+            {
+                _hash.addBytes(_collision.snapshot());
+            }
+            catch (error:IllegalOperationError)
+            {
+                // the frame has refused its list: there is no snapshot of it
+                _hash.addShort(1);
+            }
         }
 
         private function seeFits():void

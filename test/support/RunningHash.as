@@ -29,7 +29,7 @@ package support
             addByte((number >>> 16) & 0xff);
         }
 
-        /** Adds a Number; one that is not a number has many patterns of bits, and counts as one. */
+        /** Adds a Number. What is not a number has many patterns of bits, and counts as one; so do 0 and -0, which are equal. */
         public function addNumber(number:Number):void
         {
             if (isNaN(number))
@@ -38,7 +38,7 @@ package support
                 return;
             }
             _bytes.position = 0;
-            _bytes.writeDouble(number);
+            _bytes.writeDouble(number == 0 ? 0 : number);
             addBytes(_bytes);
         }
 

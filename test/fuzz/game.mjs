@@ -1,7 +1,7 @@
 /**
  * A game that is made of a list of calls, each an array of plain values: [name, ...arguments]. After each that asks something, the answers are
  * compared with loops over all agents, and with a collision system that has never seen a frame. Any part of a list is a list, so that one that fails can
- * be made shorter.
+ * be made shorter. This file is long because each kind of call is a method of it.
  */
 import assert from "node:assert/strict";
 import * as engine from "../../bin/module/starlogo-collision.min.js";

@@ -2,7 +2,8 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings,
+ *                                                  snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
@@ -441,4 +442,4 @@ async function bindings() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

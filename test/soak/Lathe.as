@@ -1,6 +1,7 @@
 package soak
 {
     import evaluation.pairs.SeededRandom;
+    import starlogo.geometry.Trigonometry;
     import support.Collada;
 
     /** A random closed solid as turned on a lathe, of some dozen vertices. */
@@ -24,8 +25,8 @@ package soak
                 var radius:Number = random.between(0.2, 1);
                 for (var side:int = 0; side < sides; side++)
                 {
-                    var angle:Number = 2 * Math.PI * side / sides;
-                    vertices.push(radius * Math.cos(angle), radius * Math.sin(angle), ring);
+                    var angle:Number = 360 * side / sides;
+                    vertices.push(radius * Trigonometry.cosine(angle), radius * Trigonometry.sine(angle), ring);
                 }
             }
             vertices.push(0, 0, -random.between(0.1, 1), 0, 0, rings - 1 + random.between(0.1, 1));
@@ -41,7 +42,7 @@ package soak
             var text:String = "";
             for (var i:int = 0; i < vertices.length; i += 3)
             {
-                text += "v " + vertices[i] + " " + vertices[i + 1] + " " + vertices[i + 2] + "\n";
+                text += "v " + vertices[i].toFixed(6) + " " + vertices[i + 1].toFixed(6) + " " + vertices[i + 2].toFixed(6) + "\n";
             }
             for (i = 0; i < triangles.length; i += 3)
             {

@@ -25,6 +25,7 @@ package soak
         private var _random:SeededRandom;
         private var _counts:SoakCounts = new SoakCounts(countedThings());
         private var _models:SoakModels;
+        private var _witness:SoakWitness;
         private var _systems:SoakSystems;
         private var _check:SoakCheck;
         private var _collision:Collision;
@@ -53,8 +54,9 @@ package soak
             _collision = new Collision(_systems.next());
             _other = new Collision(new TightestFitCollider(_models.greatLand));
             _other.onCollision(Collision.ANY_BREED, "bears", countOther);
-            _touches = new <SoakTouches>[new SoakTouches(_collision, _counts, "bears", "balls"),
-                    new SoakTouches(_collision, _counts, "walls", "walls")];
+            _witness = new SoakWitness(_collision, _models);
+            _touches = new <SoakTouches>[new SoakTouches(_collision, _counts, _witness, "bears", "balls"),
+                    new SoakTouches(_collision, _counts, _witness, "walls", "walls")];
             while (_agents.length < FEWEST)
             {
                 addAgent();
@@ -66,6 +68,12 @@ package soak
         public function get counts():SoakCounts
         {
             return _counts;
+        }
+
+        /** A hash of all that the game has seen so far: eight hexadecimal digits. */
+        public function get hash():String
+        {
+            return _witness.toString();
         }
 
         /**
@@ -98,6 +106,7 @@ package soak
                 _check.begin(_agents);
             }
             update(isGone);
+            _witness.seeFrame(_agents, isAnyModelGone());
             if (_isChecking)
             {
                 endCheck();
@@ -218,7 +227,7 @@ package soak
         {
             var agent:Agent = new Agent(_models.pickShape(), _random.pick(BREEDS));
             agent.moveTo(_random.between(-6, 6), _random.between(-6, 6), _random.between(-1, 1));
-            agent.size = _random.logBetween(0.3, 3);
+            agent.size = pickSize();
             agent.sweeps = _random.chance(0.2);
             agent.hierarchical = _random.chance(0.3);
             agent.traversalDepth = _random.integer(0, 6);
@@ -245,9 +254,9 @@ package soak
             {
                 return;
             }
-            var x:Number = agent.x * 0.98 + speed * _random.normal();
-            var y:Number = agent.y * 0.98 + speed * _random.normal();
-            var z:Number = agent.z * 0.9 + 0.1 * speed * _random.normal();
+            var x:Number = agent.x * 0.98 + speed * bell();
+            var y:Number = agent.y * 0.98 + speed * bell();
+            var z:Number = agent.z * 0.9 + 0.1 * speed * bell();
             if (_random.chance(0.02))
             {
                 agent.jumpTo(x, y, z);
@@ -269,7 +278,7 @@ package soak
             switch (_random.integer(0, 4))
             {
                 case 0:
-                    agent.size = _random.logBetween(0.3, 3);
+                    agent.size = pickSize();
                     _counts.add("agents resized");
                     break;
                 case 1:
@@ -295,6 +304,19 @@ package soak
         {
             agent.shape = _models.pickShape();
             _counts.add("agents reshaped");
+        }
+
+        // SeededRandom's own need logarithms, which are not the same on every machine
+
+        private function pickSize():Number
+        {
+            var root:Number = _random.between(0.55, 1.73);
+            return root * root;
+        }
+
+        private function bell():Number
+        {
+            return 2 * (_random.next() + _random.next() + _random.next() - 1.5);
         }
 
         private function isAnyModelGone():Boolean
@@ -332,11 +354,13 @@ package soak
             function withContact(collider:Agent, collidee:Agent, contact:Contact):void
             {
                 require(contact.time >= 0 && contact.time <= 1 && Math.abs(contact.normal.length - 1) < 1e-9, "contact " + contact.normal);
+                _witness.seeContact(collider, collidee, contact);
                 call(handler, collider, collidee);
             }
 
             function withoutContact(collider:Agent, collidee:Agent):void
             {
+                _witness.seePair(collider, collidee);
                 call(handler, collider, collidee);
             }
         }

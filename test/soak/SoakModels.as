@@ -7,6 +7,7 @@ package soak
     import starlogo.bounding.BoundingStructure;
     import starlogo.libraries.FitStore;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ModelEvent;
     import starlogo.models.ModelLoader;
@@ -28,6 +29,7 @@ package soak
         private var _counts:SoakCounts;
         private var _greatLand:GreatLand = new GreatLand();
         private var _loaders:Vector.<ModelLoader> = new Vector.<ModelLoader>();
+        private var _storage:SoakStorage;
         private var _lasting:Array = [];
         private var _reaches:Object = {};
         private var _passing:int = 0;
@@ -40,7 +42,8 @@ package soak
         {
             _random = random;
             _counts = counts;
-            _greatLand.fitStore = new FitStore(KEPT_BYTES, new SoakStorage(random, counts));
+            _storage = new SoakStorage(random, counts);
+            _greatLand.fitStore = new FitStore(KEPT_BYTES, _storage);
             var points:Model = new Model("points", cloud());
             for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), points,
                         SolidModels.hollow(), SolidModels.apart()])
@@ -59,6 +62,12 @@ package soak
         public function get greatLand():GreatLand
         {
             return _greatLand;
+        }
+
+        /** Has their fits. */
+        internal function get storage():SoakStorage
+        {
+            return _storage;
         }
 
         /** A shape that agents may have now: a model that is there, or is loading. */
@@ -127,11 +136,16 @@ package soak
         // What is passing nobody has, and its name never comes again
         private function onLoaded(event:ModelEvent):void
         {
-            _counts.add("models loaded");
             noteReach(event.model);
-            if (event.model.name.indexOf("passing") == 0)
+            end(event.model);
+        }
+
+        private function end(model:Model):void
+        {
+            _counts.add("models loaded");
+            if (model.name.indexOf("passing") == 0)
             {
-                _greatLand.removeModel(event.model.name);
+                _greatLand.removeModel(model.name);
             }
         }
 
@@ -159,11 +173,18 @@ package soak
                     loader.loadBytes(name, bytesOf(lathe.toObj()), "y");
                     break;
                 case 3:
-                    loader.loadText(name, lathe.toCollada());
+                    takeAtOnce(ColladaModel.fromBytes(name, bytesOf(lathe.toCollada())));
                     break;
                 default:
-                    loader.loadBytes(name, Zip.of(["a.dae", lathe.toCollada()]));
+                    takeAtOnce(ColladaModel.fromBytes(name, Zip.of(["a.dae", lathe.toCollada()])));
             }
+        }
+
+        // In how many steps XML is read depends on the machine, and so would the frame in which a loader has it.
+        private function takeAtOnce(model:Model):void
+        {
+            add(model);
+            end(model);
         }
 
         private function newLathe():Lathe

@@ -50,6 +50,12 @@ package soak
             return _problem;
         }
 
+        /** A hash of all that the game has seen so far: the same on every machine. */
+        public function get hash():String
+        {
+            return _game.hash;
+        }
+
         /** What has happened so far. */
         public function get counts():SoakCounts
         {
@@ -92,14 +98,14 @@ package soak
             }
             if (_frame % Math.ceil(_frames / REPORTS) == 0)
             {
-                trace("  frame " + _frame + ": " + megabytes(Host.memory) + " MB");
+                trace("  frame " + _frame + ": " + megabytes(Host.memory) + " MB, hash " + hash);
             }
         }
 
         private function end():void
         {
             _shape.removeEventListener(Event.ENTER_FRAME, onFrame);
-            trace(_game.counts + "\n" + describeMemory());
+            trace(_game.counts + "\n" + describeMemory() + "\n  hash of all that the game has seen: " + hash);
             if (_problem == "" && _game.counts.missing.length > 0)
             {
                 _problem = "never happened: " + _game.counts.missing.join(", ");

@@ -8,6 +8,7 @@ package soak
     {
         private var _collision:Collision;
         private var _counts:SoakCounts;
+        private var _witness:SoakWitness;
         private var _breed:String;
         private var _otherBreed:String;
         private var _isOn:Boolean = false;
@@ -16,11 +17,13 @@ package soak
         /**
          * @param collision gets the handlers
          * @param counts is told
+         * @param witness likewise
          */
-        public function SoakTouches(collision:Collision, counts:SoakCounts, breed:String, otherBreed:String)
+        public function SoakTouches(collision:Collision, counts:SoakCounts, witness:SoakWitness, breed:String, otherBreed:String)
         {
             _collision = collision;
             _counts = counts;
+            _witness = witness;
             _breed = breed;
             _otherBreed = otherBreed;
         }
@@ -46,6 +49,7 @@ package soak
         {
             var key:String = collider.id + " " + collidee.id;
             _counts.add("starts of touches");
+            _witness.seePair(collider, collidee);
             if (_open.hasOwnProperty(key))
             {
                 throw new Error("not meant: " + collider + " and " + collidee + " begin to touch again");
@@ -57,6 +61,7 @@ package soak
         {
             var key:String = collider.id + " " + collidee.id;
             _counts.add("ends of touches");
+            _witness.seePair(collider, collidee);
             if (!_open.hasOwnProperty(key))
             {
                 throw new Error("not meant: " + collider + " and " + collidee + " cease to touch, but never began");

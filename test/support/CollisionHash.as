@@ -6,14 +6,14 @@ package support
     import starlogo.collision.CollisionSystem;
 
     /**
-     * One number for the ordered collisions of a scene over some frames: FNV-1a over the agents' places in the list, pair by pair in the
+     * One number for the ordered collisions of a scene over some frames: a RunningHash of the agents' places in the list, pair by pair in the
      * order of the first one's place, then of the second's.
      */
     public final class CollisionHash
     {
         private static const PLACES:int = 65536;
 
-        private var _hash:uint = 2166136261;
+        private var _hash:RunningHash = new RunningHash();
         private var _collisions:int = 0;
 
         /**
@@ -33,7 +33,7 @@ package support
                 scene.step();
                 var found:Vector.<Agent> = collider.findCollisions(scene.agents);
                 _collisions += found.length / 2;
-                add(found.length);
+                _hash.addShort(found.length);
                 var pairs:Array = [];
                 for (i = 0; i < found.length; i += 2)
                 {
@@ -42,8 +42,8 @@ package support
                 pairs.sort(Array.NUMERIC);
                 for each (var pair:Number in pairs)
                 {
-                    add(pair / PLACES);
-                    add(pair % PLACES);
+                    _hash.addShort(pair / PLACES);
+                    _hash.addShort(pair % PLACES);
                 }
             }
         }
@@ -57,23 +57,7 @@ package support
         /** The hash: eight hexadecimal digits. */
         public function toString():String
         {
-            return ("0000000" + _hash.toString(16)).slice(-8);
-        }
-
-        private function add(number:int):void
-        {
-            addByte(number & 0xff);
-            addByte((number >>> 8) & 0xff);
-            addByte(number >>> 16);
-        }
-
-        private function addByte(value:int):void
-        {
-            _hash ^= value;
-            // times 16777619, which is 2^24 + 403, within 32 bits
-            var low:uint = (_hash & 0xffff) * 403;
-            var high:uint = ((_hash >>> 16) * 403) << 16;
-            _hash = low + high + (_hash << 24);
+            return _hash.toString();
         }
     }
 }

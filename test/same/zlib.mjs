@@ -1,0 +1,2 @@
+/** Of node:zlib what the tests' archives need. */
+export { deflateRaw as deflateRawSync } from "pako";

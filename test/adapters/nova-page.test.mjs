@@ -117,7 +117,9 @@ for (const project of NOVA ? PROJECTS : ["FishAlgae"]) {
 			assert.equal(problem, null);
 			assert.deepEqual([seen.again, seen.missed, seen.extra, seen.wrongCounts, seen.wrongNearests], [0, 0, 0, 0, 0]);
 			assert.deepEqual([said, problems], [[], []]);
-			assert.ok(seen.most > 50 && (system.system === "bins" || seen.models > 0));
+			assert.ok(seen.most >= 20);
+			// the others have no collision blocks, and ask for nobody
+			if (project === "FishAlgae") assert.ok(seen.pairs > 10 && seen.counts > 10000 && seen.born > 50 && seen.dead > 50 && (system.system === "bins" || seen.models > 0));
 			await page.close();
 		}
 	});

@@ -1,10 +1,11 @@
-// Writes the models of this directory and the table in its README.
+// Writes the models of this directory and the table in its README, and those of examples/three, which are some of them as glTF.
 //
 //   node assets/generate.mjs           writes them
 //   node assets/generate.mjs --check   writes nothing; fails if a file differs from what would be written
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { collada } from "./generator/collada.mjs";
+import { glb } from "./generator/gltf.mjs";
 import { measure } from "./generator/measure.mjs";
 import { mtl, obj } from "./generator/obj.mjs";
 import { flatten } from "./generator/scene.mjs";
@@ -14,12 +15,14 @@ import { withTable } from "./generator/readme.mjs";
 const here = name => new URL(name, import.meta.url);
 const read = name => {
     try {
-        return readFileSync(here(name), "utf8");
+        return readFileSync(here(name), name.endsWith(".glb") ? "latin1" : "utf8");
     } catch {
         return "";
     }
 };
 
+// of the example with three.js
+const GLTF = new Set(["bear", "seagull", "tree"]);
 const files = new Map();
 const rows = [];
 const objColours = new Set();
@@ -27,6 +30,9 @@ for (const model of models) {
     const nodes = model.build();
     const file = `${model.name}.${model.format === "COLLADA" ? "dae" : "obj"}`;
     files.set(file, model.format === "COLLADA" ? collada({ ...model, nodes }) : obj({ ...model, nodes }));
+    if (GLTF.has(model.name)) {
+        files.set(`../examples/three/${model.name}.glb`, glb({ ...model, nodes }).toString("latin1"));
+    }
     rows.push({ ...model, file, ...measure(nodes) });
     if (model.format !== "COLLADA") {
         flatten(nodes).forEach(part => objColours.add(part.colour));
@@ -41,7 +47,7 @@ if (process.argv.includes("--check")) {
     process.exitCode = different.length > 0 ? 1 : 0;
 } else {
     different.forEach(name => {
-        writeFileSync(here(name), files.get(name));
+        writeFileSync(here(name), files.get(name), name.endsWith(".glb") ? "latin1" : "utf8");
         console.log(`wrote assets/${name}`);
     });
 }

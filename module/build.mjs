@@ -7,7 +7,7 @@
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
-import { SETUP, standinsText, translate } from "./assemble.mjs";
+import { standinsText, translate } from "./assemble.mjs";
 import { writeDeclarations } from "./declarations.mjs";
 import { ROOT, publicSignatures } from "./names.mjs";
 
@@ -21,12 +21,11 @@ const classes = program.text();
 const lost = /\$missing\("(.*?)"\)/.exec(classes);
 if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
-const { version } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
-const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.shortName(qname) ?? fail(qname));
+const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
+const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
 const text = `/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
 ${standinsText()}
 ${classes}
-${SETUP}
 export {
     ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
 };
@@ -37,7 +36,7 @@ mkdirSync(out, { recursive: true });
 const readable = `${NAME}.js`;
 const minified = `${NAME}.min.js`;
 writeFileSync(join(out, readable), text);
-const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: false });
+const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: true });
 writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified}.map\n`);
 writeFileSync(join(out, `${minified}.map`), small.map);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
@@ -47,6 +46,8 @@ copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
+copyFileSync(join(ROOT, "module/picture.svg"), join(out, "picture.svg"));
+cpSync(join(ROOT, "adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
 cpSync(join(ROOT, "adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
 // the adapter and the engine as a classic script
 buildSync({
@@ -71,19 +72,27 @@ function manifest() {
 	return {
 		name: NAME,
 		version,
-		description: "The collision engine of StarLogo Nova: which agents of a game have collided",
+		description: "The collision engine of StarLogo Nova: which agents of a game have collided, exactly, as they move, and what is near",
 		license: "MIT",
+		keywords: ["collision-detection", "collision", "broadphase", "spatial-query", "raycast", "bounding-volume", "bvh", "continuous-collision", "game", "3d", "starlogo"],
+		homepage: "https://www.slnova.org/",
+		...(repository ? { repository } : {}),
 		type: "module",
 		sideEffects: false,
 		engines: { node: ">=18" },
 		types: "./index.d.ts",
 		exports: {
-			".": { types: "./index.d.ts", default: `./${minified}` },
+			".": { types: "./index.d.ts", default: `./${readable}` },
+			"./min": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			"./package.json": "./package.json",
+			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
 			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },
 		},
+		peerDependencies: { three: ">=0.180.0" },
+		peerDependenciesMeta: { three: { optional: true } },
 		bin: { "starlogo-bake": "./bake.mjs" },
-		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "nova"],
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three", "nova"],
 	};
 }
 

@@ -4,7 +4,7 @@ import { join } from "node:path";
 
 const DOC = String.raw`(/\*\*(?:(?!\*/)[\s\S])*\*/\s*)?`;
 const TYPE = new RegExp(String.raw`^    ${DOC}((?:public|internal|final|dynamic|static)\s+)*(class|interface|function) (\w+)(?:(\([\s\S]*?\)):([\w.<>*]+))?(?: extends ([\w, ]+?))?(?:\s+implements ([\w, ]+?))?\s*$`, "m");
-const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?`, "gm");
+const MEMBER = new RegExp(String.raw`^        ${DOC}((?:(?:override|public|protected|private|internal|engine|static|final|native)\s+)*)(function|var|const) (?:(get|set) )?(\w+)(\([\s\S]*?\))?(?::([\w.<>*]+))?(?: = ([^;\n]+);)?`, "gm");
 
 /** Every type and package function below some folders. A file in a folder that comes earlier stands for others of its name. */
 export function readSignatures(folders) {
@@ -26,13 +26,14 @@ function readType(source, qname) {
 	if (!match || !/^    (?:[\w ]*\b)?public\b/m.test(match[0])) return null;
 	const [, doc = "", , kind, name, signature, result, bases = "", interfaces = ""] = match;
 	const list = (text) => text.split(",").map((word) => word.trim()).filter((word) => word !== "");
-	const type = { qname, name, kind, doc: textOf(doc), isPrivate: /@private/.test(doc), bases: list(bases), interfaces: list(interfaces), members: [] };
+	const events = [...source.matchAll(/^    \[Event\(name="(\w+)", type="[\w.]*?(\w+)"\)\]$/gm)].map(([, event, eventType]) => ({ event, eventType }));
+	const type = { qname, name, kind, events, doc: textOf(doc), isPrivate: /@private/.test(doc), bases: list(bases), interfaces: list(interfaces), members: [] };
 	if (kind === "function") return { ...type, parameters: parametersOf(signature), result };
 	for (const found of source.slice(match.index + match[0].length).matchAll(MEMBER)) type.members.push(memberOf(found, type));
 	return type;
 }
 
-function memberOf([, doc = "", modifiers, keyword, accessor, name, parameters, result = "*"], type) {
+function memberOf([, doc = "", modifiers, keyword, accessor, name, parameters, result = "*", initial = null], type) {
 	const words = modifiers.trim().split(/\s+/);
 	return {
 		name,
@@ -45,6 +46,7 @@ function memberOf([, doc = "", modifiers, keyword, accessor, name, parameters, r
 		kind: keyword !== "function" ? keyword : accessor ?? (name === type.name ? "constructor" : "method"),
 		parameters: parameters ? parametersOf(parameters) : [],
 		result,
+		initial,
 	};
 }
 

@@ -5,7 +5,7 @@
  *   node module/tests.mjs TRANSPILED OUT
  */
 import { writeFileSync } from "node:fs";
-import { SETUP, standinsText, translate } from "./assemble.mjs";
+import { standinsText, translate } from "./assemble.mjs";
 import { publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
@@ -22,14 +22,14 @@ const externals = {
 	"standin.Network.fetch": "fetchFixture",
 };
 
-const program = translate(transpiled, publicSignatures(), externals);
+const program = translate(transpiled, publicSignatures(), externals, true);
 const text = program.text();
 const classes = program.names.filter((qname) => program.testsOf(qname).length > 0)
 	.map((qname) => `{ name: "${qname}", type: ${program.shortName(qname)}, metadata: ${JSON.stringify(program.testsOf(qname))} }`);
 writeFileSync(out, `import * as flexunit from "${flexunit}";
 const { ${[...new Set(Object.values(externals))].filter((name) => name !== "fetchFixture").join(", ")}, missing: $missing } = flexunit;
 ${standinsText()}
-flexunit.extendByteArray(ByteArray);
+flexunit.extendByteArray(ByteArray, inflate);
 let fetchFixture = null;
 
 /** Sets what stands in for fetch: a function like fetchFile of machine.mjs. */
@@ -38,7 +38,6 @@ export function setFetch(fetchFile) {
 }
 
 ${text}
-${SETUP}
 export const CLASSES = [
     ${classes.join(",\n    ")}
 ];

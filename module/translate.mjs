@@ -7,10 +7,17 @@
  * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
  */
 import { parseExpressionAt } from "acorn";
+import { Checks, isWrapped } from "./checks.mjs";
 import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, isLiteral, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
 
 const ENGINE_PREFIX = "starlogo_engine__";
+
+// Statics that only tests change: as constants they take with them what they would switch on.
+const FIXED = new Set(["flash.geom.Matrix3D.isSingle"]);
+
+// What is data and no more is shown as it is.
+const SHOWN_AS_THEY_ARE = new Set(["flash.geom.Vector3D", "flash.geom.Matrix3D"]);
 const BUILT_IN = new Set(["Array", "Boolean", "Function", "Number", "Object", "String", "Error", "RangeError", "TypeError"]);
 
 /** A program of the compiler's files, and what it needs from elsewhere. */
@@ -23,15 +30,20 @@ export class Program {
 	#scopes = [];
 	#beforeSuper = null;
 	#target = null; // what is assigned to
+	#checks;
 
 	/**
 	 * @param files the compiler's files: { file, source }
 	 * @param externals names of what comes from elsewhere: { "flash.utils.ByteArray": "ByteArray" }
-	 * @param signatures of the public declarations, by qualified name, whose parameters are taken in more forms than ActionScript's
+	 * @param signatures of the public declarations, by qualified name: their parameters are checked, and taken in more forms than ActionScript's
+	 * @param hasAllStatics whether the statics of all classes are to be had from outside, not only the public ones'
 	 */
-	constructor(files, externals, signatures = new Map()) {
+	constructor(files, externals, signatures = new Map(), hasAllStatics = false) {
+		this.fixed = hasAllStatics ? new Set() : FIXED;
 		this.externals = externals;
 		this.signatures = signatures;
+		this.hasAllStatics = hasAllStatics;
+		this.#checks = new Checks(signatures, (qname) => this.#reference(qname));
 		for (const { file, source } of files) {
 			for (const unit of unitsOf(file, source)) {
 				const isNamespace = pathOf(unit.main.callee) === "Namespace";
@@ -44,8 +56,8 @@ export class Program {
 		for (const unit of [...this.#units.values()].sort((a, b) => rank(a) - rank(b))) {
 			const words = unit.qname.split(".");
 			const own = unit.isInner && unit.kind !== "class" ? words.slice(-2).join("_") : unit.name;
-			const name = taken.has(own) ? words.join("_") : own;
-			taken.add(name);
+			const name = taken.has(own) ? words.join("_") : isWrapped(signatures.get(unit.qname)) ? `${own}$` : own;
+			taken.add(name).add(own);
 			this.#shortNames.set(unit.qname, name);
 		}
 		this.#nameMembers();
@@ -59,6 +71,11 @@ export class Program {
 	/** What a qualified name is called in the text. */
 	shortName(qname) {
 		return this.#shortNames.get(qname);
+	}
+
+	/** What a public declaration is called where the module exports it. */
+	exportName(qname) {
+		return this.shortName(qname)?.replace(/\$$/, "");
 	}
 
 	/** The tests of a class: { name, kind, args }, those that it inherits first. */
@@ -122,11 +139,27 @@ export class Program {
 		try {
 			const doc = docOf(unit.doc);
 			if (unit.kind === "interface") return this.#interfaceText(unit);
-			if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#functionText(unit.main, unit.doc)}`;
-			return `${doc}${this.#classText(unit)}`;
+			if (unit.kind === "function") return `${doc}function ${this.shortName(unit.qname)}${this.#functionText(unit.main, unit.doc)}${this.#wrapperText(unit, doc)}`;
+			return this.#isShown(unit) ? `${doc}const ${this.shortName(unit.qname)} = /* @__PURE__ */ ${this.#helper("shown")}(${this.#classText(unit)});` : `${doc}${this.#classText(unit)}`;
 		} catch (error) {
 			throw new Error(`${unit.file}: ${error.message}`, { cause: error });
 		}
+	}
+
+	// What the module exports for a function of a package that the engine calls in its loops.
+	#wrapperText(unit, doc) {
+		if (!isWrapped(this.signatures.get(unit.qname))) return "";
+		const { parameters } = this.#opened(unit.main, unit.doc);
+		this.#scopes.pop();
+		const passed = unit.main.params.map((parameter) => parameter.name).join(", ");
+		const lines = [...this.#checks.of(unit.qname, unit.name, "function"), `return ${this.shortName(unit.qname)}(${passed});`];
+		return `\n\n${doc}function ${this.exportName(unit.qname)}(${parameters}) {\n${lines.map((line) => `  ${line}`).join("\n")}\n}`;
+	}
+
+	// Public classes tell tools what their objects are like: what is inside is no one's business.
+	#isShown(unit) {
+		const type = this.signatures.get(unit.qname);
+		return type?.kind === "class" && !unit.base && !SHOWN_AS_THEY_ARE.has(unit.qname);
 	}
 
 	#interfaceText(unit) {
@@ -147,17 +180,26 @@ export class Program {
 		const base = unit.base ? ` extends ${this.#reference(unit.base)}` : "";
 		const lines = [];
 		for (const field of unit.staticValues) {
-			if (isLiteral(field.value)) lines.push(`${docOf(field.doc ?? "")}static ${this.#member(field.name)} = ${this.#text(field.value)};`);
+			const name = this.#member(field.name);
+			if (!this.#isSeen(unit, field.name)) continue;
+			lines.push(`${docOf(field.doc ?? "")}static get ${name}() {\n  return ${this.#staticName(unit, field.name)};\n}`);
+			if (!isConstant(field) && !this.fixed.has(`${unit.qname}.${field.name}`)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
 		}
 		lines.push(this.#constructorText(unit));
-		if (!unit.base) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
+		// $shown gives it to public classes; others are in no text that users see
+		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
+		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n  return true;\n}`);
+		for (const setting of this.#checks.settings(unit.qname)) {
+			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `  ${line}\n`).join("");
+			lines.push(`get ${setting.name}() {\n  return this._${setting.name};\n}`, `set ${setting.name}(value) {\n${check}  this._${setting.name} = value;\n}`);
+		}
 		for (const member of unit.members) {
 			const prefix = (member.isStatic ? "static " : "") + (member.kind === "method" ? "" : `${member.kind} `);
 			const name = this.#member(member.name);
 			if (member.node === null) {
 				lines.push(member.kind === "get" ? `get ${name}() {\n  return super.${name};\n}` : `set ${name}(value) {\n  super.${name} = value;\n}`);
 			} else {
-				const taken = this.#takenIn(member.name, member.kind);
+				const taken = this.#checks.of(unit.qname, member.name, member.kind);
 				lines.push(`${docOf(member.doc)}${prefix}${name}${this.#functionText(member.node, member.doc, taken)}`);
 			}
 		}
@@ -166,9 +208,11 @@ export class Program {
 
 	#constructorText(unit) {
 		const { parameters, body } = this.#opened(unit.main, unit.doc);
-		const taken = this.#takenIn(unit.name, "constructor");
+		const taken = this.#checks.of(unit.qname, unit.name, "constructor");
 		const fields = unit.fields.filter((field) => !this.#isSetAnyway(field, body));
-		const initial = fields.map((field) => `this.${this.#member(field.name)} = ${this.#text(field.value)};`);
+		const settings = this.#checks.settings(unit.qname).map((setting) => setting.name);
+		const nameOf = (field) => (settings.includes(field.name) ? `_${field.name}` : this.#member(field.name));
+		const initial = fields.map((field) => `this.${nameOf(field)} = ${this.#text(field.value)};`);
 		let statements;
 		if (unit.base) {
 			const at = body.findIndex((statement) => isBaseCall(statement));
@@ -191,20 +235,6 @@ export class Program {
 	#isSetAnyway(field, body) {
 		return body.some((statement) => isFieldAssignment(statement) && statement.expression.left.property.name === field.name &&
 			!/this|arguments/.test(this.#unit.source.slice(statement.expression.right.start, statement.expression.right.end)));
-	}
-
-	// Statements by which a public method takes typed arrays for Vectors, and any bytes for a ByteArray.
-	#takenIn(name, kind) {
-		const type = this.signatures.get(this.#unit.qname);
-		const member = type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
-		return (member?.parameters ?? []).flatMap((parameter) => {
-			const element = /^Vector\.<(Number|int|uint)>$/.exec(parameter.type)?.[1];
-			if (element && parameter.name !== "out") {
-				const taken = element === "Number" ? `${this.#helper("numbers")}(` : `${this.#helper("integers")}("${parameter.name}", "${element}", `;
-				return [`${parameter.name} = ${taken}${parameter.name});`];
-			}
-			return parameter.type === "ByteArray" ? [`${parameter.name} = ${this.#reference("flash.utils.ByteArray")}.from(${parameter.name});`] : [];
-		});
 	}
 
 	#functionText(node, doc, taken = []) {
@@ -367,6 +397,8 @@ export class Program {
 			if (found.rest[0] === "superClass_") throw new Error(`unexpected ${path}`);
 			const constant = found.rest.length === 1 ? this.#units.get(found.qname)?.constants.get(found.rest[0]) : undefined;
 			if (constant !== undefined) return `${constant} /* ${this.shortName(found.qname)}.${found.rest[0]} */`;
+			const owner = found.rest.length > 0 ? this.#ownerOf(found.qname, found.rest[0]) : null;
+			if (owner) return [this.#staticName(owner, found.rest[0]), ...found.rest.slice(1).map((name) => this.#member(name))].join(".");
 			return [this.#reference(found.qname), ...found.rest.map((name) => this.#member(name))].join(".");
 		}
 		const target = this.#text(node.object);
@@ -383,6 +415,24 @@ export class Program {
 		if (this.#typeOf(node.object) === "flash.utils.Dictionary") return `${target}.get(${this.#text(node.property)})`;
 		if (this.#isMethodTaken(node)) return `${this.#helper("taken")}(${target}, ${this.#text(node.property)})`;
 		return `${target}[${this.#text(node.property)}]`;
+	}
+
+	// The class that a static variable is of: the one that is named, or one that it extends.
+	#ownerOf(qname, name) {
+		for (let unit = this.#units.get(qname); unit; unit = this.#units.get(unit.base)) {
+			if (unit.staticValues.some((field) => field.name === name)) return unit;
+		}
+		return null;
+	}
+
+	// Statics are variables of the module: a class's own would have to be set by statements, which keep bundlers from leaving it out.
+	#staticName(unit, name) {
+		return `${this.shortName(unit.qname)}$${this.#member(name)}`;
+	}
+
+	#isSeen(unit, name) {
+		if (this.hasAllStatics) return true;
+		return Boolean(this.signatures.get(unit.qname)?.members.some((member) => member.isStatic && member.isPublic && !member.isPrivate && member.name === name));
 	}
 
 	// Whether a member of an object whose class is known is read by a name that is computed: a method comes as a closure.
@@ -461,6 +511,9 @@ export class Program {
 			if (base.accessor) return base.accessor === "get" ? `super.${this.#member(base.name)}` : `super.${this.#member(base.name)} = ${list}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
+		if (node.callee.property?.name === "inflate" && args.length === 0 && this.#typeOf(node.callee.object) === "flash.utils.ByteArray") {
+			return `inflate(${this.#text(node.callee.object)})`;
+		}
 		if (node.callee.property?.name === "sort" && args.length === 1) {
 			return `${this.#helper("sort")}(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
 		}
@@ -487,6 +540,8 @@ export class Program {
 				const isClass = this.#units.get(pathOf(args[1]))?.kind === "class" || ["Error", "RangeError", "TypeError"].includes(type);
 				const isCast = helper === "as" && args[2]?.value === true;
 				if (isClass && helper === "is") return `(${first} instanceof ${type})`;
+				// a cast that the compiler's types vouch for, of what is no client's
+				if (isClass && isCast && !this.hasAllStatics) return first;
 				const otherwise = isCast ? `${this.#helper("cast")}(${first}, ${type})` : "null";
 				if (isClass && /^[\w$.]+$/.test(first)) return `(${first} instanceof ${type} ? ${first} : ${otherwise})`;
 				return `${this.#helper(isCast ? "cast" : helper)}(${first}, ${type})`;
@@ -560,23 +615,29 @@ export class Program {
 		const visit = (unit, seen) => {
 			if (!unit || done.has(unit) || seen.has(unit)) return;
 			seen.add(unit);
-			const values = unit.staticValues.filter((field) => !isLiteral(field.value));
-			const texts = values.map((field) => {
+			const texts = unit.staticValues.map((field) => {
 				this.#unit = unit;
 				for (const needed of this.#needed(field.value, unit)) visit(needed, seen);
 				this.#unit = unit;
-				return `${this.shortName(unit.qname)}.${this.#member(field.name)} = ${this.#text(field.value)};`;
+				if (this.fixed.has(`${unit.qname}.${field.name}`)) return `const ${this.#staticName(unit, field.name)} = ${this.#text(field.value)};`;
+				return `${isConstant(field) ? "const" : "let"} ${this.#staticName(unit, field.name)} = ${this.#pure(field.value)};`;
 			});
 			if (unit.kind === "variable") {
 				for (const needed of this.#needed(unit.main, unit)) visit(needed, seen);
 				this.#unit = unit;
-				texts.push(`let ${this.shortName(unit.qname)} = ${this.#text(unit.main)};`);
+				texts.push(`let ${this.shortName(unit.qname)} = ${this.#pure(unit.main)};`);
 			}
 			done.add(unit);
 			lines.push(...texts);
 		};
 		for (const unit of this.#units.values()) visit(unit, new Set());
 		return lines.join("\n") + "\n";
+	}
+
+	// The text of an initial value, so that a bundler sees that it may be left out.
+	#pure(node) {
+		const text = this.#text(node);
+		return hasCall(node) ? `/* @__PURE__ */ (() => (${text}))()` : text;
 	}
 
 	// The definitions that run when an expression does: those it names, and what their constructors name.
@@ -595,6 +656,14 @@ export class Program {
 		for (const child of childrenOf(node)) this.#needed(child, unit, found);
 		return found;
 	}
+}
+
+function isConstant(field) {
+	return /@const/.test(field.doc ?? "");
+}
+
+function hasCall(node) {
+	return node.type === "NewExpression" || node.type === "CallExpression" || node.type === "ObjectExpression" || childrenOf(node).some(hasCall);
 }
 
 function rank(unit) {

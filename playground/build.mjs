@@ -13,6 +13,7 @@ import { build } from "esbuild";
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
 const npm = path.join(here, "node_modules");
+const { exports } = JSON.parse(readFileSync(path.join(engine, "package.json"), "utf8"));
 
 const STYLE = 'style:"display: none;"';
 const WARNING = /[\w$]+\("Blockly\.Workspace\.getAllVariables","v12","v13","[^"]+"\);/;
@@ -45,7 +46,7 @@ const result = await build({
 	metafile: true,
 	legalComments: "none",
 	chunkNames: "parts/[name]-[hash]",
-	alias: { "starlogo-collision": path.join(engine, JSON.parse(readFileSync(path.join(engine, "package.json"), "utf8")).exports["."].default) },
+	alias: { "starlogo-collision": path.join(engine, exports["."].default), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
 	plugins: [tameBlockly],
 	logLevel: "warning",

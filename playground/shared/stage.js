@@ -1,8 +1,9 @@
 /** A world drawn with three.js: z up, orbited and zoomed, drawn when something has changed. Without WebGL it says so, and draws nothing. */
 import {
-	AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, LineBasicMaterial, LineSegments, Mesh,
+	AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, Mesh,
 	MeshLambertMaterial, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Plane,
 } from "three";
+import { ThreeAgentBinding, ThreeWireframe } from "starlogo-collision/three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h, isDark, onThemeChange } from "./dom.js";
 import { texts } from "../texts.js";
@@ -15,7 +16,7 @@ const THEMES = {
 export class Stage {
 	#geometries = new Map();
 	#materials = new Map();
-	#meshes = new Map();
+	#bindings = new Map();
 	#lines = new Map();
 	#wanted = 0;
 	#grid = null;
@@ -128,24 +129,23 @@ export class Stage {
 	/** Shows exactly these agents, each in its colour. */
 	showAgents(agents, models) {
 		if (!this.renderer) return;
-		const left = new Map(this.#meshes);
+		const left = new Map(this.#bindings);
 		for (const agent of agents) {
-			let mesh = left.get(agent);
+			let binding = left.get(agent);
 			left.delete(agent);
-			if (!mesh) {
-				mesh = new Mesh();
-				mesh.matrixAutoUpdate = false;
-				mesh.userData.agent = agent;
-				this.#meshes.set(agent, mesh);
-				this.actors.add(mesh);
+			if (!binding) {
+				binding = new ThreeAgentBinding(agent, new Mesh(), null, { up: "z" });
+				binding.object.userData.agent = agent;
+				this.#bindings.set(agent, binding);
+				this.actors.add(binding.object);
 			}
-			mesh.geometry = this.#geometryOf(models.get(agent.shape));
-			mesh.material = this.#materialOf(agent.color);
-			mesh.matrix.fromArray(agent.transform.rawData);
+			binding.object.geometry = this.#geometryOf(models.get(agent.shape));
+			binding.object.material = this.#materialOf(agent.color);
+			binding.updateObject();
 		}
-		for (const [agent, mesh] of left) {
-			this.actors.remove(mesh);
-			this.#meshes.delete(agent);
+		for (const [agent, { object }] of left) {
+			this.actors.remove(object);
+			this.#bindings.delete(agent);
 		}
 		this.redraw();
 	}
@@ -153,28 +153,14 @@ export class Stage {
 	/** Shows lines under a name, in place of those that it had: x, y, z of one end, then of the other. */
 	showLines(name, numbers, color) {
 		if (!this.renderer) return;
-		let lines = this.#lines.get(name);
-		if (!lines) {
-			lines = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true }));
-			lines.frustumCulled = false;
-			this.#lines.set(name, lines);
-			this.scene.add(lines);
+		let wireframe = this.#lines.get(name);
+		if (!wireframe) {
+			wireframe = new ThreeWireframe({ up: "z" });
+			this.#lines.set(name, wireframe);
+			this.scene.add(wireframe);
 		}
-		lines.material.color.set(color);
-		lines.visible = numbers.length > 0;
-		// a new geometry where the room does not do
-		const room = lines.geometry.getAttribute("position")?.array.length ?? 0;
-		if (room < numbers.length) {
-			lines.geometry.dispose();
-			lines.geometry = new BufferGeometry();
-			lines.geometry.setAttribute("position", new BufferAttribute(new Float32Array(numbers.length), 3));
-		}
-		if (numbers.length > 0) {
-			const attribute = lines.geometry.getAttribute("position");
-			attribute.array.set(numbers);
-			attribute.needsUpdate = true;
-		}
-		lines.geometry.setDrawRange(0, numbers.length / 3);
+		wireframe.material.color.set(color);
+		wireframe.clearLines().showLines(numbers);
 		this.redraw();
 	}
 
@@ -221,7 +207,7 @@ export class Stage {
 		this.controls.dispose();
 		for (const geometry of this.#geometries.values()) geometry.dispose();
 		for (const material of this.#materials.values()) material.dispose();
-		for (const lines of this.#lines.values()) lines.geometry.dispose();
+		for (const wireframe of this.#lines.values()) wireframe.dispose();
 		this.renderer.dispose();
 		this.canvas.remove();
 	}

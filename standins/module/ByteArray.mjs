@@ -2,7 +2,6 @@
 import { Inflate } from "pako/lib/inflate.js";
 
 const DEFAULT_ROOM = 64;
-const LATIN_1 = /^(iso-8859-1|latin1|us-ascii)$/i;
 
 /** Bytes with a place to read and write at. */
 export class ByteArray {
@@ -92,14 +91,8 @@ export class ByteArray {
 
 	/** Text in UTF-8; a byte order mark at its beginning is left out, and it ends at a zero. */
 	readUTFBytes(length) {
-		return this.readMultiByte(length, "utf-8");
-	}
-
-	/** Text in some encoding; in the platform's own, which is UTF-8 here, if it is not known. */
-	readMultiByte(length, charset) {
 		const start = this.#advance(length);
-		const bytes = this.#bytes.subarray(start, start + length);
-		const text = decoder(charset).decode(bytes);
+		const text = new TextDecoder().decode(this.#bytes.subarray(start, start + length));
 		const end = text.indexOf("\0");
 		return end < 0 ? text : text.slice(0, end);
 	}
@@ -142,11 +135,11 @@ export class ByteArray {
 		this.#write(new TextEncoder().encode(text));
 	}
 
-	writeMultiByte(text, charset) {
-		if (LATIN_1.test(charset)) this.#write(Uint8Array.from(text, (letter) => letter.charCodeAt(0)));
-		else if (/^(utf-16|unicode)(le)?$/i.test(charset)) this.#write(utf16(text, true));
-		else if (/^(utf-16be|unicodeFFFE)$/i.test(charset)) this.#write(utf16(text, false));
-		else this.writeUTFBytes(text);
+	writeUTF(text) {
+		const bytes = new TextEncoder().encode(text);
+		if (bytes.length > 0xffff) throw new RangeError("Error #2006: The supplied index is out of bounds.");
+		this.writeShort(bytes.length);
+		this.#write(bytes);
 	}
 
 	/** Writes bytes of another; all from offset on if length is 0. */
@@ -156,17 +149,6 @@ export class ByteArray {
 		this.#write(source.#bytes.slice(offset, offset + count));
 	}
 
-	/** @throws Error if the bytes are no whole deflated data */
-	inflate() {
-		if (this.#length > 0) {
-			const inflate = new Inflate({ raw: true });
-			inflate.push(this.toUint8Array(), true);
-			if (inflate.err !== 0 || !inflate.ended) throw new Error("Error #2058: There was an error decompressing the data.");
-			this.#replace(inflate.result);
-		}
-		this.position = 0;
-	}
-
 	/** The bytes, copied. */
 	toUint8Array() {
 		return this.#bytes.slice(0, this.#length);
@@ -174,7 +156,7 @@ export class ByteArray {
 
 	/** The bytes as text. */
 	toString() {
-		return decoder("utf-8").decode(this.toUint8Array());
+		return new TextDecoder().decode(this.toUint8Array());
 	}
 
 	get #isLittle() {
@@ -184,11 +166,6 @@ export class ByteArray {
 	#take(bytes) {
 		this.#bytes = bytes;
 		this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-	}
-
-	#replace(bytes) {
-		this.#take(bytes);
-		this.#length = bytes.length;
 	}
 
 	#reserve(length) {
@@ -218,6 +195,22 @@ export class ByteArray {
 	}
 }
 
+/**
+ * Inflates the bytes of a ByteArray, which has no method for it so that only what reads archives brings the code in.
+ *
+ * @throws Error if the bytes are no whole deflated data
+ */
+export function inflate(bytes) {
+	if (bytes.length > 0) {
+		const stream = new Inflate({ raw: true });
+		stream.push(bytes.toUint8Array(), true);
+		if (stream.err !== 0 || !stream.ended) throw new Error("Error #2058: There was an error decompressing the data.");
+		bytes.clear();
+		bytes.writeBytes(new ByteArray(stream.result));
+	}
+	bytes.position = 0;
+}
+
 /** There were fewer bytes than were to be read. */
 export class EOFError extends Error {
 	constructor(message = "Error #2030: End of file was encountered.") {
@@ -229,19 +222,4 @@ export class EOFError extends Error {
 function toBytes(source) {
 	if (source instanceof ArrayBuffer) return new Uint8Array(source);
 	return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
-}
-
-function decoder(charset) {
-	const label = { unicode: "utf-16le", unicodefffe: "utf-16be" }[charset.toLowerCase()] ?? charset;
-	try {
-		return new TextDecoder(label);
-	} catch {
-		return new TextDecoder();
-	}
-}
-
-function utf16(text, isLittle) {
-	const view = new DataView(new ArrayBuffer(2 * text.length));
-	for (let i = 0; i < text.length; i++) view.setUint16(2 * i, text.charCodeAt(i), isLittle);
-	return new Uint8Array(view.buffer);
 }

@@ -18,28 +18,172 @@ export function $resize(vector, length, zero) {
 	return length;
 }
 
-/** Numbers that a public method takes for a Vector: an array, or a typed array's numbers in one. */
-export function $numbers(list) {
-	return ArrayBuffer.isView(list) ? Array.from(list) : list;
+/** A value as an error names it. */
+export function $named(value) {
+	switch (typeof value) {
+		case "string":
+			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
+		case "bigint":
+			return `${value}n`;
+		case "function":
+			return `the function ${value.name || "without a name"}`;
+		case "object": {
+			if (value === null) return "null";
+			if (Array.isArray(value)) return value.length > 4 ? `an array of ${value.length}` : `[${value.map($named).join(", ")}]`;
+			const name = Object.getPrototypeOf(value)?.constructor?.name ?? "Object";
+			return name === "Object" ? "a plain object" : `an object of class ${name}`;
+		}
+		default:
+			return String(value);
+	}
 }
 
-const INTEGERS = { int: [-2147483648, 2147483647], uint: [0, 4294967295] };
-
 /**
- * The same, of integers.
+ * Throws what says that an argument is not what it has to be.
  *
- * @throws ArgumentError if one is nothing that such a Vector could have: it would be used as an index
+ * @param target the object that it is given to, if that says which it is, else null
+ * @param name the argument's, with the member's if there is no target
+ * @param value the argument
+ * @param kind what it has to be
  */
-export function $integers(name, type, list) {
-	const array = $numbers(list);
-	const [least, most] = INTEGERS[type];
-	for (let i = 0; i < (array?.length ?? 0); i++) {
-		const value = array[i];
-		if (!(Number.isInteger(value) && value >= least && value <= most)) {
-			throw new ArgumentError(`${name}[${i}] must be an integer from ${least} to ${most}, not ${typeof value === "string" ? `"${value}"` : String(value)}`);
+export function $refuse(target, name, value, kind) {
+	const given = target === null ? name : `${target}: ${name}`;
+	if (typeof value === "number" && kind.endsWith(" number")) throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind}, not ${value}`);
+	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value)}`);
+}
+
+/** What a member that is in no hot loop calls for an argument: `$aNumber("Class.method: name", value)`. */
+export function $aNumber(name, value) {
+	if (typeof value !== "number") $refuse(null, name, value, "a number");
+}
+
+export function $aFiniteNumber(name, value) {
+	if (typeof value !== "number" || value - value !== 0) $refuse(null, name, value, "a number");
+}
+
+export function $anInt(name, value) {
+	if (typeof value !== "number" || value !== (value | 0)) $refuse(null, name, value, "a whole number");
+}
+
+export function $aUint(name, value) {
+	if (typeof value !== "number" || value !== value >>> 0) $refuse(null, name, value, "a whole number");
+}
+
+export function $aBoolean(name, value) {
+	if (typeof value !== "boolean") $refuse(null, name, value, "true or false");
+}
+
+export function $aString(name, value) {
+	if (typeof value !== "string") $refuse(null, name, value, "a string");
+}
+
+export function $aFunction(name, value) {
+	if (typeof value !== "function") $refuse(null, name, value, "a function");
+}
+
+/** Refuses what is no number, of the arguments of a method: the names after a colon and these. */
+export function $checkNumbers(names, ...values) {
+	const place = values.findIndex((value) => typeof value !== "number");
+	if (place >= 0) $refuse(null, names.replace(/: .*/, `: ${names.split(": ")[1].split(", ")[place]}`), values[place], "a number");
+}
+
+/** Whether an object is of a class that has such a mark. */
+export function $isMarked(value, mark) {
+	return typeof value === "object" && value !== null && value[mark] === true;
+}
+
+/** Refuses what is no array, and arrays with what fails the test. */
+export function $checkList(target, name, list, kind = "", test = null) {
+	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind}`);
+	if (test === null) return;
+	const place = list.findIndex((each) => !test(each));
+	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], `one of the ${kind}`);
+}
+
+/** Refuses what is no Vector3D of numbers. */
+export function $checkVector(target, name, value) {
+	if (!(value instanceof Vector3D)) $refuse(target, name, value, "a Vector3D");
+	if (typeof value.x !== "number") $refuse(target, `${name}.x`, value.x, "a number");
+	if (typeof value.y !== "number") $refuse(target, `${name}.y`, value.y, "a number");
+	if (typeof value.z !== "number") $refuse(target, `${name}.z`, value.z, "a number");
+}
+
+/** Numbers that a public method takes for a Vector: an array, or a typed array's numbers in one. */
+export function $numbers(target, name, list, type, isNullable) {
+	if (isNullable && (list === null || list === undefined)) return null;
+	if (ArrayBuffer.isView(list) && !(list instanceof DataView)) return $numbers(target, name, Array.from(list), type, false);
+	if (!Array.isArray(list)) $refuse(target, name, list, "an array of numbers");
+	const least = type === "int" ? -2147483648 : 0;
+	const most = type === "int" ? 2147483647 : 4294967295;
+	for (let i = 0; i < list.length; i++) {
+		const value = list[i];
+		if (type === "Number") {
+			if (typeof value !== "number") $refuse(target, `${name}[${i}]`, value, "a number");
+		} else if (!(Number.isInteger(value) && value >= least && value <= most)) {
+			$refuse(target, `${name}[${i}]`, value, `an integer from ${least} to ${most}`);
 		}
 	}
-	return array;
+	return list;
+}
+
+/** Bytes that a public method takes: a ByteArray, or an ArrayBuffer or a view of one as such. */
+export function $bytes(target, name, value, isNullable) {
+	if (isNullable && (value === null || value === undefined)) return null;
+	const areBytes = value instanceof ByteArray || ArrayBuffer.isView(value) || value instanceof ArrayBuffer || Object.prototype.toString.call(value) === "[object SharedArrayBuffer]";
+	if (!areBytes) $refuse(target, name, value, "an ArrayBuffer, a view of one, or a ByteArray");
+	return ByteArray.from(value);
+}
+
+/** Whether something other than a Boolean is given for it: the options of the platform's own addEventListener. */
+export function $areOptions(value) {
+	return typeof value === "object" && value !== null;
+}
+
+/** `addEventListener(type, listener, { once, capture, signal })`. */
+export function $listen(target, type, listener, { once = false, capture = false, signal = null }) {
+	if (signal?.aborted) return;
+	const isOwn = (each) => each.call === listener && each.isCapturing === capture;
+	const isKnown = target.listenersTo(type).some(isOwn);
+	target.addEventListener(type, listener, capture);
+	if (isKnown) return;
+	target.listenersTo(type).find(isOwn).isOnce = once;
+	signal?.addEventListener("abort", () => target.removeEventListener(type, listener, capture), { once: true });
+}
+
+/** What an object is like, for tools: its public fields, what can be set, and what is no object. Inner things begin with _ or $. */
+function $stateOf(object) {
+	const state = {};
+	const note = (name, value) => {
+		if (!/^[_$]/.test(name) && typeof value !== "function") state[name] = value;
+	};
+	const chain = [];
+	for (let each = Object.getPrototypeOf(object); each !== null && each !== Object.prototype; each = Object.getPrototypeOf(each)) chain.unshift(each);
+	for (const [name, { get, set }] of chain.flatMap((each) => Object.entries(Object.getOwnPropertyDescriptors(each)))) {
+		if (!get || name === "__proto__") continue;
+		try {
+			const value = get.call(object);
+			if (set || typeof value !== "object" || value === null) note(name, value);
+		} catch {
+			// it can't be asked for now
+		}
+	}
+	for (const name of Object.keys(object)) note(name, object[name]);
+	return state;
+}
+
+/** A class whose objects tools show as what $stateOf says: JSON.stringify, and Node's console.log. */
+export function $shown(type) {
+	const inspect = function(depth, options, inspectAny) {
+		const name = this.constructor.name;
+		if (depth < 0 || typeof inspectAny !== "function") return `[${name}]`;
+		return `${name} ${inspectAny($stateOf(this), { ...options, depth: options.depth === null ? null : options.depth })}`;
+	};
+	Object.defineProperties(type.prototype, {
+		[Symbol.toStringTag]: { configurable: true, get() { return this.constructor.name; } },
+		toJSON: { configurable: true, writable: true, value: function toJSON() { return $stateOf(this); } },
+		[Symbol.for("nodejs.util.inspect.custom")]: { configurable: true, writable: true, value: inspect },
+	});
+	return type;
 }
 
 /** What a `for each` goes over: the elements of an array, the values of an object, nothing of null. */

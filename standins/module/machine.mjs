@@ -15,16 +15,14 @@ export function uncaught(error) {
 	});
 }
 
+/** The error of an error event that nothing listens for. */
+export function unheard(type, text) {
+	return new Error(text);
+}
+
 /** The list of who listens for frames; frames come while there is anybody. */
 export class FrameListeners extends Array {
-	#newFrame;
 	#isTicking = false;
-
-	/** @param newFrame makes the event that the listeners get */
-	constructor(newFrame) {
-		super();
-		this.#newFrame = newFrame;
-	}
 
 	static get [Symbol.species]() {
 		return Array;
@@ -41,10 +39,18 @@ export class FrameListeners extends Array {
 		this.#isTicking = true;
 		setTimeout(() => {
 			this.#isTicking = false;
-			for (const listener of [...this]) listener.dispatchEvent(this.#newFrame());
+			for (const listener of [...this]) listener.dispatchEvent(new Event(Event.ENTER_FRAME));
 			if (this.length > 0) this.#tick();
 		}, FRAME_MS);
 	}
+}
+
+/** Who listens for frames: EventDispatchers, each once. */
+export const frameListeners = /* @__PURE__ */ new FrameListeners();
+
+/** The name of an object's class. */
+export function classNameOf(value) {
+	return value.constructor.name;
 }
 
 /** Fetches a file as fetchFile does, but hands over a ByteArray. */

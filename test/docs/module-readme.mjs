@@ -1,11 +1,15 @@
 /** For module/README.md: what it names and does not show. */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { serve } from '../headless/server.mjs';
 
 const assets = new URL('../../assets/', import.meta.url);
 const read = (name) => readFileSync(new URL(name, assets));
 
+const THREE = createRequire(new URL('../../module/package.json', import.meta.url))('three');
+export const mesh = new THREE.Mesh(new THREE.BoxGeometry(2, 4, 2));
+mesh.position.set(1, 2, 3);
 export const bearText = read('bear.obj').toString();
 export const file = new Blob([read('dragon.dae')]);
 
@@ -21,7 +25,8 @@ const { fetch } = globalThis;
 globalThis.fetch = (address, ...rest) => fetch(new URL(address, server.url), ...rest);
 
 /** Whether the samples have done what the page says. */
-export async function check({ bear, ball, collision, greatLand }) {
+export async function check({ bear, ball, collision, greatLand, teapot }) {
+	assert.deepEqual([teapot.x, teapot.y, teapot.z, teapot.size], [1, -3, 0, 2]);
 	assert.equal(collision.statistics.handlerCalls, 1);
 	assert.equal(bear.color, ball.color);
 	await isComplete;

@@ -1,7 +1,7 @@
 /** The samples of the documentation in JavaScript, run on the module that the build has made; and that broken ones fail. */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -13,13 +13,14 @@ const page = (...samples) => ({
 	file: 'a.md', slug: 'a', fences: samples.map((text, i) => ({ language: /^(?:var|package) /.test(text) ? 'actionscript' : 'js', line: 10 * i + 1, text })),
 });
 
+// a copy: from a link three.js would be looked for where it leads to
+rmSync(path.join(folder, 'node_modules'), { recursive: true, force: true });
+mkdirSync(path.join(folder, 'node_modules'), { recursive: true });
+cpSync(path.join(root, 'bin/module'), path.join(folder, 'node_modules/starlogo-collision'), { recursive: true });
+symlinkSync(path.join(root, 'module/node_modules/three'), path.join(folder, 'node_modules/three'));
+
 /** Runs the samples of a page in Node, and then its check. */
 function run(each) {
-	mkdirSync(path.join(folder, 'node_modules'), { recursive: true });
-	const link = path.join(folder, 'node_modules/starlogo-collision');
-	if (!existsSync(link)) {
-		symlinkSync(path.join(root, 'bin/module'), link);
-	}
 	const file = path.join(folder, `${each.slug}.mjs`);
 	const prelude = preludeOf(each.slug, '.mjs');
 	writeFileSync(file, moduleOf(each));

@@ -2,14 +2,17 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
  * One row's numbers are taken in turns.
  */
 import { execFileSync } from "node:child_process";
+import { writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { install } from "../adapters/peers.mjs";
 import { AgentCells } from "./agent-cells.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
@@ -17,7 +20,7 @@ import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumber
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
 const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
-const COUNTS = [1000, 5000, 10000];
+const COUNTS = [1000, 10000, 100000];
 
 const parts = process.argv.slice(2);
 const greatLand = makeGreatLand();
@@ -170,6 +173,29 @@ async function exact() {
 	print(`Dragons, exact, microseconds a pair (${same} of ${pairs.length} verdicts the same: three-mesh-bvh knows no inside)`, ["", "pairs", "engine", "three-mesh-bvh", "times"], rows);
 }
 
+/** What cannon-es does to find the contacts of spheres. It counts pairs in 31 bits, and so has no room for 100,000 of them. */
+function askCannon(cannon, agents) {
+	const space = new cannon.World();
+	space.broadphase = new cannon.SAPBroadphase(space);
+	const bodies = agents.map((agent) => {
+		const body = new cannon.Body({ mass: 1, shape: new cannon.Sphere(0.5), collisionResponse: false });
+		body.position.set(agent.x, agent.y, 0.5);
+		space.addBody(body);
+		return body;
+	});
+	const prepare = () => agents.forEach((agent, i) => {
+		bodies[i].position.set(agent.x, agent.y, 0.5);
+		bodies[i].aabbNeedsUpdate = true;
+	});
+	const run = () => {
+		const first = [];
+		const second = [];
+		space.broadphase.collisionPairs(space, first, second);
+		space.narrowphase.getContacts(first, second, space, [], [], [], []);
+	};
+	return { prepare, run };
+}
+
 /** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh. */
 async function distances() {
 	const three = await import(pathToFileURL(tools.resolve("three")));
@@ -209,6 +235,8 @@ async function distances() {
 		return [`${model.name}s up to ${spread} away`, ...[trees, own, other].map((ms) => 1000 * ms / pairs.length), other / own, worst];
 	}));
 	print("Distances, microseconds a pair", ["", "at depth 5", "exact", "three-mesh-bvh", "times", "apart at most"], rows);
+}
+
 /** First hits of rays at one model, and what is kept for them. */
 async function rays() {
 	const rows = [];
@@ -251,8 +279,11 @@ async function peers() {
 	const RAPIER = rapier.default ?? rapier;
 	await RAPIER.init();
 	const cannon = await import(pathToFileURL(tools.resolve("cannon-es")));
+	const { default: KDBush } = await import(pathToFileURL(tools.resolve("kdbush")));
 	const rows = COUNTS.map((count) => {
-		const { agents, walk } = scatter(count, ["sphere"]);
+		// as dense as 10,000 on SpaceLand
+		const halfWidth = HALF_WIDTH * Math.sqrt(Math.max(1, count / 10000));
+		const { agents, walk } = scatter(count, ["sphere"], { halfWidth });
 		const own = [BinCollider, TightestFitCollider].map((System) => new System(greatLand));
 		const out = [];
 		const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
@@ -262,45 +293,39 @@ async function peers() {
 			const collider = world.createCollider(RAPIER.ColliderDesc.ball(0.5).setSensor(true).setActiveCollisionTypes(types), body);
 			return { body, collider };
 		});
+		let near = 0;
+		const askTree = () => {
+			const tree = new KDBush(count, 64, Float64Array);
+			for (const agent of agents) tree.add(agent.x, agent.y);
+			tree.finish();
+			near = 0;
+			for (const agent of agents) near += tree.within(agent.x, agent.y, 1).length - 1;
+		};
 		let touching = 0;
 		const askRapier = () => {
 			world.step();
 			touching = 0;
 			for (const { collider } of handles) world.intersectionPairsWith(collider, () => touching++);
 		};
-		const space = new cannon.World();
-		space.broadphase = new cannon.SAPBroadphase(space);
-		const bodies = agents.map((agent) => {
-			const body = new cannon.Body({ mass: 1, shape: new cannon.Sphere(0.5), collisionResponse: false });
-			body.position.set(agent.x, agent.y, 0.5);
-			space.addBody(body);
-			return body;
-		});
-		const [bins, tightest, wasm, js] = measure([
+		const isLarge = count > 10000;
+		const cannonTask = isLarge ? null : askCannon(cannon, agents);
+		const tasks = [
 			{ prepare: walk, run: () => own[0].findCollisions(agents, out) },
 			{ run: () => own[1].findCollisions(agents, out), prepare: () => agents.forEach((agent) => agent.moveTo(agent.x + 1e-9, agent.y, 0)) },
+			{ run: askTree },
 			{
 				prepare: () => agents.forEach((agent, i) => handles[i].body.setNextKinematicTranslation({ x: agent.x, y: agent.y, z: 0.5 })),
 				run: askRapier,
 			},
-			{
-				prepare: () => agents.forEach((agent, i) => {
-					bodies[i].position.set(agent.x, agent.y, 0.5);
-					bodies[i].aabbNeedsUpdate = true;
-				}),
-				run: () => {
-					const first = [];
-					const second = [];
-					space.broadphase.collisionPairs(space, first, second);
-					space.narrowphase.getContacts(first, second, space, [], [], [], []);
-				},
-			},
-		], 20);
+			...(cannonTask ? [cannonTask] : []),
+		];
+		const [bins, tightest, tree, wasm, js] = measure(tasks, isLarge ? 3 : 20);
 		askRapier(); // it finds what touched before a step
 		world.free();
-		return [`${count} spheres`, bins, tightest, wasm, js, out.length / 2, touching / 2];
+		return [count.toLocaleString("en"), bins, tightest, tree, wasm, js ?? "-", out.length / 2, near / 2, touching / 2];
 	});
-	print("Spheres, all moving, ms a frame", ["", "bins", "tightest fit", "Rapier (WebAssembly)", "cannon-es", "pairs", "Rapier's"], rows);
+	const head = ["spheres, all moving, ms a frame", "bins", "tightest fit", "kdbush (2D, built anew)", "Rapier (WebAssembly)", "cannon-es", "pairs", "kdbush's", "Rapier's"];
+	print("Beside other engines", head, rows);
 }
 
 /** Questions of each of 10,000 agents that all move, with the update, against a kd-tree that is made anew in every frame. */
@@ -364,5 +389,56 @@ function fits() {
 	print("Twelve models, ms", ["", "fits known", "computed", "times"], [...rows, ["reading nine of their files", files12, "", ""]]);
 }
 
+/** Agents bound to three.js's objects: each frame what moves them, untimed, and then the bindings. */
+async function bindings() {
+	const entry = join(install("benchmark"), "entry.mjs");
+	writeFileSync(entry, 'export * as three from "three";\nexport { Agent } from "starlogo-collision";\nexport * from "starlogo-collision/three";\n');
+	const { three, Agent: Bound, ThreeAgentBinding, bindInstance, modelFromObject } = await import(pathToFileURL(entry));
+	const geometry = new three.BoxGeometry(1, 2, 3);
+	const model = modelFromObject("box", geometry);
+	const mesh = new three.InstancedMesh(geometry, new three.MeshBasicMaterial(), 1000);
+	const random = randomNumbers(3);
+	const bind = (make) => Array.from({ length: 1000 }, (_, i) => {
+		const agent = new Bound("box");
+		agent.moveTo(random(), random(), random());
+		agent.heading = 360 * random();
+		const binding = make(agent, i);
+		binding.updateObject();
+		return binding;
+	});
+	const kinds = { objects: bind((agent) => new ThreeAgentBinding(agent, new three.Object3D(), model)), instances: bind((agent, i) => bindInstance(agent, mesh, i, model)) };
+	const taken = [];
+	const motions = {
+		"none moving": () => {},
+		"all moving": ({ agent, object }, round) => {
+			agent.moveTo(round % 40, agent.y, agent.z);
+			if (object !== mesh) object.position.x = -round % 40;
+		},
+		"all moving and turning": ({ agent, object }, round) => {
+			agent.moveTo(round % 40, agent.y, agent.z);
+			agent.heading = round % 360;
+			// as it is after the frame of a collider
+			agent.getQuaternion(taken);
+			if (object !== mesh) object.rotation.y = 1 + (round % 360) / 100;
+		},
+	};
+	// what no binding can do without
+	const alone = Array.from({ length: 1000 }, () => new three.Object3D());
+	const turns = Array.from({ length: 360 }, (_, i) => new three.Quaternion(0, Math.sin(i), 0, Math.cos(i)));
+	let count = 0;
+	const place = (object, name) => {
+		if (name === "none moving") return;
+		object.position.set(count++, 2, 3);
+		object.scale.set(2, 2, 2);
+		if (name === "all moving and turning") object.quaternion.copy(turns[count % 360]);
+	};
+	const rows = Object.entries(motions).map(([name, move]) => {
+		const task = (all, update) => ({ prepare: (round) => all.forEach((binding) => move(binding, round)), run: () => all.forEach(update) });
+		const times = measure([{ run: () => alone.forEach((object) => place(object, name)) }, task(kinds.objects, (each) => each.updateObject()), task(kinds.objects, (each) => each.updateAgent()), task(kinds.instances, (each) => each.updateObject())], 200);
+		return [name, ...times];
+	});
+	print(`1,000 agents bound to three.js ${three.REVISION}, ms a frame`, ["", "three.js alone", "updateObject", "updateAgent", "updateObject of instances"], rows);
+}
+
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings]) if (parts.length === 0 || parts.includes(part.name)) await part();

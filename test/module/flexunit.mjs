@@ -70,12 +70,41 @@ export const Async = {
 export class Dictionary extends Map {}
 
 /** Gives ByteArray what only the tests use. */
-export function extendByteArray(ByteArray) {
+export function extendByteArray(ByteArray, inflate) {
+	ByteArray.prototype.readMultiByte = function (length, charset) {
+		const bytes = this.toUint8Array().slice(this.position, this.position + length);
+		this.position += length;
+		return decoder(charset).decode(bytes);
+	};
+	ByteArray.prototype.writeMultiByte = function (text, charset) {
+		const bytes = /^(iso-8859-1|latin1|us-ascii)$/i.test(charset) ? Uint8Array.from(text, (letter) => letter.charCodeAt(0))
+			: /^(utf-16|unicode)(le)?$/i.test(charset) ? utf16(text, true)
+			: /^(utf-16be|unicodeFFFE)$/i.test(charset) ? utf16(text, false) : new TextEncoder().encode(text);
+		this.writeBytes(new ByteArray(bytes));
+	};
+	ByteArray.prototype.inflate = function () {
+		inflate(this);
+	};
 	ByteArray.prototype.deflate = function () {
 		const packed = deflateRawSync(this.toUint8Array());
 		this.length = 0;
 		this.writeBytes(new ByteArray(packed));
 	};
+}
+
+function decoder(charset) {
+	const label = { unicode: "utf-16le", unicodefffe: "utf-16be" }[charset.toLowerCase()] ?? charset;
+	try {
+		return new TextDecoder(label);
+	} catch {
+		return new TextDecoder();
+	}
+}
+
+function utf16(text, isLittle) {
+	const view = new DataView(new ArrayBuffer(2 * text.length));
+	for (let i = 0; i < text.length; i++) view.setUint16(2 * i, text.charCodeAt(i), isLittle);
+	return new Uint8Array(view.buffer);
 }
 
 export const ExternalInterface = {

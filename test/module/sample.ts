@@ -55,6 +55,7 @@ import {
 	IEventDispatcher,
 	IllegalOperationError,
 	intersects,
+	ListenerOptions,
 	Matrix3D,
 	MinimalBoxFitter,
 	MinimalCapsuleFitter,
@@ -64,6 +65,7 @@ import {
 	ModelEvent,
 	ModelFits,
 	ModelLoader,
+	ModelLoaderEvents,
 	ModelReceiver,
 	ModelSource,
 	ModelTransform,
@@ -207,6 +209,15 @@ function passThrough(greatLand: GreatLand): void {
 	const contacts: ContactSystem = system;
 	ball.moveTo(0, 0, 0);
 	log.push(touch, String(contacts.contactOf(ball, bear).depth > 0));
+	const filter: AgentFilter = AgentFilter.ofBreeds("bears");
+	const choice: AgentChoice = filter;
+	collision.filter = choice;
+	const queries = new AgentQueries(system);
+	queries.update([bear, ball]);
+	const frame: SourceFrame = BuiltInModel.cube().source;
+	log.push(`${queries.countNear(bear, 5)} near, ${frame}, ${new ModelTransform()}`);
+	const hit = new RayHit();
+	log.push(`${filter.breeds}, ${hit.agent} at ${hit.distance}`);
 }
 
 /** Fits every kind of structure. */
@@ -259,6 +270,8 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	loader.addEventListener(ModelEvent.LOADED, (event: ModelEvent) => loaded.push(event.model.name));
 	loader.addEventListener(ErrorEvent.ERROR, (event: ErrorEvent & TextEvent) => loaded.push(event.text));
 	loader.addEventListener(ProgressEvent.PROGRESS, (event: ProgressEvent) => log.push(`${event.bytesLoaded} of ${event.bytesTotal}`));
+	const once: ListenerOptions = { once: true };
+	loader.addEventListener("progress", (event: ModelLoaderEvents["progress"]) => log.push(`first: ${event.bytesTotal}`), once);
 	loader.load("bear", `${base}/bear.obj`);
 	loader.load("dragon", `${base}/dragon.dae`);
 	loader.load("nothing", `${base}/nothing.obj`);

@@ -14,10 +14,10 @@ package starlogo.collision
         /**
          * A collider for the agents of a game.
          *
-         * @param greatLand has the models of the agents
-         * @throws ArgumentError if it is null
+         * @param greatLand has the models of the agents, which have to be there; null to ask for none, as spheres need none: then an agent's shape
+         *     may be any name
          */
-        public function BinCollider(greatLand:GreatLand)
+        public function BinCollider(greatLand:GreatLand = null)
         {
             super(greatLand, new UnitSphereStrategy());
         }

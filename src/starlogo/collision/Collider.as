@@ -43,7 +43,7 @@ package starlogo.collision
          *
          * @param greatLand has the models of the agents
          * @param strategy says what shapes they have
-         * @throws ArgumentError if greatLand is null
+         * @throws ArgumentError if greatLand is null, but the strategy needs models
          */
         public function Collider(greatLand:GreatLand, strategy:ShapeStrategy)
         {
@@ -118,7 +118,7 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var start:int = getTimer();
+            var start:Number = getTimer();
             if (pairs == null)
             {
                 _search.find(agents, breeds, out);

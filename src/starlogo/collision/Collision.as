@@ -204,7 +204,7 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var start:int = getTimer();
+            var start:Number = getTimer();
             _handlerErrors.length = 0;
             if (_tableIsStale)
             {
@@ -333,7 +333,7 @@ package starlogo.collision
             }
         }
 
-        private function findPairs(system:CollisionSystem, agents:Vector.<Agent>, start:int):void
+        private function findPairs(system:CollisionSystem, agents:Vector.<Agent>, start:Number):void
         {
             var collider:Collider = system as Collider;
             if (collider != null)

@@ -64,11 +64,11 @@ package starlogo.collision
         /** Calls of handlers. */
         public var handlerCalls:int;
 
-        /** Milliseconds to find the collisions. */
-        public var findMs:int;
+        /** Milliseconds to find the collisions; whole ones in a Flash player, whose clock counts no others. */
+        public var findMs:Number = 0;
 
-        /** Milliseconds of the whole frame, handlers included. */
-        public var frameMs:int;
+        /** Milliseconds of the whole frame, handlers included; likewise. */
+        public var frameMs:Number = 0;
 
         /** All zero. */
         public function CollisionStatistics()
@@ -92,7 +92,7 @@ package starlogo.collision
          *
          * @private
          */
-        engine function setCounts(counts:SearchCounts, milliseconds:int):void
+        engine function setCounts(counts:SearchCounts, milliseconds:Number):void
         {
             handlerCalls = frameMs = 0;
             agents = counts.agents;

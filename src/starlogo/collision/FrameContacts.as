@@ -19,6 +19,9 @@ package starlogo.collision
         // The contact that handlers get.
         private var _given:Contact = new Contact();
 
+        // What handlers get that may not look at it.
+        private var _whenAsked:ContactWhenAsked = new ContactWhenAsked();
+
         /** No contacts yet. */
         public function FrameContacts()
         {
@@ -56,8 +59,17 @@ package starlogo.collision
                 // its breeds have changed since the frame began
                 find(pair, first, second);
             }
-            var known:Contact = _contacts[pair];
-            var given:Contact = _given;
+            return write(_contacts[pair], isBack, _given);
+        }
+
+        /** @inheritDoc */
+        public function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
+        {
+            return _whenAsked.of(this, pair, first, second, isBack);
+        }
+
+        private static function write(known:Contact, isBack:Boolean, given:Contact):Contact
+        {
             given.time = known.time;
             given.depth = known.depth;
             given.point.copyFrom(known.point);

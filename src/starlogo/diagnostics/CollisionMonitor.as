@@ -178,7 +178,7 @@ package starlogo.diagnostics
         engine function onFrame():void
         {
             var start:int = getTimer();
-            var ms:int = _collision.statistics.frameMs;
+            var ms:Number = _collision.statistics.frameMs;
             _collisionMs += ms;
             if (ms > _mostMs)
             {

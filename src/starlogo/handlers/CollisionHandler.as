@@ -33,6 +33,9 @@ package starlogo.handlers
         /** Whether it takes a contact. */
         public var takesContact:Boolean;
 
+        /** Whether it may look at a third argument, though it does not say so: see mayTakeMore. */
+        public var maySeeContact:Boolean;
+
         /** Whether it was removed, perhaps by another handler: then it is not called any more. */
         public var isRemoved:Boolean = false;
 
@@ -43,7 +46,8 @@ package starlogo.handlers
             this.breed = breed;
             this.otherBreed = otherBreed;
             this.handler = handler;
-            takesContact = handler.length == 3;
+            takesContact = handler.length >= 3;
+            maySeeContact = !takesContact && mayTakeMore(handler);
         }
 
         /**
@@ -60,7 +64,7 @@ package starlogo.handlers
             var toCall:Function = handler;
             var collider:Agent = isBack ? second : first;
             var collidee:Agent = isBack ? first : second;
-            if (takesContact)
+            if (takesContact || contact != null)
             {
                 toCall(collider, collidee, contact);
             }

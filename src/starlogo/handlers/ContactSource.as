@@ -24,5 +24,8 @@ package starlogo.handlers
          * @param isBack whether it is to be that of the second as the collider
          */
         function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Object;
+
+        /** The same for a handler that may not look at it: computed when it does. */
+        function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object;
     }
 }

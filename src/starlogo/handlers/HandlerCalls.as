@@ -234,6 +234,11 @@ package starlogo.handlers
                         var isBack:Boolean = call > forwardCount;
                         handler.call(first, second, isBack, _contacts.contactOf(pair >> 1, first, second, isBack));
                     }
+                    else if (handler.maySeeContact)
+                    {
+                        isBack = call > forwardCount;
+                        handler.call(first, second, isBack, _contacts.contactWhenAsked(pair >> 1, first, second, isBack));
+                    }
                     else if (call > forwardCount)
                     {
                         toCall(second, first);

@@ -37,7 +37,7 @@ package starlogo.handlers
                     {
                         _handlers.push(handler);
                         breedPairs.add(handler.breed, handler.otherBreed);
-                        isPlain = isPlain && kind == CollisionHandler.COLLISION && !handler.takesContact;
+                        isPlain = isPlain && kind == CollisionHandler.COLLISION && !handler.takesContact && !handler.maySeeContact;
                     }
                 }
             }

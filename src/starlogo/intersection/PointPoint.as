@@ -4,6 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.contactOfSpheres;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.pointPointImpact;
@@ -30,27 +31,7 @@ package starlogo.intersection
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            var sphere:Sphere = a as Sphere;
-            var other:Sphere = b as Sphere;
-            var center:Vector3D = sphere.center;
-            var middle:Vector3D = other.center;
-            var x:Number = displacement.startX + center.x;
-            var y:Number = displacement.startY + center.y;
-            var z:Number = displacement.startZ + center.z;
-            var depth:Number = sphere.radius + other.radius;
-            var gapX:Number = x - middle.x;
-            var gapY:Number = y - middle.y;
-            var gapZ:Number = z - middle.z;
-            // the difference of two points has a direction however short it is
-            if (gapX * gapX + gapY * gapY + gapZ * gapZ > 0)
-            {
-                depth -= out.pointAlong(gapX, gapY, gapZ);
-            }
-            else
-            {
-                out.pointAlong(0, 0, 1);
-            }
-            out.place(x, y, z, sphere.radius, depth);
+            contactOfSpheres(a as Sphere, b as Sphere, displacement.startX, displacement.startY, displacement.startZ, out);
         }
 
         /** @inheritDoc */

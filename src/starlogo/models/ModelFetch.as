@@ -80,7 +80,7 @@ package starlogo.models
 
         private function fail(reason:String):void
         {
-            problem = "its file can't be fetched: " + reason;
+            problem = "its file can't be fetched: " + plainMessage(reason);
             end();
         }
 

@@ -161,9 +161,9 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                if (agent == null)
+                if (!(agent is Agent))
                 {
-                    throw isNull(i);
+                    throw isNoAgent(i, agent);
                 }
                 var before:int = _checked.valueOf(agent.number);
                 if (before >= 0)
@@ -518,13 +518,14 @@ package starlogo.search
             for (var i:int = 0; i < list.length; i++)
             {
                 var agent:Agent = list[i];
-                if (agent == null)
-                {
-                    refuseList(isNull(i));
-                }
                 var row:int = i < known ? rows[i] : -1;
                 if (row < 0 || agents[row] !== agent)
                 {
+                    // where there are no types, it may be anything
+                    if (!(agent is Agent))
+                    {
+                        refuseList(isNoAgent(i, agent));
+                    }
                     row = rowOf(agent);
                 }
                 if (row < 0)
@@ -561,9 +562,10 @@ package starlogo.search
             return i == count && list.length == count;
         }
 
-        private static function isNull(place:int):Error
+        private static function isNoAgent(place:int, agent:Agent):Error
         {
-            return new ArgumentError("agents[" + place + "] is null");
+            var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent);
+            return new ArgumentError("agents[" + place + "] " + problem);
         }
 
         private static function listedTwice(agent:Agent, first:int, second:int):Error
@@ -705,7 +707,7 @@ package starlogo.search
                 }
                 if (shape.outer == null)
                 {
-                    boxes[row] = _placed[row] as Box;
+                    boxes[row] = _strategy.boxOf(_placed[row]);
                 }
             }
         }

@@ -50,7 +50,7 @@ package starlogo.search
         /**
          * @param greatLand has the models of the agents
          * @param strategy finds their shapes
-         * @throws ArgumentError if greatLand is null
+         * @throws ArgumentError if greatLand is null, but the strategy needs models
          */
         public function CollisionSearch(greatLand:GreatLand, strategy:ShapeStrategy)
         {

@@ -1,6 +1,8 @@
 package starlogo.search
 {
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
@@ -48,6 +50,12 @@ package starlogo.search
             var strategy:ShapeStrategy = isHierarchy ? _hierarchy : _tightestFit;
             strategy.bind(shape, agent);
             _hasHierarchies ||= isHierarchy;
+        }
+
+        /** @inheritDoc */
+        override public function boxOf(structure:BoundingStructure):Box
+        {
+            return _tightestFit.boxOf(structure);
         }
 
         /** @inheritDoc */

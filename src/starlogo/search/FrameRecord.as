@@ -103,7 +103,10 @@ package starlogo.search
             bytes.writeInt(_names.length);
             for (i = 0; i < _names.length; i++)
             {
-                bytes.writeUTF(_names[i]);
+                var name:ByteArray = new ByteArray();
+                name.writeUTFBytes(_names[i]);
+                bytes.writeInt(name.length);
+                bytes.writeBytes(name);
             }
             bytes.writeInt(pairCount);
             for (i = 0; i < pairCount; i++)
@@ -178,9 +181,9 @@ package starlogo.search
                 return false;
             }
             var left:int = bytes.readInt();
-            while (left > 0 && bytes.bytesAvailable >= 2)
+            while (left > 0 && bytes.bytesAvailable >= 4)
             {
-                var length:int = bytes.readUnsignedShort();
+                var length:uint = bytes.readUnsignedInt();
                 if (length == 0 || length > bytes.bytesAvailable)
                 {
                     return false;

@@ -25,13 +25,13 @@ package starlogo.search
         private var _next:int = 0;
 
         /**
-         * @param greatLand has the models
+         * @param greatLand has the models; null if the strategy needs none
          * @param strategy finds their shapes
-         * @throws ArgumentError if greatLand is null
+         * @throws ArgumentError if greatLand is null, but needed
          */
         public function ModelShapes(greatLand:GreatLand, strategy:ShapeStrategy)
         {
-            if (greatLand == null)
+            if (greatLand == null && strategy.needsModels)
             {
                 throw new ArgumentError("greatLand must not be null");
             }
@@ -62,7 +62,7 @@ package starlogo.search
                 keep(shape);
                 return shape;
             }
-            if (!_greatLand.hasModel(agent.shape))
+            if (_greatLand != null && !_greatLand.hasModel(agent.shape))
             {
                 if (_greatLand.isLoading(agent.shape))
                 {
@@ -70,7 +70,7 @@ package starlogo.search
                 }
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
             }
-            shape = new ModelShape(agent.shape, kind, _greatLand.revisionOf(agent.shape));
+            shape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
             _strategy.bind(shape, agent);
             _shapes[key] = shape;
             return shape;
@@ -79,7 +79,7 @@ package starlogo.search
         /** Forgets the shapes of models that were replaced or removed; returns whether there were any. */
         public function forgetReplaced():Boolean
         {
-            if (_greatLand.revision == _revision)
+            if (_greatLand == null || _greatLand.revision == _revision)
             {
                 return false;
             }

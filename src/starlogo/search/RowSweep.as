@@ -5,8 +5,8 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.contactOfSpheres;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.intersection.sweep.pointPointImpact;
 
@@ -20,7 +20,6 @@ package starlogo.search
     public final class RowSweep
     {
         private var _strategy:ShapeStrategy;
-        private var _finder:ContactFinder = new ContactFinder();
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
 
@@ -77,7 +76,7 @@ package starlogo.search
             {
                 readSphere(table.extents, a, _sphereA);
                 readSphere(table.extents, b, _sphereB);
-                _finder.find(_sphereA, _sphereB, motion.startX + time * motion.x, motion.startY + time * motion.y,
+                contactOfSpheres(_sphereA, _sphereB, motion.startX + time * motion.x, motion.startY + time * motion.y,
                         motion.startZ + time * motion.z, out);
                 return;
             }

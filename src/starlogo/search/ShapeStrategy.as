@@ -2,6 +2,8 @@ package starlogo.search
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
@@ -28,6 +30,12 @@ package starlogo.search
         {
         }
 
+        /** Whether it looks at the agents' models, so that there have to be some. */
+        public function get needsModels():Boolean
+        {
+            return true;
+        }
+
         /** Which shape represents an agent's model: a kind of BoundingStructure, Agent.ANY_KIND or ModelShape.HIERARCHY. */
         public function kindOf(agent:Agent):int
         {
@@ -44,6 +52,12 @@ package starlogo.search
         public function bind(shape:ModelShape, agent:Agent):void
         {
             throw new IllegalOperationError(this + " does not implement bind");
+        }
+
+        /** A structure that decides alone as a box, for strategies that test boxes themselves; else null. */
+        public function boxOf(structure:BoundingStructure):Box
+        {
+            return null;
         }
 
         /**

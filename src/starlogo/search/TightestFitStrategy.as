@@ -83,6 +83,12 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function boxOf(structure:BoundingStructure):Box
+        {
+            return structure as Box;
+        }
+
+        /** @inheritDoc */
         override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
         {
             var zs:Vector.<Number> = table.extents.z;

@@ -19,6 +19,12 @@ package starlogo.search
         }
 
         /** @inheritDoc */
+        override public function get needsModels():Boolean
+        {
+            return false;
+        }
+
+        /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {
             shape.isSphere = true;

@@ -25,6 +25,12 @@ package standin
         /** <code>(error:*):void</code>: told of what a listener threw, and of error events that nobody listens for. */
         public static var uncaught:Function;
 
+        /** The error of an error event that nothing listens for. */
+        public static function unheard(type:String, text:String):Error
+        {
+            return new Error("Error #2044: Unhandled " + type + ":. text=" + text);
+        }
+
         /** <code>(url:String):ByteArray</code>: a file's bytes; null where there is none. */
         public static var readFile:Function;
 

@@ -53,6 +53,39 @@ package starlogo.collision
         }
 
         [Test]
+        public function withoutAGreatLandAsksForNoModels():void
+        {
+            var random:SeededRandom = new SeededRandom(25);
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            var known:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 60; i++)
+            {
+                agents.push(new Agent("nothing " + i % 7));
+                known.push(new Agent("sphere"));
+                agents[i].moveTo(random.between(-4, 4), random.between(-4, 4), random.between(0, 2));
+                known[i].moveTo(agents[i].x, agents[i].y, agents[i].z);
+            }
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.sphere());
+            var expected:Vector.<Agent> = new BinCollider(greatLand).findCollisions(known);
+            var collider:BinCollider = new BinCollider();
+            for (var frame:int = 0; frame < 2; frame++)
+            {
+                var found:Vector.<Agent> = collider.findCollisions(agents);
+                assertTrue(found.length > 20 && found.length < 3000);
+                assertEquals(expected.length, found.length);
+                for (i = 0; i < found.length; i++)
+                {
+                    assertEquals(known.indexOf(expected[i]), agents.indexOf(found[i]));
+                }
+            }
+            agents[0].shape = "another";
+            assertEquals(expected.length, collider.findCollisions(agents).length);
+            assertTrue(collider.areColliding(found[0], found[1]));
+            assertThrows(ArgumentError, /there is no model "another"/, new BinCollider(greatLand).findCollisions, agents);
+        }
+
+        [Test]
         public function ignoresRotation():void
         {
             var a:Agent = agentAt(0, 0, 0);

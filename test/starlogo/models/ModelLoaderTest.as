@@ -109,6 +109,7 @@ package starlogo.models
                     assertEquals(4, _log.length);
                     assertTrue(_log[0], _log[0].indexOf("model \"list\": no vertices") == 0);
                     assertTrue(_log[1], _log[1].indexOf("model \"missing\": its file can't be fetched") == 0);
+                    assertFalse(_log[1], /#\d|Stream Error/.test(_log[1]));
                     assertTrue(_log[2], _log[2].indexOf("model \"nowhere\": there is no address") == 0);
                     assertEquals("text", _log[3]);
                     assertFalse(_loader.isPending("missing"));

@@ -46,7 +46,7 @@ package starlogo.queries
             queries.update(agents);
             var pointA:Vector3D = new Vector3D();
             var pointB:Vector3D = new Vector3D();
-            var times:int = Garbage.isCounted ? 200 : 20;
+            var times:int = Garbage.isCounted ? 200 : 400;
             var grown:Number = MemoryGrowth.during(times, Garbage.isCounted ? 50 : 10, function(round:int):void
                 {
                     for (var k:int = 1; k < 20; k++)

@@ -2,6 +2,7 @@ package starlogo.models.zip
 {
     import flash.utils.ByteArray;
     import starlogo.models.ModelError;
+    import starlogo.models.plainMessage;
     import starlogo.steps.StepSequence;
 
     /**
@@ -87,7 +88,7 @@ package starlogo.models.zip
 
         private function damage(failure:Error):ModelError
         {
-            return ZipArchive.error(_name, _path + " can't be unpacked: " + failure.message);
+            return ZipArchive.error(_name, _path + " can't be unpacked: " + plainMessage(failure.message));
         }
     }
 }

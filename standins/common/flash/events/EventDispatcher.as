@@ -94,6 +94,10 @@ package flash.events
                     continue;
                 }
                 isHeard = true;
+                if (listener.isOnce)
+                {
+                    removeEventListener(event.type, listener.call, false);
+                }
                 event.arrive(_target == null ? this : _target);
                 try
                 {
@@ -106,7 +110,7 @@ package flash.events
             }
             if (!isHeard && event is ErrorEvent)
             {
-                Machine.uncaught(new Error("Error #2044: Unhandled " + event.type + ":. text=" + ErrorEvent(event).text));
+                Machine.uncaught(Machine.unheard(event.type, ErrorEvent(event).text));
             }
             return !event.isDefaultPrevented();
         }

@@ -7,6 +7,9 @@ package flash.events
         internal var isCapturing:Boolean;
         internal var priority:int;
 
+        /** Whether it is called but once: not in Flash. */
+        internal var isOnce:Boolean = false;
+
         public function Listener(call:Function, isCapturing:Boolean, priority:int)
         {
             this.call = call;

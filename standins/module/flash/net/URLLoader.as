@@ -39,7 +39,7 @@ package flash.net
             var url:String = request.url;
             if (url == null)
             {
-                throw new TypeError("Error #2007: Parameter url must be non-null.");
+                throw new TypeError("an address is needed, not null");
             }
             close();
             bytesLoaded = 0;

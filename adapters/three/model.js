@@ -1,0 +1,138 @@
+/** Models of what three.js draws. */
+import { Matrix4, Mesh, Vector3 } from "three";
+import { Model, ModelError } from "starlogo-collision";
+import { isYUp, textOf } from "./axes.js";
+
+const axes = new WeakMap();
+
+/** The axis that was up in what a model was made of, or undefined. */
+export const upOf = (model) => axes.get(model);
+
+/**
+ * A model of all that is drawn below an object, or of a geometry: every mesh in it, visible or not, in the pose that it has.
+ *
+ * @param {string} name what agents call the shape
+ * @param {object} source an Object3D, whose own transform does not count, or a BufferGeometry
+ * @param {{up?: "y" | "z", scaling?: string}} options which axis of the source is up, and how the model is scaled (Model's scalings)
+ */
+export function modelFromObject(name, source, { up = "y", scaling = Model.FOOTPRINT } = {}) {
+	const surface = new Surface(name, isYUp(up));
+	if (source?.isBufferGeometry) surface.addMesh(new Mesh(source), new Matrix4());
+	else if (source?.isObject3D) {
+		source.updateWorldMatrix(true, false);
+		source.updateMatrixWorld();
+		surface.addTree(source, new Matrix4());
+	} else throw new ModelError(String(name), "", `expected an Object3D or a BufferGeometry, not ${textOf(source)}`);
+	const model = new Model(name, surface.vertices, surface.triangles, scaling);
+	axes.set(model, up);
+	return model;
+}
+
+/** Triangles with their corners, each position once, z up. */
+class Surface {
+	vertices = [];
+	triangles = [];
+	#name;
+	#isYUp;
+	#known = new PointTable(this.vertices);
+
+	constructor(name, isYUp) {
+		this.#name = name;
+		this.#isYUp = isYUp;
+	}
+
+	/** Adds the meshes of a tree; the matrix is the object's place in the source, that of the source itself the identity. */
+	addTree(object, place) {
+		if (object.isMesh) this.addMesh(object, place);
+		for (const child of object.children) {
+			// of an object's levels of detail the first is the finest
+			if (object.isLOD && object.levels.findIndex((level) => level.object === child) > 0) continue;
+			this.addTree(child, place.clone().multiply(child.matrix));
+		}
+	}
+
+	addMesh(mesh, place) {
+		if (mesh.isBatchedMesh) throw this.#error(mesh, "a BatchedMesh has many shapes: make a model of each geometry");
+		const { geometry } = mesh;
+		const position = geometry.getAttribute("position");
+		if (!position) return;
+		if (mesh.isSkinnedMesh) for (const bone of mesh.skeleton.bones) bone.updateWorldMatrix(true, false);
+		const points = Array.from({ length: position.count }, (_, i) => mesh.getVertexPosition(i, new Vector3()));
+		const corners = cornersOf(geometry, mesh.material);
+		for (const corner of corners) if (!(corner < points.length)) throw this.#error(mesh, `a triangle names vertex ${corner}, the last one is ${points.length - 1}`);
+		if (!mesh.isInstancedMesh) this.#add(points, corners, place);
+		else for (let i = 0; i < mesh.count; i++) {
+			const instance = new Matrix4();
+			mesh.getMatrixAt(i, instance);
+			this.#add(points, corners, instance.premultiply(place));
+		}
+	}
+
+	#add(points, corners, place) {
+		// scaled to nothing, as instances are that are not to be seen
+		if (place.getMaxScaleOnAxis() === 0) return;
+		const [second, third] = place.determinant() < 0 ? [2, 1] : [1, 2];
+		const pointOf = new Int32Array(points.length).fill(-1);
+		const at = new Vector3();
+		const numberOf = (i) => {
+			if (pointOf[i] < 0) {
+				const { x, y, z } = at.copy(points[i]).applyMatrix4(place);
+				pointOf[i] = this.#isYUp ? this.#known.indexOf(x, -z, y) : this.#known.indexOf(x, y, z);
+			}
+			return pointOf[i];
+		};
+		for (let i = 0; i < corners.length; i += 3) this.triangles.push(numberOf(corners[i]), numberOf(corners[i + second]), numberOf(corners[i + third]));
+	}
+
+	#error(mesh, problem) {
+		const title = mesh.name || mesh.geometry.name;
+		return new ModelError(String(this.#name), title && `mesh "${title}"`, problem);
+	}
+}
+
+/** The vertices of the triangles that are drawn, three each: those of the draw range and, of several materials, of the groups that have one. */
+function cornersOf({ index, attributes, drawRange, groups }, material) {
+	const total = index ? index.count : attributes.position.count;
+	const drawn = Array.isArray(material) ? groups.filter(({ materialIndex }) => material[materialIndex]) : [{ start: 0, count: total }];
+	const taken = new Uint8Array(total);
+	const corners = [];
+	for (const { start, count } of drawn) {
+		const end = Math.min(total, start + count, drawRange.start + drawRange.count);
+		for (let i = Math.max(start, drawRange.start); i + 2 < end; i += 3) {
+			if (taken[i]++) continue;
+			for (let k = i; k < i + 3; k++) corners.push(index ? index.getX(k) : k);
+		}
+	}
+	return corners;
+}
+
+/** Positions by their numbers: equal ones are one, which exporters repeat for normals and textures. */
+class PointTable {
+	#points;
+	#numbers = new Map();
+	#bits = new Float64Array(3);
+	#words = new Uint32Array(this.#bits.buffer);
+	#next = [];
+
+	/** @param {number[]} points x, y, z, ...: new ones are added to it */
+	constructor(points) {
+		this.#points = points;
+	}
+
+	indexOf(x, y, z) {
+		const points = this.#points;
+		const hash = this.#hash(x, y, z);
+		const first = this.#numbers.get(hash) ?? -1;
+		for (let i = first; i >= 0; i = this.#next[i]) if (points[3 * i] === x && points[3 * i + 1] === y && points[3 * i + 2] === z) return i;
+		const added = this.#next.push(first) - 1;
+		this.#numbers.set(hash, added);
+		points.push(x, y, z);
+		return added;
+	}
+
+	#hash(x, y, z) {
+		// -0 is 0
+		this.#bits.set([x + 0, y + 0, z + 0]);
+		return this.#words.reduce((hash, word) => Math.imul(hash ^ word, 0x9e3779b1) ^ (hash >>> 15), 0);
+	}
+}

@@ -1,0 +1,122 @@
+/** Wireframes of what collides. */
+import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
+import { ArgumentError, Wireframes } from "starlogo-collision";
+import { AgentPlace, isYUp } from "./axes.js";
+
+const matrix = new Matrix4();
+const scale = new Vector3();
+const point = new Vector3();
+
+/** Half the width of the cross at a point, in patches. */
+const CROSS = 0.05;
+
+/**
+ * Lines for structures, levels of hierarchies, contacts and rays, all in one LineSegments whose parent is the land. What is shown with an
+ * agent moves with it.
+ */
+export class ThreeWireframe extends LineSegments {
+	#isYUp;
+	// { place, lines, first }: where an agent is or null, six numbers a line with z up, where they begin in the attribute
+	#parts = [];
+	#count = 0;
+
+	/**
+	 * A wireframe without lines.
+	 *
+	 * @param {{color?: number | string, up?: "y" | "z"}} options the lines' colour, and which axis of the land is up
+	 */
+	constructor({ color = 0xffcc00, up = "y" } = {}) {
+		super(new BufferGeometry(), new LineBasicMaterial({ color }));
+		this.#isYUp = isYUp(up);
+		this.frustumCulled = false;
+		this.clearLines();
+	}
+
+	/** Shows a structure: in an agent's model's space, as a library has it; or in the world. */
+	showStructure(structure, agent = null) {
+		return this.showLines(Wireframes.ofStructure(structure), agent);
+	}
+
+	/** Shows what a collider looks at last when it visits so many levels of a hierarchy. */
+	showLevel(root, level, agent = null) {
+		return this.showLines(Wireframes.ofLevel(root, level), agent);
+	}
+
+	/** Shows where a contact is, and which way and how deep. */
+	showContact({ point: { x, y, z }, normal, depth }) {
+		const lines = crossAt(x, y, z);
+		lines.push(x, y, z, x + normal.x * depth, y + normal.y * depth, z + normal.z * depth);
+		return this.showLines(lines);
+	}
+
+	/** Shows a ray: to what it hits, with the normal there, or so far. */
+	showRay(origin, direction, reach = 1, hit = null) {
+		const { x, y, z } = origin;
+		const length = Math.hypot(direction.x, direction.y, direction.z);
+		if (!(length > 0 && length < Infinity)) throw new ArgumentError(`the direction must be finite and not 0, not (${direction.x}, ${direction.y}, ${direction.z})`);
+		const far = (hit ? hit.distance : reach) / length;
+		const end = [x + direction.x * far, y + direction.y * far, z + direction.z * far];
+		const lines = [x, y, z, ...end];
+		if (hit) lines.push(...crossAt(...end), ...end, end[0] + hit.normal.x * 4 * CROSS, end[1] + hit.normal.y * 4 * CROSS, end[2] + hit.normal.z * 4 * CROSS);
+		return this.showLines(lines);
+	}
+
+	/** Shows lines, six numbers each, z up: an agent's, in its model's space; or the world's. They are copied. */
+	showLines(lines, agent = null) {
+		if (lines.length % 6 !== 0) throw new ArgumentError(`a line is six numbers: ${lines.length} are no lines`);
+		const part = { place: agent === null ? null : new AgentPlace(agent, this.#isYUp), lines: Float64Array.from(lines), first: this.#count };
+		this.#parts.push(part);
+		this.#count += lines.length / 3;
+		this.#makeRoom();
+		part.place?.read();
+		this.#write(part);
+		this.geometry.setDrawRange(0, this.#count);
+		return this;
+	}
+
+	/** Shows nothing more. */
+	clearLines() {
+		this.#parts = [];
+		this.#count = 0;
+		this.geometry.setDrawRange(0, 0);
+		return this;
+	}
+
+	/** Moves lines to their agents; does nothing where those have not changed. */
+	update() {
+		for (const part of this.#parts) if (part.place?.read()) this.#write(part);
+	}
+
+	/** Lines are no object that a pointer is on. */
+	raycast() {}
+
+	/** Frees what the renderer keeps of it. */
+	dispose() {
+		this.geometry.dispose();
+		this.material.dispose();
+	}
+
+	// Twice as much as is needed: an attribute cannot grow.
+	#makeRoom() {
+		if (this.#count <= (this.geometry.getAttribute("position")?.count ?? -1)) return;
+		this.geometry.dispose();
+		this.geometry = new BufferGeometry();
+		this.geometry.setAttribute("position", new BufferAttribute(new Float32Array(6 * this.#count), 3));
+		for (const part of this.#parts) this.#write(part);
+	}
+
+	#write({ place, lines, first }) {
+		const attribute = this.geometry.getAttribute("position");
+		if (place) matrix.compose(place.position, place.quaternion, scale.setScalar(place.size));
+		else matrix.identity();
+		for (let i = 0; i < lines.length; i += 3) {
+			if (this.#isYUp) point.set(lines[i], lines[i + 2], -lines[i + 1]);
+			else point.set(lines[i], lines[i + 1], lines[i + 2]);
+			point.applyMatrix4(matrix);
+			attribute.setXYZ(first + i / 3, point.x, point.y, point.z);
+		}
+		attribute.needsUpdate = true;
+	}
+}
+
+const crossAt = (x, y, z) => [x - CROSS, y, z, x + CROSS, y, z, x, y - CROSS, z, x, y + CROSS, z, x, y, z - CROSS, x, y, z + CROSS];

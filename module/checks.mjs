@@ -1,0 +1,172 @@
+/**
+ * Writes the statements by which the module's public members refuse what ActionScript's types refuse: JavaScript has no types, so that
+ * without them a string in place of a number would be stored. language.mjs has what they call.
+ *
+ * Numbers, strings, Booleans and functions are tested in place: such a test costs next to nothing once a function is optimised, and no
+ * Number is passed on. null is let through where the documentation speaks of it, and for names, agents, models and files; numbers that are
+ * not finite, where it speaks of errors: there the engine has its own answer.
+ */
+
+/** Classes that are told by a mark of their own, as naming them would bring all of theirs into every bundle. */
+const MARKED = new Set(["starlogo.GreatLand", "starlogo.libraries.FitStore"]);
+
+/** Classes of many methods of several numbers, in every bundle, whose speed does not matter. */
+const COMPACT = new Set(["flash.geom.Matrix3D"]);
+
+/** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
+const PLAIN = new Set([
+	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
+	"RayHit", "Sphere", "TextEvent", "Vector3D",
+]);
+
+/** Types of whose null the engine says itself what is wrong. */
+const ANSWERED = new Set(["Agent", "ByteArray", "Function", "Model", "String"]);
+
+/** Functions that the engine calls in its loops: what the module exports is a checked one around them. */
+export const isWrapped = (type) => type?.kind === "function";
+
+/** The checks of a program's public members. */
+export class Checks {
+	#signatures;
+	#reference;
+	#byName;
+
+	/**
+	 * @param signatures of the public declarations, by qualified name
+	 * @param reference what the text calls a class, by its qualified name
+	 */
+	constructor(signatures, reference) {
+		this.#signatures = signatures;
+		this.#reference = reference;
+		this.#byName = new Map([...signatures.values()].map((type) => [type.name, type]));
+	}
+
+	/** The statements that a member begins with. */
+	of(qname, name, kind) {
+		const type = this.#signatures.get(qname);
+		const member = kind === "function" ? type : type?.members.find((each) => each.name === name && each.kind === kind && each.isPublic && !each.isPrivate);
+		const parameters = member?.parameters ?? [];
+		const numbers = parameters.filter((parameter) => parameter.type === "Number").map((parameter) => parameter.name);
+		if (COMPACT.has(qname) && member?.kind === "method" && numbers.length > 1) {
+			const others = parameters.filter((parameter) => parameter.type !== "Number").flatMap((parameter) => this.#check(type, member, parameter));
+			return [`$checkNumbers("${type.name}.${name}: ${numbers.join(", ")}", ${numbers.join(", ")});`, ...others];
+		}
+		return parameters.flatMap((parameter) => this.#check(type, member, parameter));
+	}
+
+	/** The public fields of a class that only its users write: { name, type }. */
+	settings(qname) {
+		const type = this.#signatures.get(qname);
+		if (!type || type.kind !== "class" || PLAIN.has(type.name)) return [];
+		return type.members.filter((member) => member.kind === "var" && member.isPublic && !member.isPrivate && !member.isStatic);
+	}
+
+	/** The statements that check a new value of such a field. */
+	ofSetting(qname, field) {
+		const member = { ...field, kind: "set", parameters: [] };
+		return this.#check(this.#signatures.get(qname), member, { name: "value", type: field.result, value: field.initial, isRest: false });
+	}
+
+	/** Whether a class is told by its mark. */
+	isMarked(qname) {
+		return MARKED.has(qname);
+	}
+
+	#check(type, given, parameter) {
+		const { name } = parameter;
+		// a setter's documentation is its getter's
+		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
+		const member = { ...given, doc: `${given.doc}\n${getter?.doc ?? ""}` };
+		const isNullable = mayBeNull(parameter, member, type);
+		const isStatic = member.isStatic || member.kind === "function";
+		// before super() there is no this
+		const isNamed = !isStatic && !type.qname.startsWith("flash.") && type.members.some((each) => each.name === "toString") && !(member.kind === "constructor" && type.bases.length > 0);
+		const path = member.kind === "constructor" ? `new ${type.name}` : member.kind === "function" ? type.name : `${type.name}.${member.name}`;
+		const what = member.kind === "set" ? member.name : name;
+		const where = isNamed ? `this, "${what}"` : `"${member.kind === "set" ? path : `${path}: ${name}`}"`;
+		const refuse = (kind) => `$refuse(${isNamed ? where : `null, ${where}`}, ${name}, ${kind});`;
+		const unlessNull = isNullable && !/^(Number|u?int|Boolean)$/.test(parameter.type) ? `${name} != null && ` : "";
+		const vector = /^Vector\.<(.*)>$/.exec(parameter.type)?.[1];
+		// as the platform's own listeners: on more than Flash's class
+		if (name === "useCapture") return [...optionsOf(member), `if (typeof ${name} !== "boolean") ${refuse('"true, false or options"')}`];
+		if (parameter.isRest || parameter.type === "*" || parameter.type === "Object") return [];
+		if (vector) return this.#vectorCheck(parameter, vector, isNullable, isNamed ? where : `null, ${where}`);
+		const simple = this.#simpleCheck(parameter, member, type);
+		if (simple) {
+			const [helper, test, kind] = simple;
+			return isNamed ? [`if (${unlessNull}${test}) ${refuse(JSON.stringify(kind))}`] : [`${unlessNull === "" ? "" : `if (${name} != null) `}${helper}(${where}, ${name});`];
+		}
+		switch (parameter.type) {
+			case "ByteArray":
+				return [`${name} = $bytes(${isNamed ? where : `null, ${where}`}, ${name}, ${isNullable});`];
+			case "Vector3D":
+				return [`${isNullable ? `if (${name} != null) ` : ""}$checkVector(${isNamed ? where : `null, ${where}`}, ${name});`];
+			default: {
+				const test = this.#typeTest(parameter.type, name);
+				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
+			}
+		}
+	}
+
+	// What language.mjs has for it, the same in place, and what is wanted. Agents are told apart, and are moved in loops: they get the latter.
+	#simpleCheck({ name, type: wanted, value }, member, type) {
+		switch (wanted) {
+			case "Number":
+				if (takesInfinity({ name, value }, member, type) || type.qname.startsWith("flash.")) return ["$aNumber", `typeof ${name} !== "number"`, "a number"];
+				return ["$aFiniteNumber", `typeof ${name} !== "number" || ${name} - ${name} !== 0`, "a number"];
+			case "int":
+				return ["$anInt", `typeof ${name} !== "number" || ${name} !== (${name} | 0)`, "a whole number"];
+			case "uint":
+				return ["$aUint", `typeof ${name} !== "number" || ${name} !== ${name} >>> 0`, "a whole number"];
+			case "Boolean":
+				return ["$aBoolean", `typeof ${name} !== "boolean"`, "true or false"];
+			case "String":
+				return ["$aString", `typeof ${name} !== "string"`, "a string"];
+			case "Function":
+				return ["$aFunction", `typeof ${name} !== "function"`, "a function"];
+			default:
+				return null;
+		}
+	}
+
+	#typeTest(typeName, name) {
+		const type = this.#byName.get(typeName);
+		if (!type) return null;
+		return MARKED.has(type.qname) ? `$isMarked(${name}, "$is${type.name}")` : `(${name} instanceof ${this.#reference(type.qname)})`;
+	}
+
+	#vectorCheck({ name }, element, isNullable, where) {
+		const unlessNull = isNullable ? `if (${name} != null) ` : "";
+		// agents are looked at as the engine meets them, which is once as long as a list stays the same
+		if (name === "out" || element === "Agent") return [`${unlessNull}$checkList(${where}, ${name});`];
+		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
+		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "strings", (each) => typeof each === "string");`];
+		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "Vector3Ds", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
+		const test = this.#typeTest(element, "each");
+		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${element}s", (each) => ${test}` : ""});`];
+	}
+}
+
+function optionsOf({ name }) {
+	if (name === "addEventListener") return ["if ($areOptions(useCapture)) return $listen(this, type, listener, useCapture);"];
+	return name === "removeEventListener" ? ["if ($areOptions(useCapture)) useCapture = useCapture.capture ?? false;"] : [];
+}
+
+function article(name) {
+	return `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
+}
+
+/** Whether a parameter takes null: if it says so, or what it belongs to. */
+export function mayBeNull(parameter, member, type) {
+	if (parameter.value === "null") return true;
+	// Flash's own answer to a listener that is null is a number
+	if (parameter.type === "Function" && type.qname.startsWith("flash.")) return false;
+	return ANSWERED.has(parameter.type) || /\bnull\b/.test(member.doc);
+}
+
+/** Whether a number may be infinite, a distance without an end, say, or is looked at by the engine. */
+export function takesInfinity(parameter, member, type) {
+	const isInfinite = (each) => each.name === parameter.name && /Infinity/.test(each.value ?? "");
+	if (type.members.some((each) => each.parameters.some(isInfinite))) return true;
+	return /Infinity/.test(parameter.value ?? "") || /\bInfinity\b|\binfinite\b|@throws \w*Error/.test(member.doc);
+}

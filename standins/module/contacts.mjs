@@ -1,0 +1,52 @@
+/** The third argument of handlers in JavaScript, whose functions need not say how many they take. */
+
+const PARTS = ["time", "point", "normal", "depth"];
+
+/**
+ * Whether a handler that seems to take fewer than three arguments may look at a third: with `(...all)`, a default value or
+ * `arguments`; or what is bound, or a mock, of which nothing is known.
+ */
+export function mayTakeMore(handler) {
+	const text = Function.prototype.toString.call(handler);
+	const start = text.indexOf("(");
+	let end = start;
+	for (let depth = 0; end < text.length; end++) {
+		if (text[end] === "(") depth++;
+		else if (text[end] === ")" && --depth === 0) break;
+	}
+	return /\.\.\.|=/.test(text.slice(start, end)) || /\barguments\b|\[native code\]/.test(text);
+}
+
+/** A Contact that is computed when it is looked at, as most of those handlers do not. */
+export class ContactWhenAsked {
+	#contact = new Contact();
+	#ask = null;
+
+	constructor() {
+		for (const name of PARTS) {
+			let value = this.#contact[name];
+			const get = () => {
+				this.#find();
+				return value;
+			};
+			Object.defineProperty(this.#contact, name, { enumerable: true, configurable: true, get, set: (given) => (value = given) });
+		}
+	}
+
+	/** The contact of a pair, as ContactSource.contactOf computes it; after the frame it stays what it was when it was looked at. */
+	of(source, pair, first, second, isBack) {
+		this.#ask = { source, pair, first, second, isBack };
+		return this.#contact;
+	}
+
+	#find() {
+		const ask = this.#ask;
+		this.#ask = null;
+		if (ask === null || ask.source.system === null) return;
+		const known = ask.source.contactOf(ask.pair, ask.first, ask.second, ask.isBack);
+		this.#contact.time = known.time;
+		this.#contact.depth = known.depth;
+		this.#contact.point.copyFrom(known.point);
+		this.#contact.normal.copyFrom(known.normal);
+	}
+}

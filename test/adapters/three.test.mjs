@@ -1,0 +1,396 @@
+/** Tests of the adapter to three.js, with each version of three.js that it is for. What three.js says is the truth. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { peers, root } from "./peers.mjs";
+import { Scenes, drawnCorners } from "./scenes.mjs";
+
+const all = await peers();
+const SCENES = { first: 200, others: 60 };
+const PICKS = { first: 4000, others: 2000 };
+
+/** The corners of a model's triangles in the world of an agent, in the axes of a scene. */
+function cornersOf(model, agent, up) {
+	const { rawData: m } = agent.transform;
+	return model.triangles.flatMap((corner) => {
+		const [x, y, z] = model.vertices.slice(3 * corner, 3 * corner + 3);
+		const [a, b, c] = [0, 1, 2].map((row) => m[row] * x + m[row + 4] * y + m[row + 8] * z + m[row + 12]);
+		return up === "y" ? [a, c, -b] : [a, b, c];
+	});
+}
+
+/** The largest difference of corners, those of triangles that are mirrored being turned round. */
+function differenceOf(found, { corners, flips }) {
+	assert.equal(found.length, corners.length);
+	let most = 0;
+	flips.forEach((isFlipped, triangle) => [0, 1, 2].forEach((corner) => [0, 1, 2].forEach((axis) => {
+		const other = isFlipped ? [0, 2, 1][corner] : corner;
+		most = Math.max(most, Math.abs(found[9 * triangle + 3 * corner + axis] - corners[9 * triangle + 3 * other + axis]));
+	})));
+	return most;
+}
+
+// the random ones are different with each version
+for (const [number, { version, folder, THREE, engine, adapter }] of all.entries()) {
+	const [sceneCount, pickCount] = [SCENES, PICKS].map(({ first, others }) => (number === 0 ? first : others));
+	const { Agent, Model } = engine;
+	const { ThreeAgentBinding, bindInstance, modelFromObject, ThreeWireframe } = adapter;
+
+	test(`three ${version}: what is drawn in ${sceneCount} random scenes is where the engine has it, whichever of the two leads`, () => {
+		const scenes = new Scenes(THREE, 25 + number);
+		const { dice } = scenes;
+		const land = new THREE.Scene();
+		let most = 0;
+		let triangles = 0;
+		for (let i = 0; i < sceneCount; i++) {
+			const source = scenes.tree();
+			const up = dice.isLuckyIn(2) ? "y" : "z";
+			const landUp = dice.isLuckyIn(4) ? "y" : "z";
+			scenes.place(source);
+			land.add(source);
+			const truth = drawnCorners(THREE, source);
+			if (truth.flips.length === 0) continue;
+			const model = modelFromObject("any", source, { up, scaling: [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN][dice.below(3)] });
+			const agent = new Agent("any");
+			const binding = new ThreeAgentBinding(agent, source, model, { up: landUp });
+			binding.updateAgent();
+			most = Math.max(most, differenceOf(cornersOf(model, agent, landUp), truth));
+			const revision = JSON.stringify([agent.transform.rawData]);
+			binding.updateObject();
+			assert.equal(JSON.stringify([agent.transform.rawData]), revision);
+			// and the agent leads
+			agent.moveTo(dice.number(-5, 5), dice.number(-5, 5), dice.number(-5, 5));
+			agent.heading = dice.number(-180, 180);
+			agent.pitch = dice.isLuckyIn(3) ? 90 : dice.number(-180, 180);
+			agent.roll = dice.number(-180, 180);
+			agent.size = dice.number(0.2, 3);
+			binding.updateObject();
+			const drawn = drawnCorners(THREE, source);
+			most = Math.max(most, differenceOf(cornersOf(model, agent, landUp), drawn));
+			triangles += drawn.flips.length;
+			land.remove(source);
+		}
+		assert.ok(most <= 1e-12, `${most}`);
+		assert.ok(most > 0 && triangles > 20 * sceneCount, `${triangles} triangles`);
+		for (const kind of ["plain", "indexed", "interleaved", "quantized", "a draw range", "groups", "instanced", "skinned", "morphed", "mirrored", "mirrored twice",
+			"levels of detail", "near gimbal lock", "placed by its matrix"]) assert.ok(scenes.counts[kind] >= sceneCount / 10, `${kind}: ${scenes.counts[kind]}`);
+	});
+
+	const scenes = new Scenes(THREE, 7);
+	const { dice } = scenes;
+	const box = () => new THREE.Mesh(new THREE.BoxGeometry(2, 4, 1), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+	const matrixOf = (agent) => agent.transform.rawData;
+
+	test(`three ${version}: a model has each position once, and triangles as three.js winds them, in mirrors too`, () => {
+		const group = new THREE.Group();
+		const mirrored = box();
+		mirrored.scale.x = -1;
+		mirrored.position.set(10, 0, 0);
+		group.add(box(), mirrored);
+		const { vertices, triangles } = modelFromObject("boxes", group, { scaling: Model.AS_GIVEN });
+		assert.equal(vertices.length, 3 * 16);
+		assert.equal(triangles.length, 3 * 24);
+		for (let i = 0; i < triangles.length; i += 3) {
+			const [a, b, c] = [0, 1, 2].map((k) => new THREE.Vector3().fromArray(vertices, 3 * triangles[i + k]));
+			const middle = new THREE.Vector3(triangles[i] < 8 ? 0 : 10, 0, 0);
+			assert.ok(b.clone().sub(a).cross(c.clone().sub(a)).dot(a.clone().sub(middle)) > 0, `triangle ${i / 3} faces outwards`);
+		}
+		const upright = modelFromObject("box", new THREE.BoxGeometry(2, 4, 1));
+		assert.deepEqual([Math.max(...upright.vertices), upright.source.unit], [2, 2]);
+	});
+
+	test(`three ${version}: bones may be anywhere, groups may overlap, and many positions may be equal`, () => {
+		const geometry = new THREE.BoxGeometry();
+		const { count } = geometry.attributes.position;
+		geometry.setAttribute("skinIndex", new THREE.Uint16BufferAttribute(new Uint16Array(4 * count), 4));
+		geometry.setAttribute("skinWeight", new THREE.Float32BufferAttribute(Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
+		const mesh = new THREE.SkinnedMesh(geometry, new THREE.MeshBasicMaterial());
+		const [land, arm, bone] = [new THREE.Group(), new THREE.Group(), new THREE.Bone()];
+		land.add(new THREE.Group().add(mesh), arm.add(bone));
+		mesh.bind(new THREE.Skeleton([bone]));
+		land.children[0].position.set(5, 6, 7);
+		arm.position.set(1, 2, 3);
+		bone.scale.y = 2;
+		const { vertices } = modelFromObject("bone", mesh, { up: "z", scaling: Model.AS_GIVEN });
+		const ofAxis = (axis) => vertices.filter((_, i) => i % 3 === axis);
+		assert.deepEqual([0, 1, 2].map((axis) => [Math.min(...ofAxis(axis)), Math.max(...ofAxis(axis))]), [[-4.5, -3.5], [-5, -3], [-4.5, -3.5]]);
+		const grouped = new THREE.Mesh(new THREE.BoxGeometry(), [new THREE.MeshBasicMaterial(), new THREE.MeshBasicMaterial()]);
+		grouped.geometry.clearGroups();
+		grouped.geometry.addGroup(0, 24, 0);
+		grouped.geometry.addGroup(12, 24, 1);
+		assert.equal(modelFromObject("groups", grouped).triangles.length, 36);
+		if (number > 0) return;
+		const many = Float32Array.from({ length: 450000 }, () => Math.fround(dice.number()));
+		const soup = new THREE.BufferGeometry();
+		soup.setAttribute("position", new THREE.BufferAttribute(Float32Array.from([...many, ...many]), 3));
+		const model = modelFromObject("many", soup, { up: "z", scaling: Model.AS_GIVEN });
+		assert.deepEqual([model.vertices.length, model.triangles.length], [450000, 300000]);
+		assert.ok(model.triangles.every((corner, i) => corner === i % 150000) && model.vertices.every((coordinate, i) => coordinate === many[i]));
+	});
+
+	test(`three ${version}: nothing changes where nothing has changed`, () => {
+		const object = scenes.place(new THREE.Object3D());
+		const agent = new Agent("any");
+		const binding = new ThreeAgentBinding(agent, object);
+		agent.heading = 725;
+		agent.moveTo(1, 2, 3);
+		binding.updateObject();
+		object.position.x = 7;
+		// the same rotation
+		object.quaternion.set(...object.quaternion.toArray().map((number) => -number));
+		binding.updateAgent();
+		object.quaternion.set(...object.quaternion.toArray().map((number) => -number));
+		binding.updateAgent();
+		assert.deepEqual([agent.heading, agent.x, agent.y, agent.z], [725, 7, 2, 3]);
+		let writes = 0;
+		object.quaternion._onChange(() => writes++);
+		agent.moveTo(8, 2, 3);
+		binding.updateObject();
+		assert.deepEqual([object.position.x, object.position.y, object.position.z, writes], [8, 3, -2, 0]);
+		const copy = object.position.copy;
+		object.position.copy = () => assert.fail("nothing has changed");
+		binding.updateObject();
+		binding.updateAgent();
+		object.position.copy = copy;
+		// whoever calls leads, also if the other has changed
+		object.position.set(0, 0, 0);
+		binding.updateObject();
+		assert.equal(object.position.x, 8);
+		agent.moveTo(0, 0, 0);
+		binding.updateAgent();
+		assert.equal(agent.x, 8);
+		assert.deepEqual([binding.agent, binding.object], [agent, object]);
+	});
+
+	test(`three ${version}: instances are bound, in single precision`, () => {
+		const mesh = new THREE.InstancedMesh(new THREE.ConeGeometry(0.6, 1.5, 6), new THREE.MeshBasicMaterial(), 20);
+		const model = modelFromObject("cone", mesh.geometry);
+		mesh.computeBoundingSphere();
+		for (let i = 0; i < 20; i++) {
+			const agent = new Agent("cone");
+			agent.moveTo(dice.number(-5, 5), dice.number(-5, 5), dice.number(-5, 5));
+			agent.setQuaternion(...scenes.quaternion().toArray());
+			agent.size = dice.number(0.2, 3);
+			const expected = matrixOf(agent);
+			const binding = bindInstance(agent, mesh, i, model);
+			const { version: before } = mesh.instanceMatrix;
+			binding.updateObject();
+			binding.updateObject();
+			assert.equal(mesh.instanceMatrix.version, before + 1);
+			const isThere = () => {
+				const place = new THREE.Matrix4();
+				mesh.getMatrixAt(i, place);
+				const corners = cornersOf(model, agent, "y");
+				mesh.geometry.index.array.forEach((vertex, k) => {
+					const point = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, vertex).applyMatrix4(place);
+					assert.ok(point.distanceTo(new THREE.Vector3(...corners.slice(3 * k, 3 * k + 3))) < 1e-5);
+				});
+				return place;
+			};
+			// mirrored twice
+			mesh.setMatrixAt(i, isThere().setPosition(1, 2, 3).scale(new THREE.Vector3(-1, -1, 1)));
+			binding.updateAgent();
+			isThere();
+			assert.ok(matrixOf(agent).some((element, k) => Math.abs(element - expected[k]) > 1e-3));
+		}
+		assert.equal(mesh.boundingSphere, null);
+	});
+
+	test(`three ${version}: a model that was turned when it was made is drawn where it collides`, () => {
+		const geometry = new THREE.TorusGeometry(1, 0.3, 5, 7);
+		const positions = Float64Array.from(geometry.attributes.position.array);
+		const turns = (...factors) => new engine.ModelTransform(new engine.Vector3D(30, 40, 50), new engine.Vector3D(...factors), new engine.Vector3D(1, 2, 3));
+		const source = `${Array.from({ length: positions.length / 3 }, (_, i) => `v ${positions.slice(3 * i, 3 * i + 3).join(" ")}`).join("\n")}\n${Array.from({ length: geometry.index.count / 3 }, (_, i) => `f ${[0, 1, 2].map((k) => geometry.index.getX(3 * i + k) + 1).join(" ")}`).join("\n")}\n`;
+		const model = new engine.ObjModel("torus", source, turns(2, 2, 2), Model.VOLUME);
+		const agent = new Agent("torus");
+		agent.moveTo(1, 2, 3);
+		agent.setQuaternion(...scenes.quaternion().toArray());
+		const object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial());
+		for (const up of ["z", "y"]) {
+			const binding = new ThreeAgentBinding(agent, object, model, { up, modelUp: "z" });
+			binding.updateObject();
+			assert.ok(differenceOf(cornersOf(model, agent, up), drawnCorners(THREE, object)) < 1e-12);
+			const before = matrixOf(agent);
+			object.position.x += 1;
+			binding.updateAgent();
+			object.position.x -= 1;
+			// rounded, as files have it
+			object.quaternion.set(...object.quaternion.toArray().map((number) => number * (1 + 5e-7)));
+			binding.updateAgent();
+			assert.ok(matrixOf(agent).every((element, i) => Math.abs(element - before[i]) < 1e-12));
+		}
+		assert.throws(() => new ThreeAgentBinding(agent, object, new engine.ObjModel("flat", source, turns(2, 2, 1))), /ArgumentError: model "flat" is mirrored or stretched/);
+	});
+
+	test(`three ${version}: what an agent cannot be is refused, and leaves it as it was`, () => {
+		const agent = new Agent("any");
+		agent.moveTo(1, 2, 3);
+		const before = JSON.stringify(matrixOf(agent));
+		const refuse = (change, message) => {
+			const object = new THREE.Object3D();
+			change(object);
+			assert.throws(() => new ThreeAgentBinding(agent, object).updateAgent(), message);
+			assert.equal(JSON.stringify(matrixOf(agent)), before);
+		};
+		refuse(({ scale }) => scale.set(1, 2, 1), /^ArgumentError: agent \d+ \(breed "turtles", shape "any"\) can't be as its object is: .* not scale 1, 2, 1$/);
+		refuse(({ scale }) => scale.set(-1, 1, 1), /not scale -1, 1, 1$/);
+		refuse(({ scale }) => scale.set(-1, -1, -1), /not scale -1, -1, -1$/);
+		refuse(({ scale }) => scale.set(0, 0, 0), /not scale 0, 0, 0$/);
+		refuse(({ scale }) => scale.set(1, 1, NaN), /not scale 1, 1, NaN$/);
+		refuse(({ quaternion }) => quaternion.set(0, 0, 0, 2), /the quaternion must be of length 1, not 2$/);
+		refuse(({ position }) => position.set(0, Infinity, 0), /ArgumentError: .* the position must be finite numbers, not \(0, /);
+		refuse(({ position }) => position.set(0, 1e200, 0), /^RangeError: .* can't be of size 1 at \(0, 1e\+200, 0\)/);
+		refuse(({ scale }) => scale.setScalar(1e200), /^RangeError: .* can't be of size 1e\+200/);
+		refuse((object) => {
+			object.matrixAutoUpdate = false;
+			object.matrix.makeShear(0.01, 0, 0, 0, 0, 0);
+		}, /^ArgumentError: .* not matrix 1, 0/);
+		refuse((object) => {
+			object.matrixAutoUpdate = false;
+			object.matrix.elements[15] = 2;
+		}, /^ArgumentError: .* not matrix 1, 0/);
+		const mesh = new THREE.InstancedMesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial(), 3);
+		mesh.setMatrixAt(1, new THREE.Matrix4().makeScale(1, 1, 2));
+		assert.throws(() => bindInstance(agent, mesh, 1).updateAgent(), /ArgumentError: .* not matrix 1, 0/);
+		for (const index of [-1, 3, 0.5, NaN, "1"]) assert.throws(() => bindInstance(agent, mesh, index), /^RangeError: the mesh has instances 0 to 2, not /);
+		assert.throws(() => bindInstance(agent, new THREE.Mesh(), 0), /^ArgumentError: an InstancedMesh is needed, not Mesh/);
+		const object = new THREE.Object3D();
+		for (const wrong of [null, {}, "bear"]) assert.throws(() => new ThreeAgentBinding(wrong, object), /^ArgumentError: an Agent is needed, not /);
+		for (const wrong of [null, {}, new THREE.BoxGeometry()]) assert.throws(() => new ThreeAgentBinding(agent, wrong), /^ArgumentError: an Object3D is needed, not /);
+		assert.throws(() => new ThreeAgentBinding(agent, object, object), /^ArgumentError: a Model is needed, or null, not Object3D/);
+		assert.throws(() => new ThreeAgentBinding(agent, object, null, { up: "x" }), /^ArgumentError: up must be "y" or "z", not "x"/);
+		assert.throws(() => modelFromObject("any", new THREE.BoxGeometry(), { up: "Y" }), /^ArgumentError: up must be "y" or "z", not "Y"/);
+		for (const wrong of [null, undefined, {}, "bear.glb"]) assert.throws(() => modelFromObject("any", wrong), /^ModelError: model "any": expected an Object3D or a BufferGeometry, not /);
+		assert.throws(() => modelFromObject("any", new THREE.Group()), /^ModelError: model "any": no vertices/);
+		assert.throws(() => modelFromObject("", new THREE.BoxGeometry()), /^ModelError: .*needs a name/);
+		const broken = box();
+		broken.name = "hull";
+		broken.geometry.index.setX(4, 999);
+		assert.throws(() => modelFromObject("any", broken), /^ModelError: model "any", mesh "hull": a triangle names vertex 999, the last one is 23/);
+		const endless = box();
+		endless.geometry.attributes.position.setX(3, NaN);
+		assert.throws(() => modelFromObject("any", endless), /^ModelError: model "any": .*NaN/);
+		assert.throws(() => modelFromObject("any", new THREE.BatchedMesh(1, 24, 36, new THREE.MeshBasicMaterial())), /^ModelError: model "any": a BatchedMesh has many shapes/);
+	});
+
+	test(`three ${version}: a wireframe is where the structures are, in one object`, () => {
+		for (const up of ["y", "z"]) {
+			const greatLand = new engine.GreatLand();
+			const model = modelFromObject("torus", new THREE.TorusGeometry(1, 0.3, 5, 7));
+			greatLand.addModel(model);
+			const agent = new Agent("torus");
+			const wireframe = new ThreeWireframe({ up, color: "red" });
+			assert.deepEqual([wireframe.isLineSegments, wireframe.material.color.getHex(), wireframe.geometry.drawRange.count], [true, 0xff0000, 0]);
+			const root = greatLand.hierarchies.root("torus");
+			const fit = greatLand.boundingStructures.tightestFit("torus");
+			const contact = Object.assign(new engine.Contact(), { depth: 0.5 });
+			contact.point.setTo(1, 2, 3);
+			contact.normal.setTo(0, 0, 1);
+			const lines = [[fit, null], [fit, agent]].map(([structure, whose]) => [engine.Wireframes.ofStructure(structure), whose]);
+			lines.push([engine.Wireframes.ofLevel(root, 3), agent]);
+			wireframe.showStructure(fit).showStructure(fit, agent).showLevel(root, 3, agent).showContact(contact).showRay(contact.point, new engine.Vector3D(0, 2, 0), 6);
+			lines.push([[1, 2, 3, 1, 2, 3.5], null], [[1, 2, 3, 1, 8, 3], null]);
+			const check = () => {
+				const { position } = wireframe.geometry.attributes;
+				let at = 0;
+				for (const [numbers, whose] of lines) {
+					if (whose === null && numbers.length === 6 && numbers[5] === 3.5) at += 6;
+					for (let i = 0; i < numbers.length; i += 3) {
+						const point = new THREE.Vector3().fromArray(numbers, i);
+						if (whose) point.applyMatrix4(new THREE.Matrix4().fromArray(matrixOf(whose)));
+						const expected = up === "y" ? new THREE.Vector3(point.x, point.z, -point.y) : point;
+						assert.ok(new THREE.Vector3().fromBufferAttribute(position, at++).distanceTo(expected) < 1e-5);
+					}
+				}
+				assert.equal(wireframe.geometry.drawRange.count, at);
+			};
+			check();
+			agent.moveTo(4, 5, 6);
+			agent.setQuaternion(...scenes.quaternion().toArray());
+			agent.size = 2;
+			wireframe.update();
+			check();
+			const { version: before } = wireframe.geometry.attributes.position;
+			agent.size = 3;
+			wireframe.update();
+			assert.equal(wireframe.geometry.attributes.position.version, before + 2);
+			agent.size = 2;
+			wireframe.update();
+			const { version: after } = wireframe.geometry.attributes.position;
+			wireframe.update();
+			assert.equal(wireframe.geometry.attributes.position.version, after);
+			const hit = Object.assign(new engine.RayHit(), { distance: 2 });
+			hit.normal.setTo(0, -1, 0);
+			wireframe.clearLines().showRay(contact.point, new engine.Vector3D(0, 2, 0), 6, hit);
+			assert.equal(wireframe.geometry.drawRange.count, 2 + 6 + 2);
+			assert.throws(() => wireframe.showRay(contact.point, new engine.Vector3D()), /^ArgumentError: the direction must be finite and not 0/);
+			assert.throws(() => wireframe.showLines([1, 2, 3]), /^ArgumentError: a line is six numbers: 3 /);
+			assert.throws(() => wireframe.showLevel(root, 0), /^RangeError/);
+			assert.equal(wireframe.geometry.drawRange.count, 2 + 6 + 2);
+			wireframe.dispose();
+		}
+	});
+
+	test(`three ${version}: ${pickCount} picks by triangles are the Raycaster's`, () => {
+		const scenes = new Scenes(THREE, 3 + number, { isForRays: true });
+		const { dice } = scenes;
+		const land = new THREE.Scene();
+		const greatLand = new engine.GreatLand();
+		const agents = [];
+		const agentOf = new Map();
+		for (let i = 0; i < 40; i++) {
+			const object = scenes.place(scenes.tree());
+			if (drawnCorners(THREE, object).flips.length === 0) continue;
+			object.position.multiplyScalar(3);
+			land.add(object);
+			const model = modelFromObject(`model ${i}`, object);
+			greatLand.addModel(model);
+			const agent = new Agent(model.name);
+			new ThreeAgentBinding(agent, object, model).updateAgent();
+			agents.push(agent);
+			object.traverse((part) => agentOf.set(part, agent));
+		}
+		land.updateMatrixWorld(true);
+		const exact = new engine.HierarchicalCollider(greatLand);
+		exact.exact = true;
+		const queries = new engine.AgentQueries(exact);
+		queries.update(agents);
+		const raycaster = new THREE.Raycaster();
+		let hits = 0;
+		for (let i = 0; i < pickCount; i++) {
+			const origin = new THREE.Vector3(...dice.direction()).multiplyScalar(80);
+			const target = new THREE.Vector3(dice.number(-22, 22), dice.number(-22, 22), dice.number(-22, 22));
+			raycaster.set(origin, target.sub(origin).normalize());
+			const [first] = raycaster.intersectObject(land);
+			const { direction } = raycaster.ray;
+			const hit = queries.cast(new engine.Vector3D(origin.x, -origin.z, origin.y), new engine.Vector3D(direction.x, -direction.z, direction.y));
+			assert.equal(hit?.agent.shape, first && agentOf.get(first.object).shape, `ray ${i}`);
+			if (!hit) continue;
+			hits++;
+			assert.ok(Math.abs(hit.distance - first.distance) < 1e-9, `ray ${i}: ${hit.distance} and ${first.distance}`);
+			assert.ok(first.point.distanceTo(new THREE.Vector3(hit.point.x, hit.point.z, -hit.point.y)) < 1e-9);
+		}
+		assert.ok(hits > 0.2 * pickCount && hits < 0.9 * pickCount, `${hits} hits`);
+	});
+
+	test(`three ${version}: what its loader makes of a glTF file is where a GltfModel of the file is, and the model of the object is the same`, async () => {
+		const { GLTFLoader } = await import(pathToFileURL(path.join(folder, "node_modules/three/examples/jsm/loaders/GLTFLoader.js")));
+		for (const name of ["bear", "seagull"]) {
+			const bytes = readFileSync(path.join(root, `examples/three/${name}.glb`));
+			const { scene } = await new GLTFLoader().parseAsync(Uint8Array.from(bytes).buffer, "");
+			const read = engine.GltfModel.fromBytes(name, bytes);
+			const model = modelFromObject(name, scene);
+			for (let axis = 0; axis < 3; axis++) {
+				const extents = [read, model].map(({ vertices }) => vertices.filter((_, i) => i % 3 === axis)).map((all) => [Math.min(...all), Math.max(...all)]);
+				extents[0].forEach((extent, i) => assert.ok(Math.abs(extent - extents[1][i]) < 1e-12));
+			}
+			const agent = new Agent(name);
+			agent.moveTo(1, 2, 3);
+			agent.setQuaternion(...scenes.quaternion().toArray());
+			new ThreeAgentBinding(agent, scene, read).updateObject();
+			assert.ok(differenceOf(cornersOf(model, agent, "y"), drawnCorners(THREE, scene)) < 1e-12);
+		}
+	});
+}

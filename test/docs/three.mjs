@@ -1,0 +1,27 @@
+/** For docs/three.md: what it names and does not show. */
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+
+const THREE = createRequire(new URL('../../module/package.json', import.meta.url))('three');
+
+export const Group = THREE.Group;
+export const scene = new THREE.Scene();
+export const gltf = { scene: new THREE.Group() };
+const body = new THREE.Mesh(new THREE.CapsuleGeometry(3, 10));
+body.position.y = 8;
+gltf.scene.add(body);
+
+/** Whether the samples have done what the page says. */
+export async function check({ frame, bear, other, drawn, collision, wireframe, standing }) {
+	let calls = 0;
+	collision.onCollision('bears', 'bears', () => calls++);
+	bear.heading = 90;
+	frame();
+	assert.equal(calls, 2);
+	assert.equal(drawn.position.x, 0.5);
+	assert.ok(Math.abs(drawn.scale.x - 1 / 6) < 1e-6 && Math.abs(gltf.scene.rotation.y - Math.PI / 2) < 1e-6);
+	assert.ok(wireframe.geometry.drawRange.count > 100);
+	standing.updateObject();
+	assert.ok(Math.abs(drawn.rotation.x - Math.PI / 2) < 1e-6);
+	assert.equal(other.x, 0.5);
+}

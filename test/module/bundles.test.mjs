@@ -1,0 +1,145 @@
+/** Tests of the npm package in fresh projects: what bundles weigh, what TypeScript says, and what the registry's own checks say. */
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { Worker } from "node:worker_threads";
+import { gzipSync } from "node:zlib";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const folder = path.join(root, "bin/module");
+const work = path.join(root, "bin/generated/module/bundles-test");
+const tools = createRequire(path.join(root, "module/package.json"));
+const esbuild = tools("esbuild");
+const KB = 1024;
+
+// as if it were installed
+before(() => {
+	rmSync(work, { recursive: true, force: true });
+	mkdirSync(path.join(work, "node_modules"), { recursive: true });
+	symlinkSync(folder, path.join(work, "node_modules/starlogo-collision"));
+	write("package.json", '{ "type": "module" }');
+	write("types.ts", readFileSync(path.join(root, "test/module/types.ts"), "utf8"));
+});
+
+function write(name, text) {
+	writeFileSync(path.join(work, name), text);
+	return path.join(work, name);
+}
+
+/** A project of some names: its bundle by esbuild, minified. */
+function bundle(names) {
+	const contents = `import { ${names.join(", ")} } from "starlogo-collision";\nglobalThis.used = [${names.join(", ")}];\n`;
+	const options = { stdin: { contents, resolveDir: work }, bundle: true, minify: true, format: "esm", target: "es2022", write: false };
+	return esbuild.buildSync(options).outputFiles[0].text;
+}
+
+const weigh = (text) => gzipSync(text, { level: 9 }).length;
+
+/** What a small game comes to, in a project of any kind. */
+const GAME = `import { Agent, BinCollider, Collision, BuiltInModel, GreatLand, TightestFitCollider } from "starlogo-collision";
+
+function play(collider) {
+	const agents = Array.from({ length: 50 }, (_, i) => new Agent("cube", i % 2 ? "odd" : "even"));
+	agents.forEach((agent, i) => agent.moveTo(0.9 * i, 0, 0));
+	const collision = new Collision(collider);
+	let calls = 0;
+	collision.onCollision("odd", "even", (a, b, contact) => (calls += contact.depth > 0 ? 1 : 0));
+	collision.update(agents);
+	return calls;
+}
+
+const land = new GreatLand();
+land.addModel(BuiltInModel.cube());
+export const result = [play(new BinCollider()), play(new TightestFitCollider(land))].join();
+`;
+const RESULT = "49,49";
+
+test("a bundle has what is used and no more", () => {
+	const limits = [
+		[["Vector3D"], 8],
+		[["Agent", "Collision", "BinCollider"], 32],
+		[["Agent", "Collision", "BinCollider", "GreatLand", "BuiltInModel"], 73],
+	];
+	const sizes = limits.map(([names, limit]) => {
+		const size = weigh(bundle(names)) / KB;
+		assert.ok(size <= limit, `${names.join(", ")}: ${size.toFixed(1)} KB of ${limit}`);
+		return size;
+	});
+	assert.deepEqual([...sizes].sort((a, b) => a - b), sizes);
+	// parsers come with the loader alone
+	assert.doesNotMatch(bundle(limits[2][0]), /xmlns|incorrect header check|COLLADA/);
+	assert.match(bundle(["ModelLoader"]), /incorrect header check|invalid distance/);
+});
+
+test("nothing runs when it is imported, so that bundlers may leave it out", () => {
+	const text = readFileSync(path.join(folder, "starlogo-collision.js"), "utf8");
+	assert.doesNotMatch(text, /^\s+static \{/m);
+	const contents = 'import * as all from "./starlogo-collision.js";\nexport const one = 1;\n';
+	const { text: left } = esbuild.buildSync({ stdin: { contents, resolveDir: folder }, bundle: true, format: "esm", treeShaking: true, ignoreAnnotations: false, write: false }).outputFiles[0];
+	assert.ok(left.length < 200, left.slice(0, 300));
+	// each statement for itself, without what package.json says
+	const statements = esbuild.transformSync(`${text.slice(0, text.lastIndexOf("export {"))}`, { format: "esm", treeShaking: true }).code;
+	const rest = statements.replaceAll(/^(?:const|let|var) [\w$]+ = .*;$/gm, "").replaceAll(/^\/[/*].*$/gm, "").trim();
+	assert.ok(rest.length < 200, rest.slice(0, 300));
+});
+
+test("a fresh project in Node", () => {
+	write("node.mjs", `${GAME}console.log(result);\n`);
+	assert.equal(execFileSync(process.execPath, ["node.mjs"], { cwd: work, encoding: "utf8" }).trim(), RESULT);
+	write("package.mjs", 'import data from "starlogo-collision/package.json" with { type: "json" };\nconsole.log(data.name);\n');
+	assert.equal(execFileSync(process.execPath, ["--no-warnings", "package.mjs"], { cwd: work, encoding: "utf8" }).trim(), "starlogo-collision");
+});
+
+test("a fresh project with esbuild, minified, in Node and in a Worker", async () => {
+	const entry = write("game.mjs", `${GAME}globalThis.report?.(result);\n`);
+	const file = path.join(work, "game.bundle.mjs");
+	esbuild.buildSync({ entryPoints: [entry], bundle: true, minify: true, format: "esm", outfile: file });
+	assert.equal((await import(pathToFileURL(file))).result, RESULT);
+	const worker = write("worker.mjs", 'import { parentPort } from "node:worker_threads";\nimport { result } from "./game.bundle.mjs";\nparentPort.postMessage(result);\n');
+	const answer = await new Promise((resolve, reject) => new Worker(worker).once("message", resolve).once("error", reject));
+	assert.equal(answer, RESULT);
+});
+
+test("a fresh project with Vite", async () => {
+	const { build } = await import(pathToFileURL(path.join(root, "module/node_modules/vite/dist/node/index.js")));
+	const entry = write("vite.mjs", `${GAME}export default result;\n`);
+	const lib = { entry, formats: ["es"], fileName: () => "vite.bundle.mjs" };
+	await build({ root: work, configFile: false, logLevel: "error", build: { lib, outDir: path.join(work, "dist"), minify: true, emptyOutDir: true } });
+	const file = path.join(work, "dist/vite.bundle.mjs");
+	assert.equal((await import(pathToFileURL(file))).result, RESULT);
+	assert.ok(weigh(readFileSync(file)) < 90 * KB);
+});
+
+for (const [module, moduleResolution] of [["nodenext", "nodenext"], ["esnext", "bundler"]]) {
+	test(`a fresh project in TypeScript, ${moduleResolution}: what is right is taken, and what is wrong refused`, () => {
+		const compilerOptions = { target: "es2022", module, moduleResolution, strict: true, noEmit: true, types: [], lib: ["es2022"] };
+		write(`tsconfig.${moduleResolution}.json`, JSON.stringify({ compilerOptions, files: ["types.ts"] }));
+		execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", path.join(work, `tsconfig.${moduleResolution}.json`)], { encoding: "utf8" });
+	});
+}
+
+test("the types say nothing of any, and the documentation speaks of JavaScript", () => {
+	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+	const code = text.replaceAll(/\/\*\*[\s\S]*?\*\//g, "");
+	assert.doesNotMatch(code, /\bany\b/);
+	assert.doesNotMatch(text, /Ruffle|Adobe|Flash Player|§|Vector\.</);
+});
+
+test("publint has nothing to say", async () => {
+	const { publint } = await import(pathToFileURL(tools.resolve("publint")));
+	const { messages } = await publint({ pkgDir: folder, strict: true, pack: false });
+	assert.deepEqual(messages, []);
+});
+
+// an ES module alone: require() of it is Node's own from 20.19 on, and its error before
+test("attw has nothing to say", { skip: process.env.FULL_TESTS === "true" ? false : "only with -Dfull" }, () => {
+	const attw = path.join(root, "module/node_modules/@arethetypeswrong/cli/dist/index.js");
+	const out = execFileSync(process.execPath, [attw, "--pack", folder, "--profile", "esm-only", "--format", "json"], { encoding: "utf8", cwd: work });
+	const { analysis } = JSON.parse(out);
+	assert.equal(analysis.packageName, "starlogo-collision");
+	assert.deepEqual(analysis.problems.filter((problem) => problem.resolutionKind !== "node10" && problem.kind !== "CJSResolvesToESM"), []);
+});

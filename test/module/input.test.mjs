@@ -1,0 +1,397 @@
+/** Tests of what the npm package makes of arguments that are not what they have to be, and of what tools see of its objects. */
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import util from "node:util";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const folder = path.join(root, "bin/module");
+const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
+const engine = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
+const {
+	Agent, AgentFilter, BinCollider, Box, BuiltInModel, Collision, ErrorEvent, Event, GreatLand, HierarchicalCollider, HierarchiesLibrary, IllegalOperationError, Matrix3D, Model, ModelLoader, Sphere,
+	TightestFitCollider, Vector3D, sphereSphere,
+} = engine;
+
+/** What is no number, and how errors name it. */
+const NO_NUMBERS = [
+	["3", '"3"'], ["", '""'], [[5], "[5]"], [[], "[]"], [null, "null"], [true, "true"], [false, "false"], [undefined, "undefined"], [new Date(0), "an object of class Date"],
+	[{ valueOf: () => 3 }, "a plain object"], [3n, "3n"], [Symbol("x"), "Symbol(x)"], [() => 3, "the function without a name"], [new Number(3), "an object of class Number"],
+];
+const NOT_FINITE = [NaN, Infinity, -Infinity];
+const NO_BOOLEANS = [["no", '"no"'], ["false", '"false"'], [0, "0"], [1, "1"], [null, "null"], [undefined, "undefined"], [{}, "a plain object"]];
+
+/** What somebody could set of an agent, to see that nothing has changed. */
+const stateOf = (agent) => JSON.stringify(agent) + agent.transform.rawData.join();
+
+function makeLand() {
+	const land = new GreatLand();
+	for (const model of [BuiltInModel.sphere(), BuiltInModel.cube()]) land.addModel(model);
+	return land;
+}
+
+/** Asserts that something throws an error that names all of these. */
+function refused(action, name, ...parts) {
+	assert.throws(action, (error) => {
+		assert.ok(error instanceof Error && ["ArgumentError", "RangeError"].includes(error.name), String(error));
+		for (const part of [name, ...parts]) assert.ok(error.message.includes(part), `${error.message} - says nothing of ${part}`);
+		return true;
+	});
+}
+
+test("every number of an agent is a finite number", () => {
+	const agent = new Agent("cube", "bears");
+	agent.moveTo(1, 2, 3);
+	agent.heading = 20;
+	const before = stateOf(agent);
+	const traits = ["x", "y", "z", "heading", "pitch", "roll", "size", "color"];
+	for (const trait of traits) {
+		for (const [value, shown] of NO_NUMBERS) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, '"bears"', `not ${shown}`);
+		for (const value of NOT_FINITE) refused(() => (agent[trait] = value), trait, `agent ${agent.id}`, `not ${value}`);
+	}
+	for (const method of ["moveTo", "jumpTo"]) {
+		for (const [value, shown] of NO_NUMBERS) {
+			refused(() => agent[method](value, 0, 0), "x must", shown);
+			refused(() => agent[method](0, value, 0), "y must", shown);
+			refused(() => agent[method](0, 0, value), "z must", shown);
+		}
+		refused(() => agent[method](1, 2), "z must", "undefined");
+	}
+	assert.equal(stateOf(agent), before);
+	agent.x = 5;
+	agent.color = 1e9;
+	assert.deepEqual([agent.x, agent.color], [5, 1e9]);
+});
+
+test("levels and depths are whole numbers", () => {
+	const agent = new Agent("cube");
+	const collider = new HierarchicalCollider(new GreatLand());
+	const library = new HierarchiesLibrary();
+	for (const [object, name] of [[agent, "traversalDepth"], [collider, "maxDepth"], [library, "maxDepth"], [library, "minVerticesToSplit"]]) {
+		const before = object[name];
+		for (const [value, shown] of NO_NUMBERS) refused(() => (object[name] = value), `${name} must be a whole number`, shown);
+		for (const value of [...NOT_FINITE, 2.5, 2 ** 31]) refused(() => (object[name] = value), `${name} must be a whole number`, String(value));
+		assert.equal(object[name], before);
+		object[name] = 7;
+		assert.equal(object[name], 7);
+	}
+	refused(() => (agent.traversalDepth = -1), "traversalDepth", "-1");
+});
+
+test("what is true or false is a Boolean", () => {
+	const land = new GreatLand();
+	const cases = [
+		[new Agent("cube"), ["hierarchical", "sweeps"]],
+		[new HierarchicalCollider(land), ["exact"]],
+		[land, ["loadTightestFit", "loadHierarchies", "loadAllBoundingStructures", "prepareExact"]],
+		[land.hierarchies, ["splitByMean"]],
+		[new ModelLoader(land), ["usesBakedFits"]],
+	];
+	for (const [object, names] of cases) {
+		for (const name of names) {
+			const before = object[name];
+			for (const [value, shown] of NO_BOOLEANS) refused(() => (object[name] = value), `${name} must be true or false`, `not ${shown}`);
+			assert.equal(object[name], before);
+			object[name] = !before;
+			assert.equal(object[name], !before);
+		}
+	}
+});
+
+test("names are strings", () => {
+	const agent = new Agent("cube", "bears");
+	for (const value of [1, true, {}, ["cube"], Symbol("cube"), new String("cube")]) {
+		refused(() => new Agent(value), "shape must be a string");
+		refused(() => new Agent("cube", value), "breed must be a string");
+		for (const name of ["shape", "breed", "collideAs"]) refused(() => (agent[name] = value), name, `agent ${agent.id}`);
+	}
+	for (const name of ["shape", "breed"]) for (const value of [null, undefined, ""]) refused(() => (agent[name] = value), `${name} must be a name`);
+	assert.deepEqual([agent.shape, agent.breed, agent.collideAs], ["cube", "bears", "tightest"]);
+});
+
+test("lists are arrays of agents, and a frame that is refused changes nothing", () => {
+	const collision = new Collision(new TightestFitCollider(makeLand()));
+	const [a, b] = [new Agent("cube", "bears"), new Agent("sphere", "balls")];
+	let calls = 0;
+	collision.onCollision("bears", "balls", () => calls++);
+	collision.update([a, b]);
+	const pairs = collision.statistics.collisions;
+	const like = { id: 7, breed: "bears", shape: "cube", x: 0, y: 0, z: 0, size: 1 };
+	for (const list of [{}, new Set([a, b]), new Map(), "ab", 3, { length: 2, 0: a, 1: b }, new Uint8Array(2)]) refused(() => collision.update(list), "Collision.update: agents must be an array");
+	for (const list of [null, undefined]) refused(() => collision.update(list), "agents must not be null");
+	for (const item of [like, null, undefined, "a", 1, [], () => a, Object.create(null)]) {
+		for (const list of [[item], [a, item, b], [a, b, item]]) refused(() => collision.update(list), `agents[${list.indexOf(item)}]`);
+		refused(() => collision.collisionSystem.findCollisions([a, item]), "agents[1]");
+		if (item != null) refused(() => collision.collisionSystem.areColliding(a, item), "b must be an Agent");
+	}
+	refused(() => collision.update([a, a]), "listed twice", `agent ${a.id}`);
+	refused(() => collision.collisionSystem.findCollisions([a, b], {}), "out must be an array");
+	assert.equal(calls, 1);
+	collision.update([a, b]);
+	assert.deepEqual([calls, collision.statistics.collisions, pairs], [2, 1, 1]);
+});
+
+test("handlers and listeners are functions", () => {
+	const collision = new Collision(new BinCollider());
+	for (const method of ["onCollision", "onCollisionStart", "onCollisionEnd", "removeHandler"]) {
+		for (const handler of ["f", {}, 1, [], { call() {} }]) refused(() => collision[method]("a", "b", handler), `Collision.${method}: handler must be a function`);
+		for (const handler of [null, undefined]) refused(() => collision[method]("a", "b", handler), "a handler");
+		refused(() => collision[method](1, "b", () => 0), "breed must be a string, not 1");
+		refused(() => collision[method]("a", {}, () => 0), "otherBreed must be a string, not a plain object");
+	}
+	collision.update([new Agent("x", "a"), new Agent("x", "b")]);
+	assert.equal(collision.statistics.handlerCalls, 0);
+	const loader = new ModelLoader(new GreatLand());
+	for (const listener of [null, undefined, {}, "f", { handleEvent() {} }]) refused(() => loader.addEventListener("complete", listener), "listener must be a function");
+	refused(() => loader.addEventListener(3, () => 0), "type must be");
+	refused(() => loader.addEventListener("complete", () => 0, "yes"), "useCapture must be");
+	refused(() => loader.dispatchEvent({ type: "complete" }), "event must be an Event");
+	assert.equal(loader.hasEventListener("complete"), false);
+});
+
+test("systems, models, files and settings are of their classes", () => {
+	const land = makeLand();
+	for (const system of [{}, { findCollisions() {} }, "bins", BinCollider]) refused(() => new Collision(system), "collisionSystem must be a CollisionSystem");
+	refused(() => new Collision(), "collisionSystem");
+	for (const value of [{}, "land", new HierarchiesLibrary(), GreatLand]) for (const System of [BinCollider, TightestFitCollider, HierarchicalCollider]) refused(() => new System(value), "greatLand must be a GreatLand");
+	refused(() => new TightestFitCollider(), "greatLand");
+	refused(() => land.addModel({ name: "x", vertices: [], triangles: null }), "model must be a Model");
+	refused(() => (land.fitStore = {}), "fitStore must be a FitStore");
+	refused(() => (land.boundingStructures.fitters = [{}]), "fitters[0]");
+	for (const name of ["orientedBoxDegIncrement", "cheaperTestsFactor"]) {
+		const before = land[name];
+		for (const [value, shown] of NO_NUMBERS) refused(() => (land[name] = value), name, shown);
+		for (const value of NOT_FINITE) assert.throws(() => (land[name] = value), String(value));
+		assert.equal(land[name], before);
+	}
+	const loader = new ModelLoader(land);
+	for (const bytes of [new Blob(["o x"]), "text", [1, 2], {}, new URL("file:///x")]) refused(() => loader.loadBytes("x", bytes), "bytes must be an ArrayBuffer", "not");
+	refused(() => loader.load("x", new URL("http://localhost/x.obj")), "url must be a string", "URL");
+	refused(() => loader.load({}, "x.obj"), "name must be a string");
+	refused(() => loader.loadText("x", {}), "text must be a string");
+	assert.equal(loader.pendingCount, 0);
+	const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+	for (const list of [new Set(corners), "0 0 0", { length: 9 }, new DataView(new ArrayBuffer(8))]) refused(() => new Model("x", list), "vertices must be an array of numbers");
+	refused(() => new Model("x", [...corners.slice(1), "0"]), "vertices[8] must be a number", '"0"');
+	refused(() => new Model("x", corners, [0, 1, 2.5]), "triangles[2] must be an integer", "2.5");
+	assert.throws(() => new Model("x", new Float32Array([...corners.slice(1), NaN])), /finite number, not NaN/);
+	const filter = new AgentFilter();
+	refused(() => (filter.breeds = "bears"), "breeds must be an array of strings");
+	refused(() => (filter.breeds = ["a", 1]), "breeds[1]");
+	refused(() => (filter.accepts = {}), "accepts must be a function");
+	filter.breeds = null;
+});
+
+test("structures and what Flash has take numbers and their own kind", () => {
+	for (const [value] of NO_NUMBERS.filter(([each]) => each !== undefined)) {
+		refused(() => new Sphere(new Vector3D(), value), "radius must be a number");
+		refused(() => new Vector3D(value), "x must be a number");
+		refused(() => new Matrix3D().appendTranslation(0, value, 0), "y must be a number");
+	}
+	refused(() => new Sphere({ x: 0, y: 0, z: 0 }, 1), "center must be a Vector3D");
+	const broken = new Vector3D();
+	broken.y = "2";
+	refused(() => new Sphere(broken, 1), "center.y", '"2"');
+	refused(() => sphereSphere(new Sphere(new Vector3D(), 1), new Agent("cube")), "sphereSphere: b must be a Sphere");
+	refused(() => new Box(new Vector3D(), 1, 2, 3), "axisX must be a Vector3D");
+	assert.equal(sphereSphere(new Sphere(new Vector3D(), 1), new Sphere(new Vector3D(1), 1)), true);
+});
+
+test("subclasses are checked as what they extend, and override it", () => {
+	class Hero extends Agent {
+		moves = 0;
+
+		constructor(life) {
+			super("cube", "heroes");
+			this.life = life;
+		}
+
+		get x() {
+			return super.x;
+		}
+
+		set x(value) {
+			super.x = value;
+		}
+
+		moveTo(x, y, z) {
+			this.moves++;
+			super.moveTo(x, y, z);
+		}
+	}
+	const hero = new Hero("3");
+	hero.x = 4;
+	refused(() => (hero.x = "5"), "x must be a number", `agent ${hero.id}`, '"heroes"');
+	refused(() => hero.moveTo(1, 2, "3"), "z must be a number");
+	assert.deepEqual([hero.x, hero.moves, hero.life], [4, 2, "3"]);
+	assert.equal(new BinCollider().areColliding(hero, new Hero(1)), false);
+	class Slow extends BinCollider {
+		findCollisions(agents, out) {
+			return super.findCollisions(agents, out);
+		}
+	}
+	hero.moveTo(0, 0, 0);
+	const found = new Slow().findCollisions([hero, new Hero(2)]);
+	assert.equal(found.length, 2);
+	assert.ok(found[0] instanceof Hero);
+});
+
+test("a BinCollider needs no models", () => {
+	const agents = Array.from({ length: 20 }, (_, i) => new Agent(`nothing ${i % 3}`));
+	agents.forEach((agent, i) => agent.moveTo(0.9 * i, 0, 0));
+	assert.equal(new BinCollider().findCollisions(agents).length, 2 * 19);
+	assert.equal(new BinCollider(null).areColliding(agents[0], agents[1]), true);
+	assert.throws(() => new BinCollider(makeLand()).findCollisions(agents), /there is no model "nothing 0"/);
+});
+
+test("handlers get the contact, however they say what they take", () => {
+	const collision = new Collision(new BinCollider());
+	const seen = [];
+	const note = (how) => (all) => seen.push([how, all.length, all[2]?.depth, all[2]?.normal.x, all[2]?.time]);
+	const noteRest = note("rest");
+	const noteDefault = note("default");
+	const noteArguments = note("arguments");
+	const noteBound = note("bound");
+	const noteThree = note("three");
+	let two = 0;
+	collision.onCollision("a", "b", (...all) => noteRest(all));
+	collision.onCollision("a", "b", (a, b, contact = null) => noteDefault([a, b, contact]));
+	collision.onCollision("a", "b", function() {
+		noteArguments([...arguments]);
+	});
+	collision.onCollision("a", "b", function(...all) {
+		noteBound(all);
+	}.bind(null));
+	collision.onCollision("a", "b", (a, b, contact) => noteThree([a, b, contact]));
+	collision.onCollision("b", "a", (b, a, contact = null) => seen.push(["back", 3, contact.depth, contact.normal.x, contact.time]));
+	collision.onCollisionStart("a", "b", (...all) => seen.push(["start", all.length, all[2].depth, all[2].normal.x, all[2].time]));
+	collision.onCollisionEnd("a", "b", (...all) => seen.push(["end", all.length, all[2]?.depth]));
+	collision.onCollision("a", "b", (a, b) => {
+		two = a.id + b.id;
+		a.moveTo(-9, 0, 0);
+	});
+	const [a, b] = [new Agent("x", "a"), new Agent("x", "b")];
+	b.moveTo(0.75, 0, 0);
+	collision.update([a, b]);
+	const ways = ["start", "rest", "default", "arguments", "bound", "three", "back"];
+	assert.deepEqual(seen.map(([how]) => how), ways);
+	for (const [how, count, depth, normal, time] of seen) assert.deepEqual([how, count, depth, normal, time], [how, 3, 0.25, how === "back" ? 1 : -1, 1]);
+	assert.equal(two, a.id + b.id);
+	seen.length = 0;
+	collision.update([a, b]);
+	assert.equal(seen.length, 1);
+	assert.equal(seen[0][0], "end");
+});
+
+test("a contact that is asked for late is that of its own pair", () => {
+	const collider = new BinCollider();
+	const collision = new Collision(collider);
+	const agents = Array.from({ length: 12 }, () => new Agent("x", "a"));
+	agents.forEach((agent, i) => agent.moveTo(0.3 * i, 0.1 * ((i * 7) % 5), 0));
+	const early = [];
+	const late = [];
+	collision.onCollision("a", "a", (a, b, contact) => early.push([a.id, b.id, contact.depth, contact.normal.x, contact.point.y]));
+	collision.onCollision("a", "a", (...[a, b, contact]) => late.push([a.id, b.id, contact.depth, contact.normal.x, contact.point.y]));
+	collision.update(agents);
+	assert.ok(early.length > 30);
+	assert.deepEqual(late, early);
+});
+
+test("a listener may listen once, and until a signal", () => {
+	const loader = new ModelLoader(new GreatLand());
+	const calls = [];
+	const first = () => calls.push("first");
+	const second = () => calls.push("second");
+	const third = () => calls.push("third");
+	const abort = new AbortController();
+	loader.addEventListener("complete", first, { once: true });
+	loader.addEventListener("complete", first, { once: true });
+	loader.addEventListener("complete", second, { signal: abort.signal });
+	loader.addEventListener("complete", third, {});
+	const fire = () => {
+		calls.length = 0;
+		loader.dispatchEvent(new Event(Event.COMPLETE));
+		return calls.join();
+	};
+	assert.equal(fire(), "first,second,third");
+	assert.equal(fire(), "second,third");
+	abort.abort();
+	assert.equal(fire(), "third");
+	loader.removeEventListener("complete", third, {});
+	assert.equal(fire(), "");
+	loader.addEventListener("complete", first, { once: true });
+	loader.removeEventListener("complete", first);
+	assert.equal(fire(), "");
+});
+
+test("no number of a Flash player's error is in a text", async () => {
+	const loader = new ModelLoader(new GreatLand());
+	const texts = [];
+	loader.addEventListener("error", (event) => texts.push(event.text));
+	loader.load("nothing", "http://localhost:1/nothing.obj");
+	loader.loadBytes("damaged", new Uint8Array([0x50, 0x4b, 3, 4, ...new Uint8Array(40)]));
+	await new Promise((resolve) => loader.addEventListener("complete", resolve, { once: true }));
+	assert.equal(texts.length, 2);
+	for (const text of texts) assert.doesNotMatch(text, /#\d|Stream Error/);
+	assert.match(texts.find((text) => text.includes("nothing")), /^model "nothing": its file can't be fetched: http:\/\/localhost:1\/nothing\.obj \(.+\)$/);
+	assert.ok(loader.toString().includes("ModelLoader"));
+	assert.ok(new ErrorEvent("error", false, false, "x") instanceof Event && new IllegalOperationError("x") instanceof Error);
+});
+
+test("milliseconds come with their fractions", () => {
+	const collision = new Collision(new BinCollider());
+	const agents = Array.from({ length: 500 }, (_, i) => new Agent("x"));
+	agents.forEach((agent, i) => agent.moveTo(i, 0, 0));
+	const times = [];
+	for (let i = 0; i < 20; i++) {
+		collision.update(agents);
+		const { findMs, frameMs } = collision.statistics;
+		assert.ok(findMs >= 0 && frameMs >= findMs && frameMs < 1000, `${findMs} of ${frameMs}`);
+		times.push(frameMs);
+	}
+	assert.ok(times.some((ms) => !Number.isInteger(ms)), String(times));
+});
+
+test("JSON and tools see what an object is like, and nothing of what is inside", () => {
+	const land = makeLand();
+	const collision = new Collision(new HierarchicalCollider(land));
+	const agents = Array.from({ length: 40 }, (_, i) => new Agent(i % 2 ? "cube" : "sphere"));
+	agents.forEach((agent, i) => agent.moveTo(0.3 * i, 0, 0));
+	collision.onCollision("turtles", "turtles", () => {});
+	collision.onCollisionStart("turtles", "turtles", (a, b, contact) => contact.depth);
+	collision.update(agents);
+	const [agent] = agents;
+	assert.deepEqual(JSON.parse(JSON.stringify(agent)), {
+		id: agent.id, breed: "turtles", shape: "sphere", x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, color: 0, hierarchical: false, traversalDepth: 0, collideAs: "tightest", sweeps: false,
+	});
+	for (const object of [agent, collision, collision.collisionSystem, land, land.hierarchies, collision.statistics, new ModelLoader(land)]) {
+		for (const options of [{}, { depth: 10 }, { showHidden: true, depth: 10 }]) {
+			const text = util.inspect(object, options);
+			assert.ok(text.startsWith(object.constructor.name), text.slice(0, 40));
+			assert.ok(text.length < 1500, `${object.constructor.name}: ${text.length}`);
+			assert.doesNotMatch(text, /[^"\w][_$]\w/);
+		}
+		assert.ok(JSON.stringify(object).length < 1500);
+	}
+	assert.ok(util.inspect(agents, { maxArrayLength: null }).length < 40 * 500);
+	class Hero extends Agent {
+		life = 3;
+	}
+	assert.match(util.inspect(new Hero("cube")), /^Hero \{[\s\S]*life: 3/);
+	assert.match(util.format("%s", agent), /^agent \d+/);
+	assert.ok(String(util.inspect({ deep: { deeper: { agent } } })).includes("[Agent]"));
+});
+
+test("an error that nothing catches shows a line, not the whole file", () => {
+	const script = 'import { Agent } from "./starlogo-collision.js"; new Agent("cube").x = "3";';
+	const { stderr, status } = spawnSync(process.execPath, ["--input-type=module", "-e", script], { cwd: folder, encoding: "utf8" });
+	assert.equal(status, 1);
+	assert.match(stderr, /x must be a number, not "3"/);
+	assert.ok(stderr.length < 2000, `${stderr.length} characters`);
+	assert.ok(manifest.exports["."].default.endsWith("starlogo-collision.js"));
+	const longest = Math.max(...readFileSync(path.join(folder, "starlogo-collision.js"), "utf8").split("\n").map((line) => line.length));
+	assert.ok(longest < 3000, `the longest line has ${longest} characters`);
+});

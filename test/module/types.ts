@@ -1,0 +1,108 @@
+// What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
+import {
+	Agent, AgentFilter, BinCollider, BuiltInModel, Collision, Contact, ErrorEvent, Event, GreatLand, HierarchicalCollider, Model, ModelEvent, ModelLoader, ObjModel, RayHit, TightestFitCollider,
+} from "starlogo-collision";
+import type { CollisionSystem, ModelLoaderEvents, Numbers } from "starlogo-collision";
+
+/** Fails unless the two are the same. */
+type Same<X, Y> = (<T>() => T extends X ? 1 : 2) extends <T>() => T extends Y ? 1 : 2 ? true : false;
+const is = <_T extends true>(): void => {};
+
+class Hero extends Agent {
+	life = 3;
+}
+
+const land = new GreatLand();
+const heroes: readonly Hero[] = [new Hero("cube"), new Hero("cube", "heroes")];
+
+// a game's own agents
+const bins = new BinCollider();
+const found = bins.findCollisions(heroes);
+is<Same<typeof found, Hero[]>>();
+const system: CollisionSystem = new TightestFitCollider(land);
+is<Same<ReturnType<typeof system.findCollisions<Hero>>, Hero[]>>();
+const collision = new Collision<Hero>(bins);
+collision.onCollision("heroes", Collision.ANY_BREED, (collider, collidee, contact) => {
+	is<Same<typeof collider, Hero>>();
+	is<Same<typeof collidee, Hero>>();
+	is<Same<typeof contact, Contact>>();
+	collider.life -= contact.depth;
+});
+collision.onCollision("heroes", "heroes", (collider) => collider.life--);
+collision.onCollisionStart("heroes", "heroes", (a: Hero, b: Hero, contact: Contact) => a.moveTo(b.x, contact.point.y, 0));
+collision.update(heroes);
+const plain = new Collision(bins);
+plain.onCollision("a", "b", (a, b, contact: Contact) => a.jumpTo(b.x, b.y, contact.time));
+plain.update([new Agent("cube"), new Hero("cube")]);
+// @ts-expect-error other agents than the game's
+collision.update([new Agent("cube")]);
+// @ts-expect-error no property of an Agent
+plain.onCollision("a", "b", (a) => a.life);
+// @ts-expect-error there is no contact at the end
+collision.onCollisionEnd("a", "b", (a, b, contact) => contact.depth);
+// @ts-expect-error no function
+collision.onCollision("a", "b", "handler");
+// @ts-expect-error no array
+collision.update(new Set(heroes));
+// @ts-expect-error no collision system
+new Collision({});
+// @ts-expect-error this one needs models
+new TightestFitCollider();
+new BinCollider(null);
+
+// numbers, Booleans, names
+const agent = heroes[0]!;
+// @ts-expect-error no number
+agent.x = "3";
+// @ts-expect-error no Boolean
+agent.sweeps = "no";
+// @ts-expect-error not to be set
+agent.id = 3;
+agent.collideAs = "sphere";
+agent.collideAs = Agent.BOX;
+// @ts-expect-error no such structure
+agent.collideAs = "ball";
+is<Same<typeof Agent.CAPSULE, "capsule">>();
+new ObjModel("x", "v 0 0 0", "y");
+// @ts-expect-error no such axis
+new ObjModel("x", "v 0 0 0", "Y");
+const numbers: Numbers = [0, 0, 0, 1, 0, 0, 0, 1, 0] as const;
+new Model("triangle", numbers, new Uint16Array([0, 1, 2]));
+new Model("triangle", new Float32Array(9), null);
+// @ts-expect-error a list of strings
+new Model("triangle", ["0", "1"]);
+
+// events
+declare const abort: { signal: { aborted: boolean; addEventListener(type: string, listener: () => void): void } };
+declare const blob: { size: number; arrayBuffer(): Promise<ArrayBuffer> };
+declare const url: { href: string };
+const loader = new ModelLoader(land);
+loader.addEventListener("modelLoaded", (event) => {
+	is<Same<typeof event, ModelEvent>>();
+	event.model.name.trim();
+}, { once: true, signal: abort.signal });
+loader.addEventListener(ErrorEvent.ERROR, (event) => event.text.trim());
+loader.addEventListener("progress", (event) => event.bytesLoaded / event.bytesTotal);
+loader.addEventListener(Event.COMPLETE, () => {});
+is<Same<ModelLoaderEvents["error"], ErrorEvent>>();
+// @ts-expect-error that event has no model
+loader.addEventListener("complete", (event) => event.model);
+// @ts-expect-error a Blob is no bytes
+loader.loadBytes("x", blob);
+// @ts-expect-error an address is a string
+loader.load("x", url);
+
+// null where it can come
+const hit = new RayHit();
+// @ts-expect-error there may be none
+hit.agent.id;
+const filter = new AgentFilter();
+filter.breeds = ["a"];
+filter.breeds = null;
+land.fitStore = null;
+// @ts-expect-error null is no model
+land.addModel(null);
+land.addModel(BuiltInModel.cube());
+const exact = new HierarchicalCollider(land);
+exact.exact = true;
+exact.maxDepth = 4;

@@ -80,7 +80,8 @@ package starlogo.models
 
         private function fail(reason:String):void
         {
-            problem = "its file can't be fetched: " + plainMessage(reason);
+            reason = plainMessage(reason);
+            problem = "its file can't be fetched" + (reason == "" ? "" : ": " + reason);
             end();
         }
 

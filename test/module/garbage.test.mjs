@@ -18,7 +18,7 @@ test("the measure sees an object an agent", () => {
 });
 
 test("moving agents makes no garbage", () => {
-	assert.ok(Math.abs(measured.moving) < 1024, `${measured.moving} bytes a frame`);
+	assert.ok(Math.abs(measured.moving) < MOST, `${measured.moving} bytes a frame`);
 });
 
 for (const [name, bytes] of Object.entries(measured.frames)) {

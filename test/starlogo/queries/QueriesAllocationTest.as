@@ -18,9 +18,9 @@ package starlogo.queries
         private static const AGENTS:int = 200;
         private static const FRAMES:int = 100;
 
-        // see AllocationTest
+        // see AllocationTest; a page of the interpreter's memory is 65,536 bytes
         private static const PAGES:Number = 3 * 4096;
-        private static const NOTHING:Number = 2.5 * AGENTS * FRAMES;
+        private static const NOTHING:Number = 3.3 * AGENTS * FRAMES;
 
         private var _agents:Vector.<Agent>;
         private var _queries:AgentQueries;

@@ -1,4 +1,5 @@
 /** Stands in for flash.utils.ByteArray: as much of it as the engine and its tests use. */
+import { deflateRaw } from "pako/lib/deflate.js";
 import { Inflate } from "pako/lib/inflate.js";
 
 const DEFAULT_ROOM = 64;
@@ -154,6 +155,11 @@ export class ByteArray {
 		const count = length === 0 ? source.length - offset : length;
 		if (offset + count > source.length) throw new RangeError("Error #2006: The supplied index is out of bounds.");
 		this.#write(source.#bytes.slice(offset, offset + count));
+	}
+
+	deflate() {
+		if (this.#length > 0) this.#replace(deflateRaw(this.toUint8Array(), { level: 9 }));
+		this.position = 0;
 	}
 
 	/** @throws Error if the bytes are no whole deflated data */

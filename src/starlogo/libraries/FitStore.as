@@ -9,6 +9,7 @@ package starlogo.libraries
     import starlogo.libraries.cooked.StoreIndex;
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -18,7 +19,7 @@ package starlogo.libraries
      * GreatLand that has one asks it before it computes, and gives it what it had to compute.
      *
      * <p>An entry is found by the geometry of a model, whatever its name, and by every setting that matters. What comes back is
-     * checked as a baked file is: an entry that was changed, cut off or forged is ignored, and replaced. Where there is no room, the
+     * checked as a cooked file is: an entry that was changed, cut off or forged is ignored, and replaced. Where there is no room, the
      * entries that were not used for longest go; where nothing can be kept, games work without.</p>
      *
      * <p>Several games at once, in several tabs say, may share a storage. Each entry is stored separately, so that no game overwrites the entries
@@ -80,10 +81,15 @@ package starlogo.libraries
             {
                 return null;
             }
+            var file:CookedFile = new CookedFile(bytes);
+            finish(file);
+            if (!file.isFor(geometry))
+            {
+                return null;
+            }
             var fits:ModelFits = new ModelFits();
-            var reader:FitsReader = new FitsReader(bytes, model, geometry, settings, fits);
-            finish(reader);
-            return reader.areFits ? fits : null;
+            FitsReader.read(file, model, settings, fits);
+            return fits;
         }
 
         /**
@@ -102,7 +108,7 @@ package starlogo.libraries
                 throw new ArgumentError("the fits must not be null");
             }
             var geometry:Fingerprint = fingerprintOf(model, settings);
-            return keep(geometry, settings, FitsWriter.write(fits, geometry, settings));
+            return keep(geometry, settings, FitsWriter.write(fits, settings, geometry));
         }
 
         /** Forgets everything. */

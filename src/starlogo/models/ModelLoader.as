@@ -40,7 +40,8 @@ package starlogo.models
      *
      * <p>A loader that has work need not be kept: it stays alive until that is done or cancelled.</p>
      *
-     * <p>What was computed for a model when the game was built is fetched with it: see usesBakedFits.</p>
+     * <p>Where a manifest says that a model was cooked when the game was built, that is fetched in place of its source: see
+     * <code>manifest</code>.</p>
      *
      * <p>The reader is chosen by content: OBJ, glTF (JSON, with its data inside or beside it, or binary), STL (text or binary), COLLADA, or that in a
      * zip archive. Only where the content says nothing the name does. Agents may have a shape from when its ModelEvent comes; before that the
@@ -60,13 +61,6 @@ package starlogo.models
         private static var sFrames:Shape = new Shape();
 
         /**
-         * Whether <code>load()</code> asks for a file of the same address with ".fits" at its end as well, which spares the receiver
-         * most of its work if it is what <code>./antw bake</code> made of the model; whatever else it is, or if there is none, is
-         * no error. Only for a receiver that takes it, like a GreatLand.
-         */
-        public var usesBakedFits:Boolean = true;
-
-        /**
          * Whether <code>load()</code> asks for a transform file beside the model's too, as the StarLogo Nova client has them:
          * <code>bear.slb</code> beside <code>bear.obj</code>. What is in it, a ModelTransform, stands in place of the up axis; one that is not
          * there, or says nothing, is no error. It is not asked for where <code>load()</code> gets a ModelTransform.
@@ -78,6 +72,7 @@ package starlogo.models
         private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
         private var _isWorking:Boolean = false;
         private var _doneCount:int = 0;
+        private var _manifest:ModelManifest = null;
         private var _longestFrame:int = 0;
         private var _longestStep:int = 0;
 
@@ -124,6 +119,23 @@ package starlogo.models
             _budget = value;
         }
 
+        /**
+         * Where the list is of what <code>./antw bake</code> or <code>starlogo-bake</code> made of models, "assets/manifest.json", say; null, the
+         * default, for none. It is fetched once. For a file that it names, in its folder or below, <code>load()</code> fetches what was cooked, a
+         * model with all that the receiver would compute, and nothing else. Where that is not there, damaged, or for another up axis,
+         * transform or scaling than asked for, the model's own file is read as without a manifest; a list that can't be fetched or read
+         * names nothing.
+         */
+        public function get manifest():String
+        {
+            return _manifest == null ? null : _manifest.url;
+        }
+
+        public function set manifest(value:String):void
+        {
+            _manifest = value == null ? null : new ModelManifest(value);
+        }
+
         /** How many models are not loaded yet. */
         public function get pendingCount():int
         {
@@ -159,21 +171,20 @@ package starlogo.models
          * Loads a model from a file. What goes wrong comes as an ErrorEvent.
          *
          * @param name what agents call the shape
-         * @param url where the file is: OBJ, glTF, STL, COLLADA or zipped COLLADA
+         * @param url where the file is: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
         public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
         {
-            add(name, upAxis, scaling).fetch(url, newURLLoader(), usesBakedFits && _receiver is FitsReceiver ? newFitsLoader() : null,
-                    usesTransforms && !(upAxis is ModelTransform) ? newURLLoader() : null);
+            add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
 
         /**
          * Loads a model from a file's bytes.
          *
          * @param name what agents call the shape
-         * @param bytes the whole file: OBJ, glTF, STL, COLLADA or zipped COLLADA; not to be changed until the model is loaded
+         * @param bytes the whole file: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked; not to be changed until the model is loaded
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
@@ -237,12 +248,6 @@ package starlogo.models
 
         /** Fetches one file. */
         internal function newURLLoader():URLLoader
-        {
-            return new URLLoader();
-        }
-
-        /** Fetches one .fits file. */
-        internal function newFitsLoader():URLLoader
         {
             return new URLLoader();
         }

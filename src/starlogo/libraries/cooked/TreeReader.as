@@ -1,11 +1,13 @@
 package starlogo.libraries.cooked
 {
+    import flash.errors.EOFError;
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.NodeMaker;
     import starlogo.hierarchy.StoredTree;
+    import starlogo.models.cooked.CookedNumbers;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
 
@@ -73,7 +75,15 @@ package starlogo.libraries.cooked
         /** @inheritDoc */
         public function step():Boolean
         {
-            return _work.step() && !_isRefused;
+            try
+            {
+                return _work.step() && !_isRefused;
+            }
+            catch (error:EOFError)
+            {
+                _isRefused = true;
+            }
+            return false;
         }
 
         /** @inheritDoc */
@@ -95,8 +105,7 @@ package starlogo.libraries.cooked
             var order:Vector.<int> = _hierarchy.order;
             var isListed:Vector.<Boolean> = _isListed;
             var count:int = order.length;
-            _isRefused = bytes.bytesAvailable < _width * (end - first);
-            for (var i:int = first; i < end && !_isRefused; i++)
+            for (var i:int = first; i < end; i++)
             {
                 var item:int = _width == 1 ? bytes.readUnsignedByte() : (_width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
                 if (item < 0 || item >= count || isListed[item])
@@ -120,7 +129,7 @@ package starlogo.libraries.cooked
             for (var i:int = 0; i < NODES_PER_STEP; i++)
             {
                 var at:int = _plan.length - NUMBERS_PER_NODE;
-                var code:int = readNumber();
+                var code:int = CookedNumbers.read(_bytes);
                 if (code > 0)
                 {
                     var first:int = _plan[at];
@@ -150,22 +159,6 @@ package starlogo.libraries.cooked
                 }
             }
             return true;
-        }
-
-        // -1 if there is none
-        private function readNumber():int
-        {
-            var value:int = 0;
-            for (var shift:int = 0; shift < 32 && _bytes.bytesAvailable > 0; shift += 7)
-            {
-                var byte:int = _bytes.readUnsignedByte();
-                value |= (byte & 0x7F) << shift;
-                if (byte < 0x80)
-                {
-                    return value;
-                }
-            }
-            return -1;
         }
 
         // From the last node up: children come after their parents.

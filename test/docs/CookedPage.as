@@ -2,12 +2,11 @@ package docs
 {
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.ObjModel;
-    import starlogo.steps.finish;
+    import starlogo.models.CookedModel;
     import support.Fixtures;
 
-    /** For docs/stored-fits.md: the text of a model. */
-    public class StoredFitsPage extends Page
+    /** For docs/cooked.md: the text of a model. */
+    public class CookedPage extends Page
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
@@ -16,7 +15,7 @@ package docs
         /** @inheritDoc */
         override protected function check(shown:Object):void
         {
-            finish(greatLand.receiveWithFits(new ObjModel("bear", bearText), shown["bytes"] as ByteArray));
+            greatLand.addModel(CookedModel.fromBytes("bear", shown["bytes"] as ByteArray));
             assertTrue(greatLand.boundingStructures.has("bear"));
             assertTrue(greatLand.fitStore != null);
             greatLand.fitStore.clear();

@@ -158,12 +158,13 @@ package starlogo.models
         // What is not there, damaged or for other arguments is no error.
         private function useCooked():void
         {
-            if (_cooked == null || _cooked.problem != null)
+            if (_cooked != null && _cooked.problem == null)
             {
-                fetchSource();
+                keepCooked();
                 return;
             }
-            keepCooked();
+            _cooked = null;
+            fetchSource();
         }
 
         private function keepCooked():void

@@ -175,7 +175,7 @@ package starlogo.models
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
@@ -188,7 +188,7 @@ package starlogo.models
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).setFile(bytes, null);
         }
@@ -201,7 +201,7 @@ package starlogo.models
          * @param upAxis the axis that points up in OBJ or STL text: "x", "y" or "z"; or, for any text, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).setFile(null, text);
         }

@@ -95,6 +95,7 @@ package starlogo.models
                     {"m.json": bytes("{\"models\": {\"bear.obj\": null}}")}, {"m.json": bytes("{\"models\": {\"bear.obj\": {\"cooked\": 1}}}")}, {"m.json": bytes(MANIFEST)},
                     {"m.json": bytes(MANIFEST), "bear.obj.cooked": damaged}, {"m.json": bytes(MANIFEST), "bear.obj.cooked": bytes("<html>404</html>")}];
             var left:int = ways.length;
+            _fitter.count = 0;
             var done:TestedLoader = _loader;
             for (var i:int = 0; i < ways.length; i++)
             {

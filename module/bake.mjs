@@ -5,13 +5,13 @@ import { basename, dirname, extname, join, relative, resolve, sep } from "node:p
 import { parseArgs } from "node:util";
 import { GreatLand, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
 
-const HELP = `Computes what a game needs of its models when the game is built, so that no player's machine has to: writes a cooked file for every
-OBJ, DAE, ZAE, GLB and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
+const HELP = `Reads models and computes what a game needs of them when the game is built, so that no player's machine has to: writes a cooked file for every
+OBJ, DAE, ZAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
 there already, of the same source and options, is left as it is.
 
   starlogo-bake FOLDER [options]
 
-  --out FOLDER         copies the models there and writes beside the copies; without it, beside the models
+  --out FOLDER         copies the models there, with what they need beside them, and writes beside the copies; without it, beside the models
   --up x|y|z           the axis that points up in OBJ and STL files, as load() is given it (z)
   --scaling WORD       footprint, volume or "as given", as load() is given it (footprint)
   --transforms         for loaders with usesTransforms: a file bear.slb beside bear.obj turns it
@@ -22,7 +22,7 @@ there already, of the same source and options, is left as it is.
   --force              cooks again what is there
   --help               prints this`;
 
-const MODEL = /\.(obj|dae|zae|glb|stl)$/i;
+const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
 const SCALINGS = [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN];
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 const options = {
@@ -44,7 +44,8 @@ const list = join(out, "manifest.json");
 const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"]]);
 const before = readList();
 const models = {};
-const files = readdirSync(folder, { recursive: true }).map(String).filter((file) => MODEL.test(file) && statSync(join(folder, file)).isFile()).sort();
+const files = readdirSync(folder, { recursive: true }).map(String)
+	.filter((file) => MODEL.test(file) && statSync(join(folder, file)).isFile() && (out === folder || !isIn(out, join(folder, file)))).sort();
 
 let failures = 0;
 let kept = 0;
@@ -54,17 +55,15 @@ for (const file of files) {
 	const name = file.split(sep).join("/");
 	try {
 		const start = performance.now();
-		const source = readFileSync(from);
-		const beside = values.transforms ? transformOf(from) : null;
-		const hash = createHash("sha256").update(source).update(beside ?? "").update(settings).digest("hex");
-		mkdirSync(dirname(to), { recursive: true });
-		if (to !== from) copyFileSync(from, to);
+		const { bytes: source, transform, parts } = readSource(from);
+		const hash = hashOf([settings, ...parts.map((part) => readFileSync(part))]);
+		if (out !== folder) parts.forEach(copy);
 		models[name] = { cooked: `${name}.cooked`, source: hash };
 		if (!values.force && before[name]?.source === hash && existsSync(`${to}.cooked`)) {
 			kept++;
 			continue;
 		}
-		const model = await read(name, source, beside === null ? values.up : ModelTransform.fromText(beside));
+		const model = await read(name, source, transform ?? values.up);
 		const bytes = newGame().bake(model, values.up, values.transforms).toUint8Array();
 		writeFileSync(`${to}.cooked`, bytes);
 		const time = (performance.now() - start).toFixed(0);
@@ -118,11 +117,40 @@ function readList() {
 	}
 }
 
-/** The text of the transform file beside a model's; null if there is none that turns anything. */
-function transformOf(file) {
-	const path = file.slice(0, -extname(file).length) + ".slb";
-	const text = existsSync(path) ? readFileSync(path, "utf8") : "";
-	return ModelTransform.fromText(text).isIdentity ? null : text;
+/** What a model is made of: bytes that need nothing beside them, the transform beside it or null, and the files of all that. */
+function readSource(file) {
+	const parts = [file];
+	let bytes = readFileSync(file);
+	if (/\.gltf$/i.test(file)) {
+		const document = JSON.parse(bytes);
+		for (const buffer of (document.buffers ?? []).filter(({ uri }) => uri && !uri.startsWith("data:"))) {
+			const path = join(dirname(file), decodeURIComponent(buffer.uri));
+			if (!isIn(folder, path)) throw new Error(`its data is not in the folder: ${buffer.uri}`);
+			parts.push(path);
+			buffer.uri = `data:application/octet-stream;base64,${readFileSync(path, "base64")}`;
+		}
+		bytes = Buffer.from(JSON.stringify(document));
+	}
+	const beside = file.slice(0, -extname(file).length) + ".slb";
+	if (!values.transforms || !existsSync(beside)) return { bytes, transform: null, parts };
+	const transform = ModelTransform.fromText(readFileSync(beside, "utf8"));
+	return { bytes, transform: transform.isIdentity ? null : transform, parts: [...parts, beside] };
+}
+
+function hashOf(pieces) {
+	const hash = createHash("sha256");
+	for (const piece of pieces) hash.update(`${piece.length} `).update(piece);
+	return hash.digest("hex");
+}
+
+function isIn(whole, path) {
+	return !relative(whole, path).startsWith("..");
+}
+
+function copy(file) {
+	const to = join(out, relative(folder, file));
+	mkdirSync(dirname(to), { recursive: true });
+	copyFileSync(file, to);
 }
 
 /** A GreatLand with the settings that the game will have. */

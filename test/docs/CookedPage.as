@@ -1,8 +1,8 @@
 package docs
 {
-    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.CookedModel;
+    import starlogo.models.Model;
+    import starlogo.models.ModelLoader;
     import support.Fixtures;
 
     /** For docs/cooked.md: the text of a model. */
@@ -10,12 +10,13 @@ package docs
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
+        protected var loader:ModelLoader = new ModelLoader(greatLand);
         protected var bearText:String = Fixtures.text("/assets/bear.obj");
 
         /** @inheritDoc */
         override protected function check(shown:Object):void
         {
-            greatLand.addModel(CookedModel.fromBytes("bear", shown["bytes"] as ByteArray));
+            greatLand.addModel(Model(shown["model"]));
             assertTrue(greatLand.boundingStructures.has("bear"));
             assertTrue(greatLand.fitStore != null);
             greatLand.fitStore.clear();

@@ -49,13 +49,7 @@ package starlogo.models
             return false;
         }
 
-        /** The model, when no step is left; null if there is a problem. */
-        public function get model():Model
-        {
-            return problem == null ? giveTo(Model.of(_shape)) : null;
-        }
-
-        /** Makes a model that of the file. */
+        /** Makes a model that of the file, when no step is left. @throws ModelError if there is a problem */
         public function giveTo(model:Model):Model
         {
             if (problem != null)

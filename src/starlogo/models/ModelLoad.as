@@ -33,6 +33,9 @@ package starlogo.models
         /** The model, from when it is read. */
         public var model:Model = null;
 
+        /** <code>function(model:Model, problem:Error):void</code>, called when it is over: with one of the two, or none if it was cancelled. */
+        public var whenOver:Function = null;
+
         private var _upAxis:Object;
         private var _scaling:String;
         private var _receiver:ModelReceiver;
@@ -169,7 +172,7 @@ package starlogo.models
 
         private function keepCooked():void
         {
-            model = _cooked.model;
+            model = _cooked.giveTo(new Model(name, Model.ORIGIN));
             _cooked = null;
             _fetch = null;
             begin(receiving);
@@ -240,10 +243,6 @@ package starlogo.models
             {
                 begin(opening).call(fetchBuffers).begin(reading).begin(normalising).call(keepShape).begin(receiving);
                 return;
-            }
-            if (_cooked.problem != null)
-            {
-                throw _cooked.problem;
             }
             keepCooked();
         }

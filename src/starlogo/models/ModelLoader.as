@@ -47,6 +47,8 @@ package starlogo.models
      * zip archive. Only where the content says nothing the name does. Agents may have a shape from when its ModelEvent comes; before that the
      * collision systems do not know it.</p>
      *
+     * <p>This file is long because most of it tells what may be loaded, and how.</p>
+     *
      * @example
      * <listing version="3.0">
      * var loader:ModelLoader = new ModelLoader(greatLand);
@@ -157,14 +159,10 @@ package starlogo.models
         /** Whether a model of a name is being loaded: asked for, but not loaded yet. */
         public function isPending(name:String):Boolean
         {
-            for each (var pending:ModelLoad in _queue)
-            {
-                if (pending.name == name)
+            return _queue.some(function(pending:ModelLoad, i:int, all:Vector.<ModelLoad>):Boolean
                 {
-                    return true;
-                }
-            }
-            return false;
+                    return pending.name == name;
+                });
         }
 
         /**
@@ -228,18 +226,25 @@ package starlogo.models
          */
         public function cancel(name:String = null):void
         {
-            var count:int = _queue.length;
-            for (var i:int = count - 1; i >= 0; i--)
+            for (var i:int = _queue.length - 1; i >= 0; i--)
             {
                 if (name == null || _queue[i].name == name)
                 {
-                    var cancelled:ModelLoad = _queue[i];
-                    _queue.splice(i, 1);
-                    cancelled.cancel();
-                    _receiver.expectNoMore(cancelled.name);
+                    drop(_queue[i]);
                 }
             }
-            if (_queue.length == 0 && count > 0)
+        }
+
+        /** Forgets one load, if it is not over. */
+        internal function drop(load:ModelLoad):void
+        {
+            if (!remove(load))
+            {
+                return;
+            }
+            load.cancel();
+            tell(load, null, null);
+            if (_queue.length == 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.CANCEL));
@@ -317,15 +322,41 @@ package starlogo.models
             {
                 problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be taken in: " + error.message);
             }
-            var place:int = _queue.indexOf(load); // a step may have cancelled its own load
-            if (!hasMore && place >= 0)
+            if (!hasMore && remove(load)) // a step may have cancelled its own load
+            {
+                _doneCount++;
+                var isTold:Boolean = tell(load, problem == null ? load.model : null, problem);
+                if (problem == null)
+                {
+                    dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
+                }
+                else if (!isTold || hasEventListener(ErrorEvent.ERROR))
+                {
+                    dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
+                }
+            }
+        }
+
+        // Whether there is a function to tell.
+        private static function tell(load:ModelLoad, model:Model, problem:Error):Boolean
+        {
+            if (load.whenOver != null)
+            {
+                load.whenOver(model, problem);
+            }
+            return load.whenOver != null;
+        }
+
+        // Whether it was still there.
+        private function remove(load:ModelLoad):Boolean
+        {
+            var place:int = _queue.indexOf(load);
+            if (place >= 0)
             {
                 _queue.splice(place, 1);
-                _doneCount++;
                 _receiver.expectNoMore(load.name);
-                dispatchEvent(problem == null ? new ModelEvent(ModelEvent.LOADED, load.model)
-                        : new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
             }
+            return place >= 0;
         }
 
         private function report():void

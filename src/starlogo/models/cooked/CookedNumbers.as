@@ -30,7 +30,12 @@ package starlogo.models.cooked
         /** The next number. @throws EOFError if there is none */
         public static function read(bytes:ByteArray):int
         {
-            var byte:int = bytes.readUnsignedByte();
+            return rest(bytes, bytes.readUnsignedByte());
+        }
+
+        /** The number of which the first byte is read already. */
+        public static function rest(bytes:ByteArray, byte:int):int
+        {
             var value:int = byte & 0x7F;
             for (var shift:int = 7; byte > 0x7F && shift < 32; shift += 7)
             {

@@ -21,12 +21,6 @@ package starlogo.models.cooked
      */
     public final class CookedReader extends ModelReader
     {
-        /** How vertices are written besides as whole multiples of a power of 1/10, whose exponent is smaller: in 32 bits. */
-        internal static const SINGLE:int = 16;
-
-        /** In 64 bits, and as the model has them. */
-        internal static const DOUBLE:int = 17;
-
         private static const VERTICES_PER_STEP:int = 1500;
         private static const CORNERS_PER_STEP:int = 4500;
 
@@ -73,24 +67,13 @@ package starlogo.models.cooked
             return false;
         }
 
-        /** What the numbers of a form are to be divided by. */
-        internal static function divisorOf(form:int):Number
-        {
-            var divisor:Number = 1;
-            for (var i:int = 0; i < form && form < SINGLE; i++)
-            {
-                divisor *= 10;
-            }
-            return divisor;
-        }
-
         private function readHead():void
         {
             _bytes = _file.section(CookedFile.MODEL, null);
             refuseIf(_bytes == null, name, "the cooked file is damaged, or of another version: cook it again");
             scaling = Model.SCALINGS[readCount(Model.SCALINGS.length - 1)];
-            _form = readCount(DOUBLE);
-            _divisor = divisorOf(_form);
+            _form = readCount(CookedShape.DOUBLE);
+            _divisor = CookedShape.divisorOf(_form);
             var hasTransform:Boolean = readCount(1) == 1;
             var vertexCount:int = readCount(ModelLimits.VERTICES);
             var triangleCount:int = readCount(ModelLimits.TRIANGLES);
@@ -98,7 +81,7 @@ package starlogo.models.cooked
             {
                 transform = readTransform();
             }
-            if (_form == DOUBLE)
+            if (_form == CookedShape.DOUBLE)
             {
                 frame = SourceFrame.read(_bytes, scaling);
                 refuseIf(frame == null, name, "the cooked file says no place in its source");
@@ -108,7 +91,7 @@ package starlogo.models.cooked
             refuseIf(_bytes.bytesAvailable < 3 * (vertexCount + triangleCount), name, "the cooked file has fewer bytes than it says");
             vertices.length = 3 * vertexCount;
             triangles.length = 3 * triangleCount;
-            slices(vertexCount, VERTICES_PER_STEP, _form < SINGLE ? readMultiples : readNumbers).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
+            slices(vertexCount, VERTICES_PER_STEP, _form < CookedShape.SINGLE ? readMultiples : readNumbers).slices(3 * triangleCount, CORNERS_PER_STEP, readCorners);
         }
 
         private function readCount(most:int):int
@@ -162,7 +145,7 @@ package starlogo.models.cooked
 
         private function readNumbers(first:int, end:int):void
         {
-            var isDouble:Boolean = _form == DOUBLE;
+            var isDouble:Boolean = _form == CookedShape.DOUBLE;
             for (var i:int = 3 * first; i < 3 * end; i++)
             {
                 vertices[i] = isDouble ? _bytes.readDouble() : _bytes.readFloat();
@@ -177,7 +160,16 @@ package starlogo.models.cooked
             var index:int = _index;
             for (var i:int = first; i < end; i++)
             {
-                index += CookedNumbers.read(bytes);
+                var byte:int = bytes.readUnsignedByte();
+                // nearly all have but one, and a call is what takes longest
+                if (byte > 0x7F)
+                {
+                    index += CookedNumbers.rest(bytes, byte);
+                }
+                else
+                {
+                    index += byte >>> 1 ^ -(byte & 1);
+                }
                 all[i] = index;
             }
             _index = index;

@@ -16,6 +16,12 @@ package starlogo.models.cooked
      */
     public final class CookedShape
     {
+        /** How vertices are written besides as whole multiples of a power of 1/10, whose exponent is smaller: in 32 bits. */
+        internal static const SINGLE:int = 16;
+
+        /** In 64 bits, and as the model has them. */
+        internal static const DOUBLE:int = 17;
+
         private static const MOST_DECIMALS:int = 8;
         private static const LARGEST:Number = 1000000000;
 
@@ -33,14 +39,25 @@ package starlogo.models.cooked
             var source:Vector.<Number> = model.source.pointsOf(model.vertices);
             for (var form:int = 0; form <= MOST_DECIMALS; form++)
             {
-                var multiples:Vector.<Number> = multiplesIn(source, CookedReader.divisorOf(form));
-                if (multiples != null && isMadeOf(model, multiples, CookedReader.divisorOf(form)))
+                var multiples:Vector.<Number> = multiplesIn(source, divisorOf(form));
+                if (multiples != null && isMadeOf(model, multiples, divisorOf(form)))
                 {
                     return write(model, form, multiples);
                 }
             }
             var single:Vector.<Number> = rounded(source);
-            return isMadeOf(model, single, 1) ? write(model, CookedReader.SINGLE, single) : write(model, CookedReader.DOUBLE, model.vertices);
+            return isMadeOf(model, single, 1) ? write(model, SINGLE, single) : write(model, DOUBLE, model.vertices);
+        }
+
+        /** What the numbers of a form are to be divided by. */
+        internal static function divisorOf(form:int):Number
+        {
+            var divisor:Number = 1;
+            for (var i:int = 0; i < form && form < SINGLE; i++)
+            {
+                divisor *= 10;
+            }
+            return divisor;
         }
 
         // null if they are none
@@ -86,7 +103,7 @@ package starlogo.models.cooked
         private static function write(model:Model, form:int, numbers:Vector.<Number>):ByteArray
         {
             var frame:SourceFrame = model.source;
-            var transform:ModelTransform = form == CookedReader.DOUBLE ? null : frame.transform;
+            var transform:ModelTransform = form == DOUBLE ? null : frame.transform;
             var out:ByteArray = CookedFile.newBytes();
             var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
             for each (var count:int in [Model.SCALINGS.indexOf(frame.scaling), form, transform == null ? 0 : 1, numbers.length / 3, triangleCount])
@@ -99,7 +116,7 @@ package starlogo.models.cooked
                 out.writeDouble(vector.y);
                 out.writeDouble(vector.z);
             }
-            if (form == CookedReader.DOUBLE)
+            if (form == DOUBLE)
             {
                 frame.writeTo(out);
             }
@@ -118,10 +135,10 @@ package starlogo.models.cooked
         {
             switch (form)
             {
-                case CookedReader.SINGLE:
+                case SINGLE:
                     out.writeFloat(value);
                     break;
-                case CookedReader.DOUBLE:
+                case DOUBLE:
                     out.writeDouble(value);
                     break;
                 default:

@@ -9,7 +9,6 @@ package starlogo.libraries
     import starlogo.libraries.cooked.FitsWriter;
     import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
-    import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedShape;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -29,7 +28,6 @@ package starlogo.libraries
         private var _hierarchy:SolidHierarchyBuilder;
         private var _settings:FitSettings;
         private var _store:FitStore;
-        private var _stored:CookedFile = null;
         private var _geometry:GeometryFingerprint;
         private var _fits:ModelFits = new ModelFits();
         private var _work:StepSequence = new StepSequence();
@@ -56,7 +54,7 @@ package starlogo.libraries
             }
             if (store != null && !isComplete)
             {
-                _work.add(_geometry).begin(openStored).call(readStored);
+                _work.add(store.reading(model, _geometry, settings, _fits));
             }
             _work.call(useFits);
             if (structures != null)
@@ -117,21 +115,6 @@ package starlogo.libraries
                 && (!wantsSurface || _fits.notes != null);
         }
 
-        private function openStored():Steps
-        {
-            _stored = new CookedFile(_store.bytesOf(geometry, _settings));
-            return _stored;
-        }
-
-        private function readStored():void
-        {
-            if (_stored.isFor(geometry))
-            {
-                FitsReader.read(_stored, _model, _settings, _fits);
-            }
-            _stored = null;
-        }
-
         private function useFits():void
         {
             if (_structures != null && _fits.structures != null)
@@ -157,7 +140,7 @@ package starlogo.libraries
             if (isNew && _store.mayHold(_model))
             {
                 finish(_geometry);
-                _store.keep(geometry, _settings, FitsWriter.write(fits, _settings, geometry));
+                _store.keep(_geometry.fingerprint, _settings, fits);
             }
         }
 
@@ -169,11 +152,6 @@ package starlogo.libraries
         private function get wantsSurface():Boolean
         {
             return _settings.wantsSurface && _model.triangles != null;
-        }
-
-        private function get geometry():Fingerprint
-        {
-            return _geometry.fingerprint;
         }
     }
 }

@@ -13,6 +13,7 @@ package starlogo.libraries.cooked
     import starlogo.libraries.ModelFits;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.CookedNumbers;
 
     use namespace engine;
 
@@ -74,8 +75,8 @@ package starlogo.libraries.cooked
             }
             try
             {
-                var sphere:Sphere = hasSphere ? new Sphere(readVector(bytes), bytes.readDouble()) : null;
-                var capsule:Capsule = hasCapsule ? new Capsule(readVector(bytes), readVector(bytes), bytes.readDouble()) : null;
+                var sphere:Sphere = hasSphere ? new Sphere(CookedNumbers.readVector(bytes), bytes.readDouble()) : null;
+                var capsule:Capsule = hasCapsule ? new Capsule(CookedNumbers.readVector(bytes), CookedNumbers.readVector(bytes), bytes.readDouble()) : null;
                 return new <BoundingStructure>[sphere, capsule, hasBox ? readBox(bytes) : null];
             }
             catch (error:Error)
@@ -88,10 +89,10 @@ package starlogo.libraries.cooked
         // The constructor straightens the axes once more, which may change their last bits.
         private static function readBox(bytes:ByteArray):Box
         {
-            var center:Vector3D = readVector(bytes);
-            var axisX:Vector3D = readVector(bytes);
-            var axisY:Vector3D = readVector(bytes);
-            var axisZ:Vector3D = readVector(bytes);
+            var center:Vector3D = CookedNumbers.readVector(bytes);
+            var axisX:Vector3D = CookedNumbers.readVector(bytes);
+            var axisY:Vector3D = CookedNumbers.readVector(bytes);
+            var axisZ:Vector3D = CookedNumbers.readVector(bytes);
             var box:Box = new Box(center, axisX, axisY, axisZ, bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
             if (areApart(box.axisX, axisX) || areApart(box.axisY, axisY) || areApart(box.axisZ, axisZ))
             {
@@ -106,11 +107,6 @@ package starlogo.libraries.cooked
         private static function areApart(a:Vector3D, b:Vector3D):Boolean
         {
             return !(Vector3D.distance(a, b) <= 100 * Tolerances.ROUNDING);
-        }
-
-        private static function readVector(bytes:ByteArray):Vector3D
-        {
-            return new Vector3D(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
         }
     }
 }

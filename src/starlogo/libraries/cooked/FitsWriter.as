@@ -1,6 +1,5 @@
 package starlogo.libraries.cooked
 {
-    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -11,6 +10,7 @@ package starlogo.libraries.cooked
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.ModelFits;
     import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.CookedNumbers;
 
     use namespace engine;
 
@@ -64,32 +64,25 @@ package starlogo.libraries.cooked
             out.writeInt((sphere == null ? 0 : 1) | (capsule == null ? 0 : 2) | (box == null ? 0 : 4));
             if (sphere != null)
             {
-                writeVector(sphere.center, out);
+                CookedNumbers.writeVector(sphere.center, out);
                 out.writeDouble(sphere.radius);
             }
             if (capsule != null)
             {
-                writeVector(capsule.start, out);
-                writeVector(capsule.end, out);
+                CookedNumbers.writeVector(capsule.start, out);
+                CookedNumbers.writeVector(capsule.end, out);
                 out.writeDouble(capsule.radius);
             }
             if (box != null)
             {
-                writeVector(box.center, out);
-                writeVector(box.axisX, out);
-                writeVector(box.axisY, out);
-                writeVector(box.axisZ, out);
+                CookedNumbers.writeVector(box.center, out);
+                CookedNumbers.writeVector(box.axisX, out);
+                CookedNumbers.writeVector(box.axisY, out);
+                CookedNumbers.writeVector(box.axisZ, out);
                 out.writeDouble(box.halfX);
                 out.writeDouble(box.halfY);
                 out.writeDouble(box.halfZ);
             }
-        }
-
-        private static function writeVector(vector:Vector3D, out:ByteArray):void
-        {
-            out.writeDouble(vector.x);
-            out.writeDouble(vector.y);
-            out.writeDouble(vector.z);
         }
     }
 }

@@ -1,10 +1,11 @@
 package starlogo.models.cooked
 {
+    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
 
     /**
-     * Whole numbers of 32 bits in as few bytes as they need: twice the number, or for one below 0 twice what is left of it above -1, and 1; seven
-     * bits a byte, the lowest first, the eighth bit telling that more follow.
+     * Whole numbers of 32 bits in as few bytes as they need: twice the number, or of a negative one twice -1 less the number, and 1; seven bits a
+     * byte, the lowest first, the eighth bit telling that more follow. And vectors.
      *
      * @private
      */
@@ -25,6 +26,20 @@ package starlogo.models.cooked
                 rest >>>= 7;
             }
             out.writeByte(rest);
+        }
+
+        /** Writes x, y and z with all bits. */
+        public static function writeVector(vector:Vector3D, out:ByteArray):void
+        {
+            out.writeDouble(vector.x);
+            out.writeDouble(vector.y);
+            out.writeDouble(vector.z);
+        }
+
+        /** The next vector. @throws EOFError if there is none */
+        public static function readVector(bytes:ByteArray):Vector3D
+        {
+            return new Vector3D(bytes.readDouble(), bytes.readDouble(), bytes.readDouble());
         }
 
         /** The next number. @throws EOFError if there is none */

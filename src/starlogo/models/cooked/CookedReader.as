@@ -1,7 +1,6 @@
 package starlogo.models.cooked
 {
     import flash.errors.EOFError;
-    import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.models.Model;
@@ -105,18 +104,13 @@ package starlogo.models.cooked
         {
             try
             {
-                return new ModelTransform(readVector(), readVector(), readVector());
+                return new ModelTransform(CookedNumbers.readVector(_bytes), CookedNumbers.readVector(_bytes), CookedNumbers.readVector(_bytes));
             }
             catch (error:RangeError)
             {
                 refuseIf(true, name, error.message);
             }
             return null;
-        }
-
-        private function readVector():Vector3D
-        {
-            return new Vector3D(_bytes.readDouble(), _bytes.readDouble(), _bytes.readDouble());
         }
 
         // each as its difference from the one before

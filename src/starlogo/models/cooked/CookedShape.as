@@ -112,9 +112,7 @@ package starlogo.models.cooked
             }
             for each (var vector:Vector3D in transform == null ? [] : [transform.rotation, transform.scale, transform.translation])
             {
-                out.writeDouble(vector.x);
-                out.writeDouble(vector.y);
-                out.writeDouble(vector.z);
+                CookedNumbers.writeVector(vector, out);
             }
             if (form == DOUBLE)
             {

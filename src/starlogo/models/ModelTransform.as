@@ -49,7 +49,7 @@ package starlogo.models
             var turn:Vector3D = null;
             var factors:Vector3D = null;
             var move:Vector3D = null;
-            for each (var line:String in TextTokens.replaceAll(text || "", "\r", "").split("\n"))
+            for each (var line:String in (text || "").split("\r").join("").split("\n"))
             {
                 var words:Array = line.split(" ");
                 var x:Number = parseFloat(words[1]);

@@ -1,6 +1,5 @@
 package starlogo.fitting
 {
-    import flash.geom.Matrix3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Tolerances;
@@ -14,8 +13,8 @@ package starlogo.fitting
      * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first. A step tries all rotations
      * about z that follow one about x and y.
      *
-     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The player turns the whole
-     * hull about x and y natively; the rotations about z that follow leave the extent along z as it is, and their extents
+     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The whole hull is turned about x and y at
+     * once, in Numbers: a Matrix3D's precision depends on the player; the rotations about z that follow leave the extent along z as it is, and their extents
      * along x and y are looked for in the plane. The extreme corners of a rotation are found from those of the one before by
      * climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. A rotation is
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
@@ -32,8 +31,6 @@ package starlogo.fitting
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
-        private var _matrix:Matrix3D = new Matrix3D();
-        private var _raw:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
         // Extreme corners found last: those of the first rotation about z, then those of one half a right angle on.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
@@ -162,31 +159,32 @@ package starlogo.fitting
                     -sinY, cosY * sinX, cosY * cosX];
         }
 
-        // Turns the hull about x, then about y. The matrix holds the rows of Ry Rx column by column.
+        // Turns the hull about x, then about y.
         private function turn(aboutX:Number, aboutY:Number):void
         {
             var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
-            for (var row:int = 0; row < 3; row++)
+            var cosY:Number = rows[0];
+            var x1:Number = rows[1];
+            var x2:Number = rows[2];
+            var cosX:Number = rows[4];
+            var y2:Number = rows[5];
+            var sinY:Number = rows[6];
+            var z1:Number = rows[7];
+            var z2:Number = rows[8];
+            var points:Vector.<Number> = _hull.points;
+            var turned:Vector.<Number> = _turned;
+            var end:int = points.length;
+            var i:int = 0;
+            while (i < end)
             {
-                for (var column:int = 0; column < 3; column++)
-                {
-                    _raw[4 * column + row] = rows[3 * row + column];
-                }
+                var x:Number = points[i];
+                var y:Number = points[i + 1];
+                var z:Number = points[i + 2];
+                turned[i] = cosY * x + x1 * y + x2 * z;
+                turned[i + 1] = cosX * y + y2 * z;
+                turned[i + 2] = sinY * x + z1 * y + z2 * z;
+                i += 3;
             }
-            _matrix.copyRawDataFrom(_raw);
-            transform(_matrix, _hull.points, _turned);
-        }
-
-        /**
-         * Turns the hull: overridden by tests, with the precision of other players.
-         *
-         * @param matrix a rotation
-         * @param points x, y, z each
-         * @param out gets the turned points
-         */
-        protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
-        {
-            matrix.transformVectors(points, out);
         }
 
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.

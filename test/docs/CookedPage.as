@@ -10,8 +10,13 @@ package docs
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
-        protected var loader:ModelLoader = new ModelLoader(greatLand);
+        protected var loader:ModelLoader;
         protected var bearText:String = Fixtures.text("/assets/bear.obj");
+
+        public function CookedPage()
+        {
+            loader = new ModelLoader(greatLand);
+        }
 
         /** @inheritDoc */
         override protected function check(shown:Object):void

@@ -32,6 +32,8 @@ package starlogo.models
 
         private var _count:int;
         private var _transform:ModelTransform;
+        private var _factors:Vector3D;
+        private var _translation:Vector3D;
         private var _bounds:VertexBounds;
 
         // what turn() multiplies by
@@ -60,7 +62,9 @@ package starlogo.models
             check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             this.vertices = vertices.slice();
             _count = vertices.length / 3;
-            _transform = transform == null ? new ModelTransform() : transform;
+            _transform = transform;
+            _factors = transform == null ? new Vector3D(1, 1, 1) : transform.scale;
+            _translation = transform == null ? new Vector3D() : transform.translation;
             frame.scaling = scaling;
             frame.transform = transform;
             measureAll();
@@ -108,7 +112,7 @@ package starlogo.models
 
         private function turnAll():NormalisedShape
         {
-            if (_transform.rotation.lengthSquared > 0)
+            if (_transform != null && _transform.rotation.lengthSquared > 0)
             {
                 call(findRotation).slices(_count, VERTICES_PER_STEP, turn);
                 measureAll();
@@ -118,8 +122,7 @@ package starlogo.models
 
         private function scaleAll():NormalisedShape
         {
-            var factors:Vector3D = _transform.scale;
-            if (factors.x != 1 || factors.y != 1 || factors.z != 1)
+            if (_factors.x != 1 || _factors.y != 1 || _factors.z != 1)
             {
                 call(findScale).slices(_count, VERTICES_PER_STEP, turn);
                 measureAll();
@@ -146,9 +149,8 @@ package starlogo.models
 
         private function findScale():void
         {
-            var factors:Vector3D = _transform.scale;
-            _rows = new <Number>[factors.x, 0, 0, 0, factors.y, 0, 0, 0, factors.z];
-            frame.scale(factors);
+            _rows = new <Number>[_factors.x, 0, 0, 0, _factors.y, 0, 0, 0, _factors.z];
+            frame.scale(_factors);
         }
 
         private function turn(first:int, end:int):void
@@ -193,14 +195,12 @@ package starlogo.models
 
         private function findGround():void
         {
-            var translation:Vector3D = _transform.translation;
-            setPlace(0, 0, _bounds.minZ, -translation.x, -translation.y, -translation.z, 1);
+            setPlace(0, 0, _bounds.minZ, -_translation.x, -_translation.y, -_translation.z, 1);
         }
 
         private function findTranslation():void
         {
-            var translation:Vector3D = _transform.translation;
-            setPlace(0, 0, 0, -translation.x, -translation.y, -translation.z, 1);
+            setPlace(0, 0, 0, -_translation.x, -_translation.y, -_translation.z, 1);
         }
 
         private function setPlace(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):void
@@ -252,8 +252,7 @@ package starlogo.models
         // A mirror image's triangles are turned round, so that they still face outwards.
         private function turnRound():void
         {
-            var factors:Vector3D = _transform.scale;
-            if (factors.x * factors.y * factors.z < 0)
+            if (_factors.x * _factors.y * _factors.z < 0)
             {
                 triangles.reverse();
             }

@@ -4,6 +4,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
+    import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
 
     use namespace engine;
@@ -92,6 +93,16 @@ package starlogo.models
                 }
             }
             return all;
+        }
+
+        /**
+         * Whether another is the same to the last bit.
+         *
+         * @private
+         */
+        engine function isAs(other:SourceFrame):Boolean
+        {
+            return VertexData.areSame(_numbers, other._numbers);
         }
 
         /**

@@ -23,7 +23,7 @@ const options = {
 	"by-mean": { type: "boolean", default: false },
 };
 
-const { values, positionals } = parseArgs({ options, allowPositionals: true });
+const { values, positionals } = parsed();
 if (positionals.length !== 1) {
 	console.error("usage: starlogo-bake FOLDER [--out FOLDER] [--up x|y|z] [--increment DEGREES] [--min-vertices N] [--depth N] [--by-mean]");
 	process.exit(2);
@@ -52,6 +52,15 @@ for (const file of files) {
 }
 console.log(`${files.length - failures} baked${failures > 0 ? `, ${failures} that are no models` : ""}`);
 process.exitCode = failures > 0 ? 1 : 0;
+
+function parsed() {
+	try {
+		return parseArgs({ options, allowPositionals: true });
+	} catch (error) {
+		console.error(error.message.split(". ")[0]);
+		return { positionals: [] };
+	}
+}
 
 /** A GreatLand with the settings that the game will have. */
 function newGame() {

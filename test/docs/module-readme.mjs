@@ -33,4 +33,6 @@ export async function check({ bear, ball, collision, greatLand, teapot }) {
 	globalThis.fetch = fetch;
 	server.close();
 	assert.ok(greatLand.hasModel('bear') && greatLand.hasModel('dragon'));
+	// the system that takes the bins' place knows the shapes of the agents that are there
+	collision.update([bear, ball]);
 }

@@ -1,4 +1,5 @@
 /** Writes index.d.ts: TypeScript's view of the public classes, with their documentation. */
+import { ADDED } from "./added.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
 
@@ -90,6 +91,7 @@ class Writer {
 		const heritage = (bases.length > 0 ? ` extends ${bases.join(", ")}` : "") + (interfaces.length > 0 ? ` implements ${interfaces.join(", ")}` : "");
 		const parameters = isGeneric(type) ? "<A extends Agent = Agent>" : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
+		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
 		return `${this.#eventsText(type)}${doc(type.doc, "")}export ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
 	}
 

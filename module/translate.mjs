@@ -7,6 +7,7 @@
  * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
  */
 import { parseExpressionAt } from "acorn";
+import { ADDED } from "./added.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
 import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, isLiteral, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
@@ -202,6 +203,7 @@ export class Program {
 				lines.push(`${docOf(member.doc)}${prefix}${name}${this.#functionText(member.node, member.doc, taken)}`);
 			}
 		}
+		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
 		return `class ${this.shortName(unit.qname)}${base} {\n${indent(lines.filter((line) => line !== "").join("\n\n"))}\n}`;
 	}
 

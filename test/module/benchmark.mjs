@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings,
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings,
  *                                                  snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
@@ -19,7 +19,7 @@ import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
-const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, CookedModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
 
@@ -361,21 +361,22 @@ async function queries() {
 	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
 }
 
-/** The twelve models of the thesis's table, taken in with their fits known and with all to compute. */
-function fits() {
+/** The twelve models of the thesis's table: cooked, and read and computed. */
+function cooked() {
 	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
 	const read = (file) => (file.endsWith(".obj") ? new ObjModel(file, asset(file)) : new ColladaModel(file, asset(file)));
-	const models = [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
-	const baked = models.map((model) => greatLand.bake(model));
+	const readAll = () => [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
+	const cooked = readAll().map((model) => [model.name, greatLand.bake(model)]);
 	const rows = [false, true].map((isExact) => {
 		const land = new GreatLand();
 		land.prepareExact = isExact;
-		const take = (fitsOf) => ({ run: () => models.forEach((model, i) => engine.finish(land.receiveWithFits(model, fitsOf(i)))) });
-		const [known, computed] = measure([take((i) => baked[i]), take(() => null)], 40);
+		const [known, computed] = measure([
+			{ run: () => cooked.forEach(([name, bytes]) => land.addModel(CookedModel.fromBytes(name, bytes))) },
+			{ run: () => readAll().forEach((model) => land.addModel(model)) },
+		], 40);
 		return [isExact ? "all of it" : "until they are there", known, computed, computed / known];
 	});
-	const [files12] = measure([{ run: () => files.forEach(read) }], 20);
-	print("Twelve models, ms", ["", "fits known", "computed", "times"], [...rows, ["reading nine of their files", files12, "", ""]]);
+	print("Twelve models, ms", ["", "cooked", "read and computed", "times"], rows);
 }
 
 /** Agents bound to three.js's objects: each frame what moves them, untimed, and then the bindings. */
@@ -460,4 +461,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -92,6 +92,10 @@ loader.addEventListener(ErrorEvent.ERROR, (event) => event.text.trim());
 loader.addEventListener("progress", (event) => event.bytesLoaded / event.bytesTotal);
 loader.addEventListener(Event.COMPLETE, () => {});
 is<Same<ModelLoaderEvents["error"], ErrorEvent>>();
+const awaited: Promise<Model> = loader.loadAsync("x", "x.obj", { upAxis: "y", scaling: Model.VOLUME, signal: abort.signal });
+awaited.then((model) => model.name.trim());
+// @ts-expect-error there is no such axis
+loader.loadAsync("x", "x.obj", { upAxis: "w" });
 // @ts-expect-error that event has no model
 loader.addEventListener("complete", (event) => event.model);
 // @ts-expect-error a Blob is no bytes

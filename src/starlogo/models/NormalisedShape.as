@@ -1,10 +1,13 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
     import starlogo.steps.StepSequence;
+
+    use namespace engine;
 
     /** What a model is made of: a shape checked, copied, turned and normalised as Model says, in steps. */
     internal final class NormalisedShape extends StepSequence
@@ -36,7 +39,7 @@ package starlogo.models
         // what turn() multiplies by
         private var _rows:Vector.<Number>;
 
-        // what place() takes off, in two parts, and divides by
+        // what place() takes off, what it adds, and what it divides by
         private var _low:Vector3D = new Vector3D();
         private var _half:Vector3D = new Vector3D();
         private var _divisor:Number = 1;
@@ -62,6 +65,8 @@ package starlogo.models
             _transform = transform;
             _factors = transform == null ? new Vector3D(1, 1, 1) : transform.scale;
             _translation = transform == null ? new Vector3D() : transform.translation;
+            frame.scaling = scaling;
+            frame.transform = transform;
             measureAll();
             switch (scaling)
             {
@@ -203,7 +208,7 @@ package starlogo.models
             var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
             check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
             _low.setTo(lowX, lowY, lowZ);
-            _half.setTo(halfX, halfY, halfZ);
+            _half.setTo(0 - halfX, 0 - halfY, 0 - halfZ); // no 0 is negative then
             _divisor = divisor;
             frame.place(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
         }
@@ -225,9 +230,9 @@ package starlogo.models
             {
                 var j:int = i + 1;
                 var k:int = i + 2;
-                placed[i] = (placed[i] - lowX - halfX) / divisor;
-                placed[j] = (placed[j] - lowY - halfY) / divisor;
-                placed[k] = (placed[k] - lowZ - halfZ) / divisor;
+                placed[i] = (placed[i] - lowX + halfX) / divisor;
+                placed[j] = (placed[j] - lowY + halfY) / divisor;
+                placed[k] = (placed[k] - lowZ + halfZ) / divisor;
             }
         }
 

@@ -79,32 +79,63 @@ for (const [name, size] of Object.entries(SIZES)) {
 	});
 }
 
-test('a program does what its blocks say', async () => {
-	const { page, context, said } = await open(site, 'play');
-	const forward = { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } };
-	const grow = { type: 'starlogo_size', inputs: { SIZE: number(2) } };
-	await openProgram(page, program(start(create('turtles', 'turtle', grow)), each('turtles', forward)));
-	await step(page, 4);
-	const [turtle] = await agents(page, 'turtles');
-	assert.equal(turtle.x, 2);
-	assert.equal(turtle.size, 2);
-	await press(page, 'Reset');
-	assert.equal((await agents(page, 'turtles'))[0].x, 0);
-	assert.deepEqual(said, []);
-	await context.close();
-});
+/** What a page does with one program after the other. */
+const PROGRAMS = {
+	'a program does what its blocks say': async (page) => {
+		const forward = { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } };
+		const grow = { type: 'starlogo_size', inputs: { SIZE: number(2) } };
+		await openProgram(page, program(start(create('turtles', 'turtle', grow)), each('turtles', forward)));
+		await step(page, 4);
+		const [turtle] = await agents(page, 'turtles');
+		assert.equal(turtle.x, 2);
+		assert.equal(turtle.size, 2);
+		await press(page, 'Reset');
+		assert.equal((await agents(page, 'turtles'))[0].x, 0);
+	},
 
-test('a block that is changed in the editor changes what happens', async () => {
+	'a block that is changed in the editor changes what happens': async (page) => {
+		await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } })));
+		await page.locator('.blocklyMainBackground ~ * .blocklyEditableField:has-text("0.5"), .blocklyBlockCanvas .blocklyEditableField:has-text("0.5")').first().click();
+		await page.keyboard.press('Control+A');
+		await page.keyboard.type('2');
+		await page.keyboard.press('Enter');
+		await page.waitForTimeout(300);
+		await step(page, 2);
+		assert.equal((await agents(page, 'turtles'))[0].x, 4);
+	},
+
+	'a program is saved to a file that opens again': async (page) => {
+		await openProgram(page, program(start(create('walls', 'wall'))));
+		const [download] = await Promise.all([page.waitForEvent('download'), press(page, 'Save')]);
+		const text = readFileSync(await download.path(), 'utf8');
+		await page.getByLabel('Program', { exact: true }).selectOption('paintball');
+		assert.equal((await agents(page, 'walls')).length, 5);
+		await openProgram(page, text);
+		assert.equal((await agents(page, 'walls')).length, 1);
+	},
+
+	'an endless loop is stopped and named, and so is a mistake in a block': async (page) => {
+		const endless = { type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } };
+		await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', endless)));
+		await press(page, 'Run');
+		await page.waitForSelector('.game .status.problem');
+		assert.match(await say(page), /^The program stopped: the loop “repeat while” never comes to an end/);
+		await openProgram(page, program(start({ type: 'starlogo_collide_as', fields: { WHO: 'me', AS: 'box' } })));
+		assert.match(await say(page), /the block “collide as” is about an agent, but there is none here|is about an agent/);
+		const depth = { type: 'starlogo_depth', fields: { WHO: 'turtles' }, inputs: { DEPTH: number(1.5) } };
+		await openProgram(page, program(start(depth)));
+		assert.match(await say(page), /The block "set collision depth" needs a whole number/);
+	},
+};
+
+test('programs, on one page', async (t) => {
 	const { page, context, said } = await open(site, 'play');
-	await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } })));
-	await page.locator('.blocklyMainBackground ~ * .blocklyEditableField:has-text("0.5"), .blocklyBlockCanvas .blocklyEditableField:has-text("0.5")').first().click();
-	await page.keyboard.press('Control+A');
-	await page.keyboard.type('2');
-	await page.keyboard.press('Enter');
-	await page.waitForTimeout(300);
-	await step(page, 2);
-	assert.equal((await agents(page, 'turtles'))[0].x, 4);
-	assert.deepEqual(said, []);
+	for (const [title, check] of Object.entries(PROGRAMS)) {
+		await t.test(title, async () => {
+			await check(page);
+			assert.deepEqual(said, []);
+		});
+	}
 	await context.close();
 });
 
@@ -115,21 +146,23 @@ const NEAR_MISSES = {
 	wall: { 'unit spheres': true, 'tightest fits': false, hierarchies: false, exact: false },
 };
 
-for (const [example, expected] of Object.entries(NEAR_MISSES)) {
-	test(`switching systems changes the outcome: ${example}`, async () => {
-		const { page, context, said } = await open(site, 'play');
-		await page.getByLabel('Program', { exact: true }).selectOption(example);
-		const found = {};
-		for (const system of Object.keys(expected)) {
-			await page.getByLabel('Collision system').selectOption(system);
-			await step(page, 2);
-			found[system] = (await agents(page, 'turtles'))[0].color === 0xe5484d;
-		}
-		assert.deepEqual(found, expected);
-		assert.deepEqual(said, []);
-		await context.close();
-	});
-}
+test('switching systems changes the outcome', async (t) => {
+	const { page, context, said } = await open(site, 'play');
+	for (const [example, expected] of Object.entries(NEAR_MISSES)) {
+		await t.test(example, async () => {
+			await page.getByLabel('Program', { exact: true }).selectOption(example);
+			const found = {};
+			for (const system of Object.keys(expected)) {
+				await page.getByLabel('Collision system').selectOption(system);
+				await step(page, 2);
+				found[system] = (await agents(page, 'turtles'))[0].color === 0xe5484d;
+			}
+			assert.deepEqual(found, expected);
+			assert.deepEqual(said, []);
+		});
+	}
+	await context.close();
+});
 
 test('a program comes back after a reload, and through its link', async () => {
 	const { page, context, said } = await open(site, 'play');
@@ -150,19 +183,6 @@ test('a program comes back after a reload, and through its link', async () => {
 	await other.context.close();
 });
 
-test('a program is saved to a file that opens again', async () => {
-	const { page, context, said } = await open(site, 'play');
-	await openProgram(page, program(start(create('walls', 'wall'))));
-	const [download] = await Promise.all([page.waitForEvent('download'), press(page, 'Save')]);
-	const text = readFileSync(await download.path(), 'utf8');
-	await page.getByLabel('Program', { exact: true }).selectOption('paintball');
-	assert.equal((await agents(page, 'walls')).length, 5);
-	await openProgram(page, text);
-	assert.equal((await agents(page, 'walls')).length, 1);
-	assert.deepEqual(said, []);
-	await context.close();
-});
-
 test('broken programs and links say so, and leave what was there', async () => {
 	const { page, context } = await open(site, 'play');
 	await openProgram(page, '{"blocks": 7}');
@@ -174,20 +194,4 @@ test('broken programs and links say so, and leave what was there', async () => {
 	const other = await open(site, 'play/nonsense');
 	assert.equal(await say(other.page), 'The program in this link could not be read.');
 	await other.context.close();
-});
-
-test('an endless loop is stopped and named, and so is a mistake in a block', async () => {
-	const { page, context, said } = await open(site, 'play');
-	const endless = { type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } };
-	await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', endless)));
-	await press(page, 'Run');
-	await page.waitForSelector('.game .status.problem');
-	assert.match(await say(page), /^The program stopped: the loop “repeat while” never comes to an end/);
-	await openProgram(page, program(start({ type: 'starlogo_collide_as', fields: { WHO: 'me', AS: 'box' } })));
-	assert.match(await say(page), /the block “collide as” is about an agent, but there is none here|is about an agent/);
-	const depth = { type: 'starlogo_depth', fields: { WHO: 'turtles' }, inputs: { DEPTH: number(1.5) } };
-	await openProgram(page, program(start(depth)));
-	assert.match(await say(page), /The block "set collision depth" needs a whole number/);
-	assert.deepEqual(said, []);
-	await context.close();
 });

@@ -108,6 +108,12 @@ package starlogo.models
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
         }
 
+        /** As toText() has it. */
+        public function toString():String
+        {
+            return toText();
+        }
+
         /**
          * The rotation as a matrix.
          *

@@ -24,7 +24,7 @@ package starlogo.fitting
 
     public class FitterTest
     {
-        private static const BOXES:String = "2e7c6818";
+        private static const BOXES:String = "710f1a41";
 
         private static function thesisFitters():Vector.<Fitter>
         {

@@ -2,6 +2,7 @@ package starlogo.fitting
 {
     import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
@@ -31,6 +32,7 @@ package starlogo.fitting
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
+        private var _rotation:Placement = new Placement();
 
         // Extreme corners found last: those of the first rotation about z, then those of one half a right angle on.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
@@ -115,7 +117,10 @@ package starlogo.fitting
         /** The smallest box of the rotations tried so far, around all vertices. */
         public function smallestBox(session:FitSession):Box
         {
-            return EnclosingStructures.box(session.vertices, axesOf(_bestX, _bestY, _bestZ));
+            var axes:Vector.<Number> = new Vector.<Number>(9);
+            _rotation.setRotation(_bestZ, _bestY, _bestX);
+            _rotation.writeRotation(axes, 0);
+            return EnclosingStructures.box(session.vertices, axes);
         }
 
         private function prepare():void
@@ -145,32 +150,19 @@ package starlogo.fitting
             return _aboutX < 90;
         }
 
-        // The rows of Rz Ry Rx.
-        private static function axesOf(aboutX:Number, aboutY:Number, aboutZ:Number):Vector.<Number>
-        {
-            var cosX:Number = Trigonometry.cosine(aboutX);
-            var sinX:Number = Trigonometry.sine(aboutX);
-            var cosY:Number = Trigonometry.cosine(aboutY);
-            var sinY:Number = Trigonometry.sine(aboutY);
-            var cosZ:Number = Trigonometry.cosine(aboutZ);
-            var sinZ:Number = Trigonometry.sine(aboutZ);
-            return new <Number>[cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
-                    sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
-                    -sinY, cosY * sinX, cosY * cosX];
-        }
-
-        // Turns the hull about x, then about y.
+        // Turns the hull about x, then about y: what was along x has no part along y.
         private function turn(aboutX:Number, aboutY:Number):void
         {
-            var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
-            var cosY:Number = rows[0];
-            var x1:Number = rows[1];
-            var x2:Number = rows[2];
-            var cosX:Number = rows[4];
-            var y2:Number = rows[5];
-            var sinY:Number = rows[6];
-            var z1:Number = rows[7];
-            var z2:Number = rows[8];
+            var rotation:Placement = _rotation;
+            rotation.setRotation(0, aboutY, aboutX);
+            var r00:Number = rotation.r00;
+            var r01:Number = rotation.r01;
+            var r02:Number = rotation.r02;
+            var r11:Number = rotation.r11;
+            var r12:Number = rotation.r12;
+            var r20:Number = rotation.r20;
+            var r21:Number = rotation.r21;
+            var r22:Number = rotation.r22;
             var points:Vector.<Number> = _hull.points;
             var turned:Vector.<Number> = _turned;
             var end:int = points.length;
@@ -180,9 +172,9 @@ package starlogo.fitting
                 var x:Number = points[i];
                 var y:Number = points[i + 1];
                 var z:Number = points[i + 2];
-                turned[i] = cosY * x + x1 * y + x2 * z;
-                turned[i + 1] = cosX * y + y2 * z;
-                turned[i + 2] = sinY * x + z1 * y + z2 * z;
+                turned[i] = r00 * x + r01 * y + r02 * z;
+                turned[i + 1] = r11 * y + r12 * z;
+                turned[i + 2] = r20 * x + r21 * y + r22 * z;
                 i += 3;
             }
         }

@@ -260,7 +260,8 @@ export class NovaCollisions {
 			const entry = this.#participant(data[i]);
 			if (entry === null || !this.#follow(entry)) continue;
 			entry.index = i;
-			entry.keys.length = entry.others.length = 0;
+			// to set a length costs
+			if (entry.keys.length > 0) entry.keys.length = entry.others.length = 0;
 			if (entry.body.sweeps) isSwept = true;
 			bodies[count++] = entry.body;
 		}
@@ -354,11 +355,11 @@ export class NovaCollisions {
 		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.#cells.put(entry);
 	}
 
-	/** The id of a breed; null for everyone. */
+	/** A breed; null for everyone. */
 	#breedOf(name) {
 		const breed = this.#execution.AgentController.getByName(name);
 		if (!breed) throw new RangeError(`there is no breed "${name}"`);
-		return breed.id === EVERYONE ? null : breed.id;
+		return breed.id === EVERYONE ? null : breed;
 	}
 
 	#asks(trait, value) {
@@ -373,7 +374,7 @@ export class NovaCollisions {
 		let found = 0;
 		for (let i = breed === null ? 0 : 1; i < numAgents; i++) {
 			const agent = data[i];
-			if (agent && !agent.isDead && (breed === null || agent.breed.id === breed) && (accepts === null || accepts(agent))) found++;
+			if (agent && !agent.isDead && (breed === null || agent.breed === breed) && (accepts === null || accepts(agent))) found++;
 		}
 		return found;
 	}

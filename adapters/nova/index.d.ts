@@ -125,3 +125,11 @@ export function addBlocks(window: object): {
     /** Takes them out of the drawer; those in programs stay. */
     remove(): void;
 };
+
+/**
+ * For a bookmarklet: installs the engine, unless it is, and adds the button and, where there is an editor, the blocks. The next time takes all
+ * of that away.
+ *
+ * @throws TypeError if no client with a toolbar is in the window
+ */
+export function toggle(window: object, options?: NovaOptions): void;

@@ -1,4 +1,20 @@
 /** The collision engine for the StarLogo Nova client. */
-export { installInto } from "./installation.js";
-export { addButton } from "./button.js";
-export { addBlocks } from "./drawer.js";
+import { addButton } from "./button.js";
+import { addBlocks } from "./drawer.js";
+import { installInto, installedIn } from "./installation.js";
+
+export { addBlocks, addButton, installInto };
+
+const added = new WeakMap();
+
+/** For a bookmarklet: installs the engine, with its button and blocks; takes all that away the next time. */
+export function toggle(window, options = {}) {
+	if (added.has(window)) {
+		for (const part of added.get(window)) part.remove();
+		added.delete(window);
+		installedIn(window)?.uninstall();
+	} else {
+		if (installedIn(window) === null) installInto(window, options);
+		added.set(window, [addButton(window, options), ...(window.sb ? [addBlocks(window)] : [])]);
+	}
+}

@@ -6,7 +6,8 @@ import { fileURLToPath } from "node:url";
 import { serve } from "../headless/server.mjs";
 import { NOVA } from "./nova-real.mjs";
 
-const script = fileURLToPath(new URL("../../bin/module/nova.js", import.meta.url));
+/** The classic script. */
+export const script = fileURLToPath(new URL("../../bin/module/nova.js", import.meta.url));
 const ARGUMENTS = ["--no-sandbox", "--js-flags=--expose-gc", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--disable-background-networking", "--no-first-run"];
 
 /** A browser and a server. */

@@ -93,7 +93,7 @@ async function drive({ ticks, options, mends = false, mixed = false }) {
 			State.jsFunctions.set(node, (agent) => {
 				const chance = Helper.Utils.random();
 				if (chance < 0.02) agent.die();
-				else if (chance < 0.04) agent.clone();
+				else if (chance < 0.04) AgentController.spawn(agent, 1, agent.breed.name);
 			});
 		});
 		if (mixed && alive().length < 100) {
@@ -115,7 +115,8 @@ async function drive({ ticks, options, mends = false, mixed = false }) {
 		let known = new Set(alive().map((agent) => agent.id));
 		for (let tick = 0; tick < ticks; tick++) {
 			if (mixed && tick % 3 === 0) {
-				alive()[tick % 7].clone();
+				const parent = alive()[tick % 7];
+				AgentController.spawn(parent, 1, parent.breed.name);
 				alive()[tick % 11].die();
 			}
 			globalThis.tick();

@@ -413,7 +413,7 @@ test("what the types declare is what is there", async () => {
 test("nova.js is a classic script, with one global that does the same", () => {
 	const context = vm.createContext({ console, performance, setTimeout, clearTimeout, queueMicrotask });
 	vm.runInContext(readFileSync(new URL("../../bin/module/nova.js", import.meta.url), "utf8"), context);
-	assert.deepEqual(Object.keys(context.StarLogoCollision).sort(), ["addBlocks", "addButton", "installInto"]);
+	assert.deepEqual(Object.keys(context.StarLogoCollision).sort(), ["addBlocks", "addButton", "installInto", "toggle"]);
 	const window = makeWindow();
 	context.StarLogoCollision.installInto(window);
 	const { check, seen } = checker();

@@ -277,6 +277,12 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, _shapes.of(name).model.vertices);
         }
 
+        /** @private The model of a name; null if there is none. */
+        engine function modelOf(name:String):Model
+        {
+            return _shapes.of(name).model;
+        }
+
         /**
          * What finds for a model what the flags ask for; not begun, and nothing of it is added.
          *

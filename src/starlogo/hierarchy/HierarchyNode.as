@@ -217,6 +217,19 @@ package starlogo.hierarchy
             innerRadius = halfZ < innerRadius ? halfZ : innerRadius;
         }
 
+        /** Makes an axis-aligned box that of the node; returns it. */
+        internal function writeBox(box:Box):Box
+        {
+            var center:Vector3D = box.center;
+            center.x = x;
+            center.y = y;
+            center.z = z;
+            box.halfX = halfX;
+            box.halfY = halfY;
+            box.halfZ = halfZ;
+            return box;
+        }
+
         /** The axis along which the box is longest: 0, 1 or 2. */
         internal function longestAxis():int
         {

@@ -104,16 +104,16 @@ package starlogo.search
             out.end(2 * _pairCount);
         }
 
-        /** As AgentTable.recordPlaces. */
-        public function recordPlaces(record:FrameRecord):Vector.<int>
+        /** As AgentTable.recordPositions. */
+        public function recordPositions(record:FrameRecord):Vector.<int>
         {
-            return _table.recordPlaces(record);
+            return _table.recordPositions(record);
         }
 
-        /** As AgentTable.restorePlaces. */
-        public function restorePlaces(agents:Vector.<Agent>, record:FrameRecord):void
+        /** As AgentTable.restorePositions. */
+        public function restorePositions(agents:Vector.<Agent>, record:FrameRecord):void
         {
-            _table.restorePlaces(agents, record);
+            _table.restorePositions(agents, record);
             _isSwept = false;
         }
 
@@ -151,39 +151,39 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function onCandidates(place:int, others:Vector.<int>, count:int):void
+        override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
             if (_breeds != null)
             {
-                var counting:int = _breedNumbers.keepCounting(_table, _bins, place, others, count);
+                var counting:int = _breedNumbers.keepCounting(_table, _bins, slot, others, count);
                 _skippedPairs += count - counting;
                 count = counting;
             }
             if (_isSwept)
             {
-                count = keepTouchingMotions(place, others, count);
+                count = keepTouchingMotions(slot, others, count);
             }
             else
             {
-                count = _strategy.keepTouching(_table, _bins, place, others, count);
+                count = _strategy.keepTouching(_table, _bins, slot, others, count);
             }
             if (_isSwept || _withNumbers)
             {
-                putMembers(place, others, count);
+                putMembers(slot, others, count);
             }
             if (!_isSwept)
             {
-                putAgents(place, others, count);
+                putAgents(slot, others, count);
             }
             _pairCount += count;
         }
 
         // The pairs of a member and others, as numbers of members.
-        private function putMembers(place:int, others:Vector.<int>, count:int):void
+        private function putMembers(slot:int, others:Vector.<int>, count:int):void
         {
             var pairs:Vector.<int> = _pairs;
             var memberAt:Vector.<int> = _bins.memberAt;
-            var member:int = memberAt[place];
+            var member:int = memberAt[slot];
             var at:int = 2 * _pairCount;
             for (var i:int = 0; i < count; i++)
             {
@@ -203,14 +203,14 @@ package starlogo.search
         }
 
         // The same pairs as agents.
-        private function putAgents(place:int, others:Vector.<int>, count:int):void
+        private function putAgents(slot:int, others:Vector.<int>, count:int):void
         {
             var out:Vector.<Agent> = _out;
             var listed:Vector.<Agent> = _table.agents;
             var memberAt:Vector.<int> = _bins.memberAt;
             var rowAt:Vector.<int> = _bins.rowAt;
-            var member:int = memberAt[place];
-            var agent:Agent = listed[rowAt[place]];
+            var member:int = memberAt[slot];
+            var agent:Agent = listed[rowAt[slot]];
             var at:int = 2 * _pairCount;
             for (var i:int = 0; i < count; i++)
             {
@@ -283,10 +283,10 @@ package starlogo.search
         }
 
         // As keepTouching of a strategy, with the times: pairs of which one sweeps are tested as they moved, others where they are.
-        private function keepTouchingMotions(place:int, others:Vector.<int>, count:int):int
+        private function keepTouchingMotions(slot:int, others:Vector.<int>, count:int):int
         {
-            var row:int = _bins.rowAt[place];
-            var member:int = _bins.memberAt[place];
+            var row:int = _bins.rowAt[slot];
+            var member:int = _bins.memberAt[slot];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

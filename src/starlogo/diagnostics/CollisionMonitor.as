@@ -170,11 +170,7 @@ package starlogo.diagnostics
             onFrame();
         }
 
-        /**
-         * Counts one frame.
-         *
-         * @private
-         */
+        /** @private Counts one frame. */
         engine function onFrame():void
         {
             var start:int = getTimer();

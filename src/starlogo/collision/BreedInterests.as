@@ -46,7 +46,7 @@ package starlogo.collision
         /** Whether a pair of breeds is of interest, given by their numbers. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            return breedPairs.counts[index * breedCount + otherIndex];
+            return breedPairs.areOfInterest[index * breedCount + otherIndex];
         }
 
         /** @private The collisions of interest that a collision system finds: all of them, if it is not selective. */

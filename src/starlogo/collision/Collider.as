@@ -28,10 +28,10 @@ package starlogo.collision
      */
     public class Collider implements ContactSystem
     {
-        /** @private What questions need, to see agents as this collider does. */
+        /** @private Has the models, for questions too. */
         engine var greatLand:GreatLand;
 
-        /** @private Likewise. */
+        /** @private Finds the shapes of agents, for questions too. */
         engine var strategy:ShapeStrategy;
 
         private var _search:CollisionSearch;

@@ -120,7 +120,7 @@ package starlogo.hierarchy
                 }
                 if (_isDividing)
                 {
-                    _isDividing = _divider.goOn(ITEMS_PER_STEP);
+                    _isDividing = _divider.advance(ITEMS_PER_STEP);
                     left -= node.end - node.first;
                 }
                 if (!_isDividing)

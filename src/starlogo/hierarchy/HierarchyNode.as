@@ -123,7 +123,7 @@ package starlogo.hierarchy
          */
         public function triangleIndices(out:Vector.<int> = null):Vector.<int>
         {
-            return hierarchy.hasTriangles ? itemsInto(out) : emptied(out);
+            return writeItems(hierarchy.hasTriangles, out);
         }
 
         /**
@@ -135,7 +135,7 @@ package starlogo.hierarchy
          */
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
         {
-            return hierarchy.hasTriangles ? emptied(out) : itemsInto(out);
+            return writeItems(!hierarchy.hasTriangles, out);
         }
 
         /** @private Sets the box's size, and the radii that follow from it. */
@@ -172,23 +172,14 @@ package starlogo.hierarchy
             return halfY >= halfZ ? 1 : 2;
         }
 
-        private function itemsInto(out:Vector.<int>):Vector.<int>
+        private function writeItems(areAsked:Boolean, out:Vector.<int>):Vector.<int>
         {
-            out = emptied(out);
-            for (var i:int = first; i < end; i++)
+            out ||= new Vector.<int>();
+            out.length = 0;
+            for (var i:int = first; areAsked && i < end; i++)
             {
                 out.push(hierarchy.order[i]);
             }
-            return out;
-        }
-
-        private static function emptied(out:Vector.<int>):Vector.<int>
-        {
-            if (out == null)
-            {
-                return new Vector.<int>();
-            }
-            out.length = 0;
             return out;
         }
     }

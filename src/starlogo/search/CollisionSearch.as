@@ -30,13 +30,13 @@ package starlogo.search
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
 
-        // The members of the bins: all rows, or those whose breeds count, with the places of their agents in the list.
+        // The members of the bins: all rows, or those whose breeds are of interest, with the places of their agents in the list.
         private var _members:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _places:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds that count, or null for all; the pairs that were found, as agents, or as numbers of members
+        // The search under way: the pairs of breeds of interest, or null for all; the pairs that were found, as agents, or as members' numbers
         // where these are needed; where an agent sweeps, with their times. The agents of a pair are in the order of the list.
         private var _breeds:BreedPairs;
         private var _out:Vector.<Agent>;
@@ -76,7 +76,7 @@ package starlogo.search
         }
 
         /**
-         * Finds the pairs that touch and whose breeds count.
+         * Finds the pairs that touch and whose breeds are of interest.
          *
          * @param agents the list
          * @param breeds the pairs of breeds; null for all
@@ -155,9 +155,9 @@ package starlogo.search
         {
             if (_breeds != null)
             {
-                var counting:int = _breedNumbers.keepCounting(_table, _bins, slot, others, count);
-                _skippedPairs += count - counting;
-                count = counting;
+                var kept:int = _breedNumbers.keepOfInterest(_table, _bins, slot, others, count);
+                _skippedPairs += count - kept;
+                count = kept;
             }
             if (_isSwept)
             {

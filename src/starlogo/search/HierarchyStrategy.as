@@ -226,7 +226,7 @@ package starlogo.search
                     exact && !toLeaves);
         }
 
-        // Of one of two hierarchies.
+        // How many levels are visited of one of two hierarchies: all of them where leaves decide.
         private function levelsOf(table:AgentTable, row:int):int
         {
             return _leavesDecide ? int.MAX_VALUE : depthOf(table, row);

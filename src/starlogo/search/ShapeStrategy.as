@@ -240,7 +240,7 @@ package starlogo.search
             return false;
         }
 
-        /** Whether two boxes may touch, by the tests that are made, whose extents along x and y do not overlap, but circles around these do. */
+        /** Whether two boxes may be found to touch although their extents along x and y do not overlap, because only their faces are tested. */
         public function get isRound():Boolean
         {
             return false;

@@ -18,7 +18,7 @@ package starlogo.solid
 
     /**
      * Decides when two hierarchies collide for the first time that pass each other, or one and a structure: the first moment of the motion at
-     * which a HierarchyTraversal would say that they do.
+     * which a HierarchyTraversal would say that they do. <code>setPair()</code> says which two; each question has a motion.
      *
      * <p>To come to be inside of a closed surface without having been there at the beginning, a part of a model has to cross it,
      * and its nodes have to touch. So the nodes, or the triangles, are looked at over time, and the standing test is asked at time 0;

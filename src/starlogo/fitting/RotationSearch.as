@@ -1,11 +1,14 @@
 package starlogo.fitting
 {
     import starlogo.bounding.Box;
+    import starlogo.engine;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
+
+    use namespace engine;
 
     /**
      * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose

@@ -118,8 +118,7 @@ package starlogo.hierarchy
             {
                 return rayStructure(ray, node.structure);
             }
-            ray.near = -Infinity;
-            ray.far = Infinity;
+            ray.beginWhole();
             ray.offset = ray.x - node.x;
             ray.speed = ray.directionX;
             ray.half = node.halfX;

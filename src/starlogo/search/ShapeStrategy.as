@@ -291,7 +291,9 @@ package starlogo.search
             {
                 return true;
             }
-            reach = reachOfSpheres(table, a, b);
+            // reachOfSpheres written out: of a Number that is returned V8 makes an object
+            reach = reach * Tolerances.TOUCHING + Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a])
+                    + (Math.abs(table.x[b]) + Math.abs(table.y[b]) + Math.abs(table.z[b])));
             return squared <= reach * reach;
         }
 

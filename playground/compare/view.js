@@ -1,16 +1,20 @@
 /** Compare: what each collision system says of two agents, and of a game of many. */
 import { Agent, CollisionBlocks, GreatLand, StructureBlocks } from "starlogo-collision";
 import { button, choice, field, h, slider } from "../shared/dom.js";
+import { Lab, edgesOf } from "../shared/lab.js";
+import { showMeeting } from "../shared/meeting.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
-import { Stage, orbitByKeys } from "../shared/stage.js";
+import { orbitByKeys } from "../shared/stage.js";
 import { texts } from "../texts.js";
-import { SYSTEMS, ScatteredGame, compare } from "./game.js";
+import { ScatteredGame, compare } from "./game.js";
 
 const words = texts.compare;
 const COLOURS = [0x5b8def, 0xe0a030];
 const HIT_COLOURS = [0x3a63c9, 0xb97a10];
+const LINES = 0xff8a00;
 const GAME_COLOURS = { none: 0xaeb8c6, right: 0x3d9a5f, wrong: 0xf0a020, missed: 0xd8435a };
+const PAIR_COLOURS = { right: 0x0b5c2c, wrong: 0x8a5300, missed: 0x9c0f26 };
 const AGENTS = 150;
 const RANGES = { x: [-2, 2, 0.01], y: [-2, 2, 0.01], z: [-1, 3, 0.01], heading: [-180, 180, 1], pitch: [-180, 180, 1], roll: [-180, 180, 1], size: [0.2, 3, 0.01] };
 /** A ball beneath the dragon's wing: the box says yes, and the dragon no. */
@@ -39,18 +43,25 @@ class CompareView {
 		this.table = h("div.table");
 		this.gameNote = h("p.note", { role: "status" });
 		this.colourNote = h("p.note");
+		this.legend = h("ul.legend");
 		this.gameSystem = CollisionBlocks.UNIT_SPHERES;
+		this.reference = CollisionBlocks.EXACT;
+		const references = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.reference, (name) => {
+			this.reference = name;
+			this.#judge();
+		});
+		this.meeting = h("p.note", { role: "status" });
 		main.replaceChildren(
 			h("section.pair", { "aria-label": words.pair },
-				h("div.screen", {}, this.pairHost),
-				h("div.side", {}, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.verdicts, ...this.agents.map((agent, i) => this.#controls(agent, i)))),
+				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
+				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)))),
 			h("section.scattered", { "aria-label": words.game },
-				h("div.side", {}, h("h2", {}, words.game), this.gameNote, this.table,
+				h("div.side", {}, h("h2", {}, words.game), field(words.reference, references), this.gameNote, this.table,
 					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => this.#restart())),
-					this.#legend()),
+					this.colourNote, this.legend),
 				h("div.screen", {}, this.gameHost)));
-		this.stage = new Stage(this.pairHost, { label: words.world, eye: [2, 2.9, 1.5], target: [0, 0, 0.4], ground: 6 });
-		this.gameStage = new Stage(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
+		this.stage = new Lab(this.pairHost, { label: words.world, eye: [2, 2.9, 1.5], target: [0, 0, 0.4], ground: 6 });
+		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
 		orbitByKeys(this.stage, this.pairHost);
 		this.#buildVerdicts();
 		this.#drag();
@@ -69,7 +80,7 @@ class CompareView {
 			this.#update();
 		})]);
 		this.sliders[i] = Object.fromEntries(sliders);
-		return h("details", { open: i === 1 }, h("summary", {}, words.agent(letter)), field(words.shape, shape), ...sliders.map(([, { element }]) => element));
+		return h("details", { open: i === 1, name: "agent" }, h("summary", {}, words.agent(letter)), field(words.shape, shape), ...sliders.map(([, { element }]) => element));
 	}
 
 	#buildVerdicts() {
@@ -80,7 +91,7 @@ class CompareView {
 				this.blocks.useCollisionSystem(name);
 				this.#update();
 			} });
-			const row = h("label.verdict", {}, pick, h("span", {}, texts.systems[name], h("small", {}, texts.systemNotes[name])), verdict);
+			const row = h("label.verdict", {}, pick, h("span", {}, texts.systems[name], h("small", {}, texts.systemNotes[name]), verdict));
 			return { name, row, verdict };
 		});
 		this.verdicts.replaceChildren(...this.rows.map(({ row }) => row));
@@ -101,7 +112,13 @@ class CompareView {
 			agent.color = (truth ? HIT_COLOURS : COLOURS)[i];
 		});
 		this.stage.showAgents(this.agents, this.models);
-		this.stage.showLines("structures", this.agents.flatMap((agent) => this.structures.linesOf(agent)), 0xff8a00);
+		const lines = this.stage.wireframe("tested", LINES);
+		for (const agent of this.agents) {
+			const model = this.models.get(agent.shape);
+			if (this.shown === CollisionBlocks.EXACT && model.triangles) lines.showLines(edgesOf(model), agent);
+			else lines.showLines(this.structures.linesOf(agent));
+		}
+		this.meeting.textContent = showMeeting(this.stage, this.blocks.systemNamed(this.shown), a, b);
 	}
 
 	/** The pointer takes an agent along the level that it stands on. */
@@ -148,40 +165,38 @@ class CompareView {
 	}
 
 	#judge() {
-		this.judged = compare(this.blocks, this.game.agents);
+		this.judged = compare(this.blocks, this.game.agents, this.reference);
 		const { truth, systems } = this.judged;
-		const percent = (value) => (Number.isNaN(value) ? "–" : `${Math.round(value * 100)} %`);
-		this.gameNote.textContent = words.gameNote(AGENTS, truth.size);
-		const heads = [words.system, words.found, words.falseCount, words.missedCount, words.precision, words.recall];
+		if (!(this.gameSystem in systems)) [this.gameSystem] = Object.keys(systems);
+		const isExact = this.reference === CollisionBlocks.EXACT;
+		const percent = (part, whole) => (whole === 0 ? "–" : `${Math.round((100 * part) / whole)} %`);
+		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(texts.systems[this.reference].toLowerCase());
+		this.legend.replaceChildren(...Object.entries({ right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
+		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(AGENTS, truth.size, texts.systems[this.reference]);
+		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall];
 		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
-			h("tbody", {}, ...SYSTEMS.map((name) => {
-				const { found, wrong, missed, precision, recall } = systems[name];
+			h("tbody", {}, ...Object.entries(systems).map(([name, pairs]) => {
+				const found = pairs.right.length + pairs.wrong.length;
 				const pick = h("input", { type: "radio", name: "coloured", value: name, checked: name === this.gameSystem, onchange: () => {
 					this.gameSystem = name;
 					this.#colour();
 				} });
 				return h("tr", { "data-system": name }, h("th", { scope: "row" }, h("label.tick", {}, pick, texts.systems[name])),
-					...[found, wrong.length, missed.length, percent(precision), percent(recall)].map((text) => h("td", {}, String(text))));
+					...[found, pairs.wrong.length, pairs.missed.length, percent(pairs.right.length, found), percent(pairs.right.length, truth.size)].map((text) => h("td", {}, String(text))));
 			}))));
 		this.#colour();
 	}
 
+	/** Each pair is a line between its two, who have the colour of the worst that is said of them. */
 	#colour() {
-		const { truth, systems } = this.judged;
-		const { wrong, missed } = systems[this.gameSystem];
-		const paint = (pairs, colour) => {
-			for (const agent of [...pairs].flat()) agent.color = colour;
-		};
-		paint([this.game.agents], GAME_COLOURS.none);
-		paint(truth.values(), GAME_COLOURS.right);
-		paint(wrong, GAME_COLOURS.wrong);
-		paint(missed, GAME_COLOURS.missed);
+		const pairs = this.judged.systems[this.gameSystem];
+		for (const agent of this.game.agents) agent.color = GAME_COLOURS.none;
+		for (const outcome of ["right", "wrong", "missed"]) {
+			for (const agent of pairs[outcome].flat()) agent.color = GAME_COLOURS[outcome];
+			this.gameStage.wireframe(outcome, PAIR_COLOURS[outcome], true).showLines(pairs[outcome].flatMap((pair) => pair.flatMap(({ x, y, z, size }) => [x, y, z + size / 2])));
+		}
 		this.colourNote.textContent = words.colourBy(texts.systems[this.gameSystem]);
 		this.gameStage.showAgents(this.game.agents, this.models);
-	}
-
-	#legend() {
-		return h("div", {}, this.colourNote, h("ul.legend", {}, ...Object.entries(words.legend).map(([name, text]) => h("li", { class: name }, text))));
 	}
 
 	close() {

@@ -27,10 +27,11 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
  *
  * @param {object} model
  * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
+ * @param {() => boolean} isWanted whether it goes on
  * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number}>}
  * @throws {Error} the engine's own, if a setting is not possible
  */
-export async function measure(model, settings) {
+export async function measure(model, settings, isWanted) {
 	const greatLand = new GreatLand();
 	greatLand.orientedBoxDegIncrement = settings.increment;
 	greatLand.cheaperTestsFactor = settings.tolerance;
@@ -38,24 +39,36 @@ export async function measure(model, settings) {
 	greatLand.hierarchies.splitByMean = settings.byMean;
 	const rows = [];
 	for (const [name, make] of Object.entries(FITTERS)) {
-		const { result: structure, ms } = timed(() => make(settings.increment).fit(model.vertices));
-		rows.push({ name, structure, volume: structure.volume, ms });
+		const { result: structure, ...times } = timed(() => make(settings.increment).fit(model.vertices));
+		rows.push({ name, structure, volume: structure.volume, ...times });
 		await breath();
+		if (!isWanted()) return null;
 	}
-	const { ms: hierarchyMs } = timed(() => greatLand.hierarchies.add(model.name, model.vertices, model.triangles));
-	greatLand.loadHierarchies = false;
-	const root = greatLand.hierarchies.root(model.name);
-	greatLand.boundingStructures.add(model.name, model.vertices);
-	const chosen = greatLand.boundingStructures.tightestFit(model.name);
+	const { hierarchies, boundingStructures } = greatLand;
+	const { ms: hierarchyMs } = timed(() => hierarchies.add(model.name, model.vertices, model.triangles));
+	boundingStructures.add(model.name, model.vertices);
+	const chosen = boundingStructures.tightestFit(model.name);
 	const compared = rows.filter(({ name }) => COMPARED.includes(name));
 	const tightest = compared.reduce((best, row) => (row.structure.kind === chosen.kind && best?.structure.kind !== chosen.kind ? row : best), null);
-	return { rows, chosen: tightest.name, root, hierarchyMs, volume: volumeOf(model) };
+	return { rows, chosen: tightest.name, root: hierarchies.root(model.name), hierarchyMs, volume: volumeOf(model) };
 }
 
+const FEWEST_RUNS = 3;
+const MOST_RUNS = 50;
+const WARM_MS = 20;
+
+/** What an action gives, and the mean time of warm runs: the first is not among them, and the clock is too coarse for one alone. */
 function timed(action) {
-	const start = performance.now();
 	const result = action();
-	return { result, ms: performance.now() - start };
+	const start = performance.now();
+	let runs = 0;
+	let ms = 0;
+	while (runs < FEWEST_RUNS || (ms < WARM_MS && runs < MOST_RUNS)) {
+		action();
+		runs++;
+		ms = performance.now() - start;
+	}
+	return { result, runs, ms: ms / runs };
 }
 
 /** Lets the browser draw. */

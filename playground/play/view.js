@@ -56,6 +56,8 @@ class PlayView {
 		this.status = h("p.status", { role: "status" }, words.ready);
 		this.system = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), CollisionBlocks.TIGHTEST_FITS, (name) => {
 			this.world.useSystem(name);
+			// a game that stands still is as the new one sees it
+			if (!this.#running && this.world.frame > 0) this.#attempt(() => this.world.collide());
 			this.#draw();
 		});
 		this.allStructures = false;
@@ -281,7 +283,7 @@ class PlayView {
 
 	#tell(now) {
 		const { statistics } = this.world.collisions.collision;
-		const values = { ms: short(this.#collisionMs / this.#ticks), agents: this.world.agents.length, pairs: statistics.candidatePairs, tests: statistics.tests, collisions: statistics.collisions };
+		const values = { ms: short(this.#collisionMs / this.#ticks), agents: this.world.agents.length, pairs: statistics.candidatePairs, tests: statistics.tests + statistics.hierarchyTests, collisions: statistics.collisions };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
 		this.#ticks = this.#collisionMs = 0;
 		if (now > 0) {

@@ -86,6 +86,11 @@ export class World {
 			if (this.#isDue(event, fields, seconds)) this.#forEach(fields.BREED, run);
 		}
 		this.#pressed.clear();
+		this.collide();
+	}
+
+	/** The end of a frame: who touches whom. */
+	collide() {
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = performance.now() - start;

@@ -45,6 +45,7 @@ export class Stage {
 		this.canvas.setAttribute("role", "img");
 		this.canvas.setAttribute("aria-label", label);
 		host.append(this.canvas);
+		sayIfLost(this);
 		this.controls = new OrbitControls(this.camera, this.canvas);
 		this.controls.target.set(...target);
 		this.controls.maxPolarAngle = Math.PI * 0.55;
@@ -101,6 +102,11 @@ export class Stage {
 		cancelAnimationFrame(this.#wanted);
 		this.#wanted = 0;
 		this.renderer.render(this.scene, this.camera);
+	}
+
+	/** The ray from the eye through the pointer. */
+	rayAt(event) {
+		return this.#ray(event).ray;
 	}
 
 	/** Moves the eye along its line of sight, so that a ball around the target fits. */
@@ -211,6 +217,20 @@ export class Stage {
 		this.renderer.dispose();
 		this.canvas.remove();
 	}
+}
+
+/** Says so, and draws again, when the browser takes the graphics card away and gives it back. */
+function sayIfLost(stage) {
+	const note = h("p.notice.lost", { role: "alert" }, texts.lostWebGL);
+	stage.canvas.addEventListener("webglcontextlost", (event) => {
+		// else it is not given back
+		event.preventDefault();
+		stage.host.append(note);
+	});
+	stage.canvas.addEventListener("webglcontextrestored", () => {
+		note.remove();
+		stage.redraw();
+	});
 }
 
 /** Lets keys turn and zoom a stage whose host has the focus. */

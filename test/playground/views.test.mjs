@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { SIZES, begin, open, root } from './browser.mjs';
+import { deflateRawSync } from 'node:zlib';
+import { SIZES, begin, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare'];
 const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
@@ -21,8 +22,7 @@ for (const [name, size] of Object.entries(SIZES)) {
 			const { page, context, said } = await open(site, view, size);
 			const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 			assert.ok(wide <= 0, `the page is ${wide} pixels too wide`);
-			const cut = await page.evaluate(() => Math.max(0, ...[...document.querySelectorAll('.table')].map((table) => table.scrollWidth - table.clientWidth)));
-			assert.equal(cut, 0, 'pixels that a table is wider than its place');
+			assert.equal(await page.evaluate(cutOff), 0, 'pixels that a table is wider than its place');
 			const jumps = await page.evaluate(() => new Promise((resolve) => {
 				new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
 				setTimeout(() => resolve(0), 300);
@@ -39,6 +39,10 @@ for (const [name, size] of Object.entries(SIZES)) {
 			await context.close();
 		});
 	}
+}
+
+function cutOff() {
+	return Math.max(0, ...[...document.querySelectorAll('.table')].map((table) => table.scrollWidth - table.clientWidth));
 }
 
 async function seriousFaults(page) {
@@ -125,25 +129,29 @@ async function drop(page, name, content) {
 
 const status = (page) => page.textContent('.status');
 
+/** Waits until a model is measured, of which the status line says what matches. */
+const measured = (page, expected) => page.waitForFunction(([source]) => new RegExp(source).test(document.querySelector('.status').textContent) && !document.querySelector('[aria-busy]'),
+	[expected.source], { timeout: 15000 });
+
 test('Inspect: models by their names and by dropped files, with their volumes', async () => {
 	const { page, context, said } = await open(site, 'inspect');
 	await page.getByLabel('Model', { exact: true }).selectOption('cube');
-	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('24 vertices'));
+	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('Cube: 24 vertices'));
 	const rows = await page.locator('tbody tr').allTextContents();
 	assert.equal(rows.length, 11);
 	assert.match(rows.find((row) => row.startsWith('Oriented box')), /^Oriented box(tightest)?1\.001\.00/);
 	assert.match(rows.find((row) => row.startsWith('Naive sphere')), /^Naive sphere2\.722\.72/);
 	await drop(page, 'bear.obj', readFileSync(path.join(root, 'assets/bear.obj')));
-	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('547 vertices'));
+	await measured(page, /^bear\.obj: 547 vertices/);
 	await drop(page, 'broken.obj', Buffer.from('v 1 2 x\n'));
 	await page.waitForSelector('.status.problem');
-	assert.match(await status(page), /^This file cannot be shown\. model "broken\.obj", line 1/);
+	assert.match(await status(page), /^broken\.obj cannot be shown\. model "broken\.obj", line 1/);
 	await drop(page, 'broken.dae', Buffer.from('<COLLADA><'));
-	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status').textContent));
+	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status.problem')?.textContent));
 	assert.match(await status(page), /not well-formed XML/);
 	await drop(page, 'picture.png', Buffer.from('x'));
-	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status').textContent));
-	assert.equal(await status(page), 'picture.png is no .obj, .dae, .zae, .glb, .gltf or .stl file.');
+	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status.problem')?.textContent));
+	assert.match(await status(page), /^picture\.png cannot be shown\. .*OBJ, DAE, ZAE, GLB, glTF and STL files can be/);
 	assert.equal(await page.locator('tbody tr').count(), 11, 'what was there is there');
 	assert.deepEqual(said, []);
 	await context.close();
@@ -206,6 +214,183 @@ test('Compare: two agents are moved by sliders and by dragging', async () => {
 	assert.deepEqual(said, []);
 	await context.close();
 });
+
+test('a view that comes late is not written over the one chosen since', async () => {
+	const { page, context, said } = await open(site, 'inspect');
+	let release;
+	const held = new Promise((resolve) => {
+		release = resolve;
+	});
+	await page.route('**/models/*.dae', async (route) => {
+		await held;
+		await route.continue();
+	});
+	const asked = page.waitForRequest('**/models/person.dae');
+	await page.getByRole('link', { name: 'Compare' }).click();
+	await asked;
+	await page.getByRole('link', { name: 'Inspect' }).click();
+	await ready(page, 'inspect');
+	const came = page.waitForResponse('**/models/person.dae');
+	release();
+	await came;
+	await page.waitForTimeout(1500);
+	assert.equal(await page.locator('.facts').count(), 1, 'Inspect is there');
+	assert.equal(await page.locator('.pair').count(), 0, 'and Compare is not');
+	assert.equal(await page.evaluate(() => 'found' in globalThis.playground), true, 'the console has the view that is shown');
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('Inspect: a model that is missing is said to be, and works when it is there again', async () => {
+	const { page, context } = await open(site, 'inspect');
+	await page.route('**/models/dragon.dae', (route) => route.fulfill({ status: 404, body: 'no' }));
+	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
+	await page.waitForSelector('.status.problem', { timeout: 5000 });
+	assert.match(await status(page), /^Dragon cannot be shown\. .*dragon\.dae.*404/);
+	assert.equal(await page.getByLabel('Model', { exact: true }).inputValue(), 'bear', 'what is shown is chosen');
+	assert.equal(await page.locator('[aria-busy]').count(), 0);
+	await page.unroute('**/models/dragon.dae');
+	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
+	await measured(page, /^Dragon: /);
+	assert.equal(await page.locator('tbody tr').count(), 11);
+	await context.close();
+});
+
+test('Inspect: files by their content, with their names, standing up, points as points, times of warm runs', async () => {
+	const { page, context, said } = await open(site, 'inspect');
+	const model = page.getByLabel('Model', { exact: true });
+	const height = () => page.evaluate(() => Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 2)));
+	// a post of 1 by 4 by 1, y up
+	const post = [...Array(8).keys()].map((i) => `v ${i & 1} ${i & 2 ? 4 : 0} ${i & 4 ? 1 : 0}`).join('\n');
+	const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((each) => `f ${each}`).join('\n');
+	await drop(page, 'post.txt', Buffer.from(`${post}\n${faces}\n`));
+	await measured(page, /^post\.txt: 8 vertices, 12 triangles/);
+	assert.equal(await model.evaluate((list) => list.selectedOptions[0].textContent), 'post.txt');
+	assert.equal(await height(), 0.25, 'it lies');
+	await page.getByLabel('Up', { exact: true }).selectOption('y');
+	await page.waitForFunction(() => Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 2)) === 4);
+	await measured(page, /^post\.txt: 8/);
+	assert.ok(await page.evaluate(() => globalThis.playground.found.rows.every(({ runs }) => runs >= 3)), 'times of several runs');
+	await drop(page, 'cloud.obj', Buffer.from(`${post}\n`));
+	await measured(page, /^cloud\.obj: 8 vertices, 0 triangles/);
+	assert.equal(await page.getByLabel('Up', { exact: true }).inputValue(), 'z', 'the next one stands as it is');
+	const drawn = await page.evaluate(() => {
+		const { scene, actors } = globalThis.playground.stage;
+		return [scene.children.filter(({ isPoints }) => isPoints).length, actors.children.length];
+	});
+	assert.deepEqual(drawn, [1, 0], 'points, and no mesh');
+	await model.selectOption({ label: 'post.txt' });
+	await measured(page, /^post\.txt: 8 vertices, 12/);
+	// two files of other kinds, under names that say nothing
+	const stl = Buffer.alloc(84 + 50);
+	stl.writeUInt32LE(1, 80);
+	[0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0].forEach((value, i) => stl.writeFloatLE(value, 84 + 4 * i));
+	await drop(page, 'part', stl);
+	await measured(page, /^part: 3 vertices, 1 triangles/);
+	const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 3, 0]).buffer).toString('base64');
+	await drop(page, 'scene', Buffer.from(JSON.stringify({
+		asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 3, 0] }],
+		bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${corners}` }],
+	})));
+	await measured(page, /^scene: 3 vertices, 1 triangles/);
+	assert.equal(await height(), 3, 'glTF is y up');
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('Inspect: no column of its table is cut off', async () => {
+	const { page, context } = await open(site, 'inspect', { viewport: { width: 1366, height: 768 } });
+	for (const [name, text] of [['cube', 'Cube'], ['sphere', 'Sphere'], ['tree', 'Tree']]) {
+		await page.getByLabel('Model', { exact: true }).selectOption(name);
+		await measured(page, new RegExp(`^${text}: `));
+		for (const width of [390, 961, 1366]) {
+			await page.setViewportSize({ width, height: 768 });
+			assert.equal(await page.evaluate(cutOff), 0, `${name}, ${width}`);
+		}
+	}
+	await context.close();
+});
+
+test('Compare: the verdicts are in sight while every slider moves', async () => {
+	const { page, context, said } = await open(site, 'compare', { viewport: { width: 1366, height: 768 } });
+	let moved = 0;
+	for (const agent of ['Agent A', 'Agent B']) {
+		await page.getByText(agent).click();
+		for (const slider of await page.locator('.pair input[type=range]:visible').all()) {
+			await slider.focus();
+			await page.keyboard.press('ArrowRight');
+			moved++;
+			const hidden = await page.evaluate(() => [...document.querySelectorAll('.verdict strong')].filter((each) => {
+				const box = each.getBoundingClientRect();
+				const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+				return !each.closest('.verdict').contains(at);
+			}).length);
+			assert.equal(hidden, 0, `${agent}, slider ${moved}`);
+		}
+	}
+	assert.ok(moved >= 14, `${moved} sliders`);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('Compare: of the exact system the triangles are drawn', async () => {
+	const { page, context } = await open(site, 'compare');
+	await page.locator('.verdict', { hasText: 'Exact' }).click();
+	const { drawn, edges } = await page.evaluate(() => {
+		const { agents, models, stage } = globalThis.playground;
+		const lines = stage.scene.children.find(({ isLineSegments, geometry }) => isLineSegments && geometry.drawRange.count < Infinity);
+		const all = agents.map(({ shape }) => {
+			const { triangles } = models.get(shape);
+			const found = new Set();
+			for (let i = 0; i < triangles.length; i++) {
+				const [a, b] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]];
+				found.add(a < b ? `${a} ${b}` : `${b} ${a}`);
+			}
+			return found.size;
+		});
+		return { drawn: lines.geometry.drawRange.count / 2, edges: all[0] + all[1] };
+	});
+	assert.equal(drawn, edges);
+	await context.close();
+});
+
+test('a near miss that stands still is coloured as the chosen system sees it, and tests are counted', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await page.getByLabel('Program', { exact: true }).selectOption('wing');
+	await page.getByRole('button', { name: 'Step', exact: true }).click();
+	const seen = () => page.evaluate(() => {
+		const { world, figures } = globalThis.playground;
+		return { isRed: world.agents.find(({ breed }) => breed === 'turtles').color === 0xe5484d, tests: Number(figures.tests.textContent) };
+	});
+	for (const [system, isRed] of [['hierarchies', false], ['tightest fits', true], ['exact', false], ['unit spheres', true]]) {
+		await page.getByLabel('Collision system').selectOption(system);
+		assert.deepEqual(await seen(), { isRed, tests: 1 }, system);
+	}
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a link is no longer than need be, and opens the same program', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await page.getByRole('button', { name: 'Copy a link' }).click();
+	await page.waitForFunction(() => location.hash.length > 20);
+	const link = new URL(page.url()).hash.slice(1);
+	const text = await page.evaluate(() => JSON.stringify(globalThis.playground.editor.program));
+	const bare = JSON.stringify(JSON.parse(text), (key, value) => (key === 'id' ? undefined : value));
+	assert.ok(link.length < 1.1 * (deflateRawSync(bare).length * 4) / 3, `${link.length} characters`);
+	await context.close();
+	const other = await open(site, link);
+	const same = await other.page.evaluate(() => JSON.stringify(globalThis.playground.editor.program));
+	assert.equal(JSON.stringify(JSON.parse(same), withoutIds), JSON.stringify(JSON.parse(text), withoutIds));
+	assert.deepEqual([...said, ...other.said], []);
+	await other.context.close();
+});
+
+/** Leaves out the ids, which Blockly makes anew, and what is behind the point of places in the editor. */
+function withoutIds(key, value) {
+	return key === 'id' ? undefined : key === 'x' || key === 'y' ? Math.round(value) : value;
+}
 
 test('without WebGL the page says so, and the rest works', async () => {
 	const { page, context } = await open({ ...site, browser: {

@@ -28,7 +28,7 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
  * @param {object} model
  * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
  * @param {() => boolean} isWanted whether it goes on
- * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number}>}
+ * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number, greatLand: object}>}
  * @throws {Error} the engine's own, if a setting is not possible
  */
 export async function measure(model, settings, isWanted) {
@@ -44,13 +44,12 @@ export async function measure(model, settings, isWanted) {
 		await breath();
 		if (!isWanted()) return null;
 	}
-	const { hierarchies, boundingStructures } = greatLand;
-	const { ms: hierarchyMs } = timed(() => hierarchies.add(model.name, model.vertices, model.triangles));
-	boundingStructures.add(model.name, model.vertices);
-	const chosen = boundingStructures.tightestFit(model.name);
+	const { ms: hierarchyMs } = timed(() => greatLand.hierarchies.add(model.name, model.vertices, model.triangles));
+	greatLand.addModel(model);
+	const chosen = greatLand.boundingStructures.tightestFit(model.name);
 	const compared = rows.filter(({ name }) => COMPARED.includes(name));
 	const tightest = compared.reduce((best, row) => (row.structure.kind === chosen.kind && best?.structure.kind !== chosen.kind ? row : best), null);
-	return { rows, chosen: tightest.name, root: hierarchies.root(model.name), hierarchyMs, volume: volumeOf(model) };
+	return { rows, chosen: tightest.name, root: greatLand.hierarchies.root(model.name), greatLand, hierarchyMs, volume: volumeOf(model) };
 }
 
 const FEWEST_RUNS = 3;

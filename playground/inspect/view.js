@@ -7,11 +7,12 @@ import { MODELS } from "../shared/names.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { texts } from "../texts.js";
 import { depthOf, measure, nodesAt } from "./measure.js";
+import { Questions } from "./questions.js";
 
 const words = texts.inspect;
 const FIRST = "bear";
-const LINES = 0xff8a00;
-const LEVEL_LINES = 0x12a594;
+const LINES = { color: 0xff8a00 };
+const LEVEL_LINES = { color: 0x12a594 };
 const MODEL_COLOUR = 0x8fa6c8;
 
 export async function createView(main) {
@@ -36,13 +37,26 @@ class InspectView {
 		this.up = choice(Object.entries(words.ups), "z", () => this.loaded && this.#show());
 		this.status = h("p.status", { role: "status" });
 		this.results = h("div.results");
+		this.structures = h("div.sheets", {}, this.results, this.#settingsForm());
 		main.replaceChildren(
 			h("section.picture", { "aria-label": words.picture },
 				h("div.tools", {}, field(words.model, this.models), field(words.up, this.up), fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
 				this.status, h("div.screen", {}, this.worldHost)),
-			h("section.facts", { "aria-label": words.structures }, this.results, this.#settingsForm()));
+			h("section.facts", { "aria-label": words.structures }, this.#modes(), this.structures));
 		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
 		orbitByKeys(this.stage, this.worldHost);
+		this.questions = new Questions(this.stage);
+		main.querySelector(".facts").append(this.questions.element);
+	}
+
+	/** Either the structures around the model are shown, or questions are asked. */
+	#modes() {
+		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
+			h("input", { type: "radio", name: "mode", value: name, checked: name === "structures", onchange: () => {
+				this.structures.hidden = name === "questions";
+				this.questions.element.hidden = !this.structures.hidden;
+				this.#showModel();
+			} }), text)));
 	}
 
 	#settingsForm() {
@@ -97,12 +111,24 @@ class InspectView {
 	async #show() {
 		this.model = withUp(this.loaded, this.up.value);
 		this.#shown = null;
-		const agent = new Agent(this.model.name);
-		agent.color = MODEL_COLOUR;
-		this.stage.showAgents([agent], new Map([[this.model.name, this.model]]));
-		const height = this.model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
-		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
+		this.found = null;
+		this.#showModel();
 		await this.#measure();
+	}
+
+	/** The model alone, and what is chosen of what is around it; or all that questions are about, once it is measured. */
+	#showModel() {
+		const { model } = this;
+		if (!model) return;
+		this.questions.close();
+		const agent = new Agent(model.name);
+		agent.color = MODEL_COLOUR;
+		this.stage.showAgents([agent], new Map([[model.name, model]]));
+		const height = model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
+		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
+		this.stage.clearLines("structure", "level");
+		if (this.found && this.structures.hidden) this.questions.open(model, this.found.greatLand);
+		else if (this.found) this.#drawLines();
 	}
 
 	async #measure() {
@@ -119,6 +145,7 @@ class InspectView {
 			this.found = found;
 			this.#shown ??= found.chosen;
 			this.#tell();
+			if (this.structures.hidden) this.#showModel();
 			say(words.vertices(title, model.vertices.length / 3, (model.triangles?.length ?? 0) / 3));
 		} catch (error) {
 			if (turn === this.#measured) say(words.wrongSetting + error.message, true);

@@ -11,17 +11,25 @@ export class Lab extends Stage {
 	#clouds = [];
 
 	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. */
-	wireframe(name, color, isOnTop = false) {
+	wireframe(name, { color, opacity = 1, isOnTop = false }) {
 		if (!this.#wireframes.has(name)) {
-			const made = new ThreeWireframe({ color, up: "z" });
-			made.material.depthTest = !isOnTop;
+			const made = new ThreeWireframe({ up: "z" });
 			// what comes later is over what is there
 			made.renderOrder = isOnTop ? 1 : 0;
 			this.#wireframes.set(name, made);
 			this.scene?.add(made);
 		}
+		const wireframe = this.#wireframes.get(name);
+		wireframe.material.color.set(color);
+		Object.assign(wireframe.material, { opacity, transparent: opacity < 1, depthTest: !isOnTop });
 		this.redraw();
-		return this.#wireframes.get(name).clearLines();
+		return wireframe.clearLines();
+	}
+
+	/** Leaves nothing in the wireframes of some names. */
+	clearLines(...names) {
+		for (const name of names) this.#wireframes.get(name)?.clearLines();
+		this.redraw();
 	}
 
 	showAgents(agents, models) {

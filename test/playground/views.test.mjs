@@ -175,6 +175,64 @@ test('Inspect: settings change what is found', async () => {
 	await context.close();
 });
 
+test('Inspect: rays, nearest agents, distances and contacts by the pointer', async () => {
+	const { page, context, said } = await open(site, 'inspect');
+	await page.getByLabel('Model', { exact: true }).selectOption('cube');
+	await measured(page, /^Cube: /);
+	await page.getByLabel('Questions', { exact: true }).check();
+	const answer = (name) => page.textContent(`.answers .${name} dd`);
+	const numbers = async (name) => (await answer(name)).match(/-?\d+\.\d+/g).map(Number);
+	const near = (found, expected, room) => expected.forEach((each, i) => assert.ok(Math.abs(found[i] - each) <= room, `${found} for ${expected}`));
+	await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
+	await page.getByLabel('Seen by').selectOption('tightest fits');
+	// a ball of radius 0.3 beside an edge of the cube
+	const angle = -Math.PI / 6;
+	near(await numbers('meeting'), [Math.hypot(1.2 * Math.cos(angle) - 0.5, 1.2 * Math.sin(angle) + 0.5) - 0.3], 0.0006);
+	const pixel = (x, y, z) => page.evaluate((at) => {
+		const { camera, canvas } = globalThis.playground.stage;
+		const point = camera.position.clone().set(...at).project(camera);
+		const box = canvas.getBoundingClientRect();
+		return [box.left + ((point.x + 1) / 2) * box.width, box.top + ((1 - point.y) / 2) * box.height];
+	}, [x, y, z]);
+	await page.mouse.move(...await pixel(0.1, 0.2, 1));
+	assert.match(await answer('ray'), /^meets Cube after/);
+	const [, ...place] = await numbers('ray');
+	near(place, [0.1, 0.2, 1, 0, 0, 1], 0.02);
+	const eye = await page.evaluate(() => globalThis.playground.stage.camera.position.toArray());
+	near(await numbers('ray'), [Math.hypot(eye[0] - 0.1, eye[1] - 0.2, eye[2] - 1)], 0.02);
+	const [x, y] = [1.2 * Math.cos(angle), 1.2 * Math.sin(angle)];
+	await page.mouse.move(...await pixel(x, y - 0.7, 0));
+	assert.match(await answer('ray'), /^meets nothing$/);
+	assert.match(await answer('nearest'), /^Sphere 1, /);
+	near(await numbers('nearest'), [0.7, x, y - 0.7, 0], 0.02);
+	await page.mouse.move(...await pixel(x, y, 0.3));
+	assert.match(await answer('ray'), /^meets Sphere 1/);
+	await page.mouse.click(...await pixel(x, y, 0.3));
+	await page.mouse.move(...await pixel(x, y - 0.7, 0));
+	assert.match(await answer('ray'), /^meets Sphere 1.*\(kept\)$/, 'a click keeps it');
+	await page.mouse.click(...await pixel(x, y - 0.7, 0));
+	await page.mouse.move(...await pixel(x, y, 0));
+	await page.mouse.down();
+	await page.mouse.move(...await pixel(0.45, 0.1, 0), { steps: 3 });
+	await page.mouse.up();
+	assert.match(await answer('meeting'), /^Sphere 1, Cube: They touch at/);
+	const { agents: [, ball], drawn } = await page.evaluate(() => {
+		const { stage, questions: { sight: { agents } } } = globalThis.playground;
+		return { agents: agents.map((agent) => ({ x: agent.x, y: agent.y })), drawn: stage.scene.children.filter(({ isLineSegments, geometry }) => isLineSegments && geometry.drawRange.count === 8).length };
+	});
+	near([ball.x, ball.y], [0.45, 0.1], 0.03);
+	assert.equal(drawn, 1, 'the contact: a cross and its normal');
+	// the box's face that is nearest is that of x = 0.5
+	near((await numbers('meeting')).slice(3), [0.5 - ball.x + 0.3, 1, 0, 0], 0.02);
+	await page.locator('.world').focus();
+	await page.keyboard.press('Enter');
+	assert.match(await answer('ray'), /\(kept\)$/, 'the keyboard asks');
+	await page.getByLabel('Structures', { exact: true }).check();
+	assert.equal(await page.evaluate(() => globalThis.playground.stage.actors.children.length), 1);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
 test('Compare: the counts are those of the engine\'s own test', async () => {
 	const { page, context, said } = await open(site, 'compare');
 	const table = async () => Object.fromEntries(await page.locator('tr[data-system]').evaluateAll((rows) => rows.map((row) => [

@@ -36,7 +36,7 @@ export class Questions {
 		this.traits = h("div", {});
 		this.element = h("div.sheets", { hidden: true },
 			h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how),
-				h("dl.answers", { role: "status" }, ...Object.entries(words.answers).map(([name, text]) => h("div", { class: name }, h("dt", {}, text), this.answers[name])))),
+				h("div", { role: "status" }, h("dl.answers", {}, ...Object.entries(words.answers).map(([name, text]) => h("div", { class: name }, h("dt", {}, text), this.answers[name]))))),
 			h("div.card", {}, h("h2", {}, words.scene),
 				field(words.system, choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.#system, (name) => {
 					this.#system = name;

@@ -63,7 +63,7 @@ class PlayView {
 		this.allStructures = false;
 		const names = [["own", words.own], ...Object.entries(words.examples)];
 		this.programs = choice(names, this.#name, (name) => this.#choose(name));
-		this.blocksHost = h("div.blocks", { role: "region", "aria-label": words.blocks });
+		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocks });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.figures = Object.fromEntries(Object.keys(words.panel).map((name) => [name, h("dd", {}, "–")]));
 		const panel = h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text))));

@@ -17,7 +17,7 @@ export const texts = {
 	},
 	systemNotes: {
 		"unit spheres": "a sphere of its size",
-		"tightest fits": "a sphere, box or capsule",
+		"tightest fits": "sphere, box or capsule",
 		hierarchies: "a tree of boxes",
 		combination: "a tree for A, a fit for B",
 		exact: "the triangles",
@@ -45,7 +45,7 @@ export const texts = {
 		volume: "Volume",
 		emptier: "× model",
 		emptierNote: (volume) => `Volumes in cubed patches. The model itself fills ${volume}; “× model” is how many times that a structure holds.`,
-		timeNote: "Times are of warm runs, in the mean.",
+		timeNote: "Times are the middle ones of several warm runs.",
 		openNote: "This model's surface is not closed, so that it has no volume of its own to compare with.",
 		time: "ms",
 		tightest: "tightest",

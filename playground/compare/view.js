@@ -1,6 +1,6 @@
 /** Compare: what each collision system says of two agents, and of a game of many. */
 import { Agent, CollisionBlocks, GreatLand } from "starlogo-collision";
-import { button, choice, field, h } from "../shared/dom.js";
+import { button, choice, field, h, isDark, onThemeChange } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
@@ -14,7 +14,8 @@ const words = texts.compare;
 const COLOURS = [0x5b8def, 0xe0a030];
 const HIT_COLOURS = [0x3a63c9, 0xb97a10];
 const GAME_COLOURS = { none: 0xaeb8c6, right: 0x3d9a5f, wrong: 0xf0a020, missed: 0xd8435a };
-const PAIR_COLOURS = { right: 0x0b5c2c, wrong: 0x8a5300, missed: 0x9c0f26 };
+/** Of lines, which stand out from the ground and the agents: by day and by night. */
+const PAIR_COLOURS = { right: [0x0b5c2c, 0xa6f0c0], wrong: [0x8a5300, 0xffe7b0], missed: [0x9c0f26, 0xffc2ca] };
 const AGENTS = 150;
 /** A ball beneath the dragon's wing: the box says yes, and the dragon no. */
 const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0.6, z: 0.1, size: 0.2 }];
@@ -66,6 +67,7 @@ class CompareView {
 			this.sliders[this.agents.indexOf(agent)].update();
 			this.#update();
 		});
+		this.forgetTheme = onThemeChange(() => this.#colour());
 		this.#update();
 		this.#restart();
 	}
@@ -152,13 +154,14 @@ class CompareView {
 		for (const agent of this.game.agents) agent.color = GAME_COLOURS.none;
 		for (const outcome of ["right", "wrong", "missed"]) {
 			for (const agent of pairs[outcome].flat()) agent.color = GAME_COLOURS[outcome];
-			this.gameStage.wireframe(outcome, { color: PAIR_COLOURS[outcome], isOnTop: true }).showLines(pairs[outcome].flatMap((pair) => pair.flatMap(({ x, y, z, size }) => [x, y, z + size / 2])));
+			this.gameStage.wireframe(outcome, { color: PAIR_COLOURS[outcome][isDark() ? 1 : 0], isOnTop: true }).showLines(pairs[outcome].flatMap((pair) => pair.flatMap(({ x, y, z, size }) => [x, y, z + size / 2])));
 		}
 		this.colourNote.textContent = words.colourBy(texts.systems[this.gameSystem]);
 		this.gameStage.showAgents(this.game.agents, this.models);
 	}
 
 	close() {
+		this.forgetTheme();
 		this.stage.close();
 		this.gameStage.close();
 	}

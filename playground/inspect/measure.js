@@ -52,22 +52,30 @@ export async function measure(model, settings, isWanted) {
 	return { rows, chosen: tightest.name, root: greatLand.hierarchies.root(model.name), greatLand, hierarchyMs, volume: volumeOf(model) };
 }
 
-const FEWEST_RUNS = 3;
-const MOST_RUNS = 50;
-const WARM_MS = 20;
+const SAMPLES = 5;
+const FEWEST_SAMPLES = 3;
+const MOST_MS = 100;
+/** The browser's clock is coarse. */
+const SAMPLE_MS = 2;
 
-/** What an action gives, and the mean time of warm runs: the first is not among them, and the clock is too coarse for one alone. */
+/** What an action gives, and its time: the middle one of some samples of warm runs. */
 function timed(action) {
 	const result = action();
-	const start = performance.now();
+	const samples = [];
 	let runs = 0;
-	let ms = 0;
-	while (runs < FEWEST_RUNS || (ms < WARM_MS && runs < MOST_RUNS)) {
-		action();
-		runs++;
-		ms = performance.now() - start;
+	const begin = performance.now();
+	while (samples.length < FEWEST_SAMPLES || (samples.length < SAMPLES && performance.now() - begin < MOST_MS)) {
+		const start = performance.now();
+		let [count, ms] = [0, 0];
+		while (ms < SAMPLE_MS) {
+			action();
+			count++;
+			ms = performance.now() - start;
+		}
+		samples.push(ms / count);
+		runs += count;
 	}
-	return { result, runs, ms: ms / runs };
+	return { result, runs, ms: samples.sort((a, b) => a - b)[samples.length >> 1] };
 }
 
 /** Lets the browser draw. */

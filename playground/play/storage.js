@@ -23,15 +23,9 @@ export function keep(name, program) {
 /** Whether something read from outside may be a program. */
 export const isProgram = (value) => Array.isArray(value?.blocks?.blocks);
 
-/** A program with as few letters as say it: without the ids of blocks, which Blockly makes anew; those of variables are short. */
-function brief(program) {
-	const ids = new Map((program.variables ?? []).map(({ id }, i) => [id, `v${i}`]));
-	return JSON.stringify(program, (key, value) => (key === "id" ? ids.get(value) : typeof value === "number" && (key === "x" || key === "y") ? Math.round(value) : value));
-}
-
 /** A program as text for an address. */
 export async function toLink(program) {
-	const bytes = new Uint8Array(await new Response(new Blob([brief(program)]).stream().pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
+	const bytes = new Uint8Array(await new Response(new Blob([JSON.stringify(program)]).stream().pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
 	const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 	return text.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }

@@ -3,7 +3,6 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
 import { SIZES, begin, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare'];
@@ -480,27 +479,6 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 	assert.deepEqual(said, []);
 	await context.close();
 });
-
-test('a link is no longer than need be, and opens the same program', async () => {
-	const { page, context, said } = await open(site, 'play');
-	await page.getByRole('button', { name: 'Copy a link' }).click();
-	await page.waitForFunction(() => location.hash.length > 20);
-	const link = new URL(page.url()).hash.slice(1);
-	const text = await page.evaluate(() => JSON.stringify(globalThis.playground.editor.program));
-	const bare = JSON.stringify(JSON.parse(text), (key, value) => (key === 'id' ? undefined : value));
-	assert.ok(link.length < 1.1 * (deflateRawSync(bare).length * 4) / 3, `${link.length} characters`);
-	await context.close();
-	const other = await open(site, link);
-	const same = await other.page.evaluate(() => JSON.stringify(globalThis.playground.editor.program));
-	assert.equal(JSON.stringify(JSON.parse(same), withoutIds), JSON.stringify(JSON.parse(text), withoutIds));
-	assert.deepEqual([...said, ...other.said], []);
-	await other.context.close();
-});
-
-/** Leaves out the ids, which Blockly makes anew, and what is behind the point of places in the editor. */
-function withoutIds(key, value) {
-	return key === 'id' ? undefined : key === 'x' || key === 'y' ? Math.round(value) : value;
-}
 
 test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
 	const { page, context } = await open(site, 'compare');

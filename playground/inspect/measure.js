@@ -54,7 +54,7 @@ export async function measure(model, settings, isWanted) {
 
 const SAMPLES = 5;
 const FEWEST_SAMPLES = 3;
-const MOST_MS = 100;
+const MOST_MS = 50;
 /** The browser's clock is coarse. */
 const SAMPLE_MS = 2;
 

@@ -3,6 +3,7 @@ package starlogo.fitting
     import flash.geom.Matrix3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
@@ -32,6 +33,7 @@ package starlogo.fitting
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
+        private var _rotation:Placement = new Placement();
         private var _matrix:Matrix3D = new Matrix3D();
         private var _raw:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -118,7 +120,10 @@ package starlogo.fitting
         /** The smallest box of the rotations tried so far, around all vertices. */
         public function smallestBox(session:FitSession):Box
         {
-            return EnclosingStructures.box(session.vertices, axesOf(_bestX, _bestY, _bestZ));
+            var axes:Vector.<Number> = new Vector.<Number>(9);
+            _rotation.setRotation(_bestZ, _bestY, _bestX);
+            _rotation.writeRotation(axes, 0);
+            return EnclosingStructures.box(session.vertices, axes);
         }
 
         private function prepare():void
@@ -148,31 +153,11 @@ package starlogo.fitting
             return _aboutX < 90;
         }
 
-        // The rows of Rz Ry Rx.
-        private static function axesOf(aboutX:Number, aboutY:Number, aboutZ:Number):Vector.<Number>
-        {
-            var cosX:Number = Trigonometry.cosine(aboutX);
-            var sinX:Number = Trigonometry.sine(aboutX);
-            var cosY:Number = Trigonometry.cosine(aboutY);
-            var sinY:Number = Trigonometry.sine(aboutY);
-            var cosZ:Number = Trigonometry.cosine(aboutZ);
-            var sinZ:Number = Trigonometry.sine(aboutZ);
-            return new <Number>[cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
-                    sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
-                    -sinY, cosY * sinX, cosY * cosX];
-        }
-
-        // Turns the hull about x, then about y. The matrix holds the rows of Ry Rx column by column.
+        // Turns the hull about x, then about y.
         private function turn(aboutX:Number, aboutY:Number):void
         {
-            var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
-            for (var row:int = 0; row < 3; row++)
-            {
-                for (var column:int = 0; column < 3; column++)
-                {
-                    _raw[4 * column + row] = rows[3 * row + column];
-                }
-            }
+            _rotation.setRotation(0, aboutY, aboutX);
+            _rotation.writeMatrix(_raw);
             _matrix.copyRawDataFrom(_raw);
             transform(_matrix, _hull.points, _turned);
         }

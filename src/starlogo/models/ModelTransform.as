@@ -1,7 +1,7 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
-    import starlogo.geometry.Trigonometry;
+    import starlogo.geometry.Placement;
 
     /**
      * How a model is turned, scaled and moved before it is used: what the StarLogo Nova client's transform files say (<code>bear.slb</code>
@@ -110,16 +110,11 @@ package starlogo.models
          */
         internal function rotationRows():Vector.<Number>
         {
-            var cosX:Number = Trigonometry.cosine(_rotation.x);
-            var cosY:Number = Trigonometry.cosine(_rotation.y);
-            var cosZ:Number = Trigonometry.cosine(_rotation.z);
-            var sinX:Number = Trigonometry.sine(_rotation.x);
-            var sinY:Number = Trigonometry.sine(_rotation.y);
-            var sinZ:Number = Trigonometry.sine(_rotation.z);
-            return new <Number>[
-                    cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
-                    sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
-                    -sinY, cosY * sinX, cosY * cosX];
+            var rows:Vector.<Number> = new Vector.<Number>(9);
+            var turned:Placement = new Placement();
+            turned.setRotation(_rotation.z, _rotation.y, _rotation.x);
+            turned.writeRotation(rows, 0);
+            return rows;
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

@@ -9,10 +9,15 @@ const READERS = { obj: ObjModel, dae: ColladaModel, zae: ColladaModel, glb: Gltf
 
 const loaded = new Map();
 
-/** A model by its name; loaded once. */
+/** A model by its name; loaded once. Its `colours` are of its triangles, in their order: how many of one, and that. */
 export function loadModel(name) {
-	if (!loaded.has(name)) loaded.set(name, read(name));
+	if (!loaded.has(name)) loaded.set(name, read(name).then(async (model) => Object.assign(model, { colours: MADE[name]?.colours ?? (await colours())[name] })));
 	return loaded.get(name);
+}
+
+async function colours() {
+	if (!loaded.has(colours)) loaded.set(colours, fetch("models/colours.json").then((response) => (response.ok ? response.json() : {})));
+	return loaded.get(colours);
 }
 
 async function read(name) {

@@ -44,7 +44,7 @@ export class ScatteredGame {
 const wrapped = (coordinate) => (coordinate > HALF_WIDTH ? coordinate - 2 * HALF_WIDTH : coordinate < -HALF_WIDTH ? coordinate + 2 * HALF_WIDTH : coordinate);
 
 /** The pairs that a system finds, as a map from a key to the two. */
-function pairsOf(system, agents) {
+export function pairsOf(system, agents) {
 	const found = system.findCollisions(agents);
 	const pairs = new Map();
 	for (let i = 0; i < found.length; i += 2) {

@@ -1,5 +1,7 @@
 /** The programs that the playground brings, in Blockly's notation. */
 
+import { texts } from "../texts.js";
+
 const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
 const colour = (name) => ({ block: { type: "starlogo_pick", fields: { COLOUR: name } } });
 const numbers = (from, to) => ({ block: { type: "math_random_int", inputs: { FROM: number(from), TO: number(to) } } });
@@ -27,30 +29,44 @@ const remove = (WHO) => ({ type: "starlogo_delete", fields: { WHO } });
 
 const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });
 
-const hit = (breed) => touch("paintballs", breed, paint("collidee", { block: { type: "starlogo_colour_of", fields: { WHO: "me" } } }), remove("me"));
+/** A script that shows its first line only. */
+const folded = (script) => ({ ...script, collapsed: true });
+const field = (type, fields) => ({ block: { type, fields } });
+const along = (steps, BREED) => ({ type: "starlogo_until", fields: { HOW: "slide", BREED }, inputs: { STEPS: number(steps) } });
+const compare = (OP, A, B) => ({ block: { type: "logic_compare", fields: { OP }, inputs: { A, B } } });
+const when = (condition, ...blocks) => ({ type: "controls_if", inputs: { IF0: condition, DO0: inside(...blocks) } });
+const score = (value) => ({ type: "starlogo_score_set", inputs: { SCORE: value } });
+const end = (HOW, TEXT) => ({ type: "starlogo_end", fields: { HOW, TEXT } });
+const goal = (TEXT) => ({ type: "starlogo_goal", fields: { TEXT } });
+
+const splash = [paint("collidee", { block: { type: "starlogo_colour_of", fields: { WHO: "me" } } }), remove("me")];
+const TURTLES = 10;
+const unpainted = { block: { type: "starlogo_number_of", fields: { BREED: "turtles" }, inputs: { COLOUR: colour("own") } } };
+const words = texts.programs;
 
 const paintball = program(
-	start(
-		create(1, "bears", "bear", paint("me", colour("brown")), size(1.4), heading(0)),
-		create(10, "turtles", "turtle", scatter, paint("me", colour("green")), size(1.5)),
-		create(6, "seagulls", "seagull", scatter, up(0.8), paint("me", colour("white")), size(1.8)),
-		create(5, "walls", "wall", scatter, paint("me", colour("grey")), size(4)),
-	),
-	key("up", "held", "bears", move(0.12)),
-	key("down", "held", "bears", move(-0.08)),
-	key("left", "held", "bears", turn("left", number(3))),
-	key("right", "held", "bears", turn("right", number(3))),
-	key("space", "pressed", "bears", { type: "starlogo_hatch", fields: { BREED: "paintballs", SHAPE: "sphere" }, inputs: { DO: inside(size(0.3), up(0.5), move(0.9), paint("me", { block: { type: "starlogo_any_colour" } })) } }),
-	each("paintballs", move(0.25), {
-		type: "controls_if",
-		inputs: { IF0: { block: { type: "logic_compare", fields: { OP: "GT" }, inputs: { A: { block: { type: "starlogo_trait", fields: { TRAIT: "age" } } }, B: number(1.5) } } }, DO0: inside(remove("me")) },
-	}),
+	key("space", "pressed", "bears", { type: "starlogo_hatch", fields: { BREED: "paintballs", SHAPE: "sphere" }, inputs: { DO: inside(paint("me", { block: { type: "starlogo_any_colour" } }), size(0.4), up(0.8), move(1)) } }),
+	touch("paintballs", "turtles", ...splash),
+	each("bears",
+		score({ block: { type: "math_arithmetic", fields: { OP: "MINUS" }, inputs: { A: number(TURTLES), B: unpainted } } }),
+		when(compare("EQ", unpainted, number(0)), end("won", words.allPainted))),
 	each("turtles", move(0.02), turn("left", numbers(-4, 4))),
-	each("seagulls", move(0.05), turn("right", number(1))),
-	hit("turtles"),
-	hit("seagulls"),
-	hit("walls"),
-	{ type: "starlogo_collision", fields: { BREED: "bears", OTHER: "walls" }, inputs: { DO: inside({ type: "starlogo_back" }) } },
+	folded(start(
+		goal(words.paintball),
+		create(1, "bears", "bear", size(1.4), heading(0)),
+		create(TURTLES, "turtles", "turtle", scatter, size(1.6)),
+		create(6, "seagulls", "seagull", scatter, up(1.6), size(1.8)),
+		create(5, "walls", "wall", scatter, size(4)),
+	)),
+	folded(key("up", "held", "bears", along(0.12, "walls"))),
+	folded(key("down", "held", "bears", along(-0.08, "walls"))),
+	folded(key("left", "held", "bears", turn("left", number(3)))),
+	folded(key("right", "held", "bears", turn("right", number(3)))),
+	folded(each("paintballs", move(0.25), when(compare("GT", field("starlogo_trait", { TRAIT: "age" }), number(1.5)), remove("me")))),
+	folded(each("seagulls", move(0.05), turn("right", number(1)))),
+	folded(touch("paintballs", "seagulls", ...splash)),
+	folded(touch("paintballs", "walls", ...splash)),
+	folded({ type: "starlogo_collision", fields: { BREED: "turtles", OTHER: "walls" }, inputs: { DO: inside({ type: "starlogo_bounce" }) } }),
 );
 
 /** One that stands still, and a ball beside it; who is touched turns red. */

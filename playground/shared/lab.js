@@ -1,36 +1,12 @@
-/** A stage for a closer look: what has no triangles is drawn as points, and wireframes have names. */
+/** A stage for a closer look: what has no triangles is drawn as points. */
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
-import { ThreeWireframe } from "starlogo-collision/three";
 import { Stage } from "./stage.js";
 
 const POINT_SIZE = 0.025;
 const edges = new WeakMap();
 
 export class Lab extends Stage {
-	#wireframes = new Map();
 	#clouds = [];
-
-	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. */
-	wireframe(name, { color, opacity = 1, isOnTop = false }) {
-		if (!this.#wireframes.has(name)) {
-			const made = new ThreeWireframe({ up: "z" });
-			// what comes later is over what is there
-			made.renderOrder = isOnTop ? 1 : 0;
-			this.#wireframes.set(name, made);
-			this.scene?.add(made);
-		}
-		const wireframe = this.#wireframes.get(name);
-		wireframe.material.color.set(color);
-		Object.assign(wireframe.material, { opacity, transparent: opacity < 1, depthTest: !isOnTop });
-		this.redraw();
-		return wireframe.clearLines();
-	}
-
-	/** Leaves nothing in the wireframes of some names. */
-	clearLines(...names) {
-		for (const name of names) this.#wireframes.get(name)?.clearLines();
-		this.redraw();
-	}
 
 	showAgents(agents, models) {
 		const isCloud = ({ shape }) => !models.get(shape).triangles;
@@ -56,7 +32,6 @@ export class Lab extends Stage {
 
 	close() {
 		this.#forgetClouds();
-		for (const wireframe of this.#wireframes.values()) wireframe.dispose();
 		super.close();
 	}
 }

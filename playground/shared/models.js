@@ -8,14 +8,22 @@ const MADE = { turtle, wall };
 
 const loaded = new Map();
 
-/** A model by its name; loaded once, and again only if that failed. */
+/**
+ * A model by its name; loaded once, and again only if that failed. Its `colours` are of its triangles, in their order: how many of one, and
+ * that.
+ */
 export function loadModel(name) {
 	if (!loaded.has(name)) {
-		const model = read(name);
+		const model = read(name).then(async (each) => Object.assign(each, { colours: MADE[name]?.colours ?? (await colours())[name] }));
 		loaded.set(name, model);
 		model.catch(() => loaded.delete(name));
 	}
 	return loaded.get(name);
+}
+
+async function colours() {
+	if (!loaded.has(colours)) loaded.set(colours, fetch("models/colours.json").then((response) => (response.ok ? response.json() : {})));
+	return loaded.get(colours);
 }
 
 async function read(name) {

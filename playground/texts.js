@@ -274,6 +274,23 @@ export const texts = {
 		starlogo_any_colour: "a random colour",
 		starlogo_colour_of: "colour of %1",
 	},
+	lessons: {
+		lesson: (number, of) => `Lesson ${number} of ${of}`,
+		challenge: "Your turn:", done: "Done!", next: "Next", previous: "Back", leave: "Close", begin: "Lessons", all: "All ten lessons are done.",
+		list: {
+			blocks: { title: "Blocks make turtles move", text: "Every frame, 60 times a second, a script runs for each turtle. Now they only turn.", challenge: "Make all of them walk more than two squares." },
+			helmet: { title: "Why is the helmet missed?", text: "The ball touches the helmet. But for “unit spheres” everyone is a ball as wide as it is. Tick “What the engine sees”.", challenge: "Choose a collision system that finds the touch." },
+			wing: { title: "A wing is not a box", text: "The tightest box around a dragon is full of air, and the ball is in it: a false collision.", challenge: "Choose a system for which they do not touch." },
+			main: { title: "Precise where it matters", text: "Trees of boxes take time. The combination uses them for agents that are hierarchical, and simple structures for the others.", challenge: "Keep the combination. Make the dragon, and only it, exact enough with “set hierarchical”." },
+			fast: { title: "Too fast to hit", text: "This ball goes three squares in each frame. Before the wall it does not touch it, nor behind.", challenge: "Let it hit the wall as fast as it is: it has to collide along the way." },
+			starts: { title: "Once, or in every frame?", text: "“on collision” runs in every frame in which two touch. The turtle meets three walls: see what the score makes of it.", challenge: "Make the score count walls, not frames." },
+			room: { title: "A room", text: "The bear walks through walls: touching something stops nobody by itself.", challenge: "Keep it walking inside of the room for ten seconds." },
+			near: { title: "Who is near?", text: "Agents can ask about others: how many, how far, who is nearest.", challenge: "Let the bear say, in every frame, how many turtles are within 5." },
+			see: { title: "What do I see?", text: "A wall between two hides them from each other.", challenge: "Let the bear say whether it can see the turtle, before and behind the wall." },
+			hunt: { title: "The hunt", text: "All together now: look for the nearest turtle, turn, go, touch.", challenge: "Catch all eight turtles within 30 seconds." },
+		},
+	},
+	gallery: { title: "Programs", open: "Gallery", rename: (name) => `Rename ${name}`, name: "Name", remove: (name) => `Delete ${name}`, removed: (name) => `“${name}” is deleted.`, own: "Yours", none: "What you change is kept here.", lessons: "Lessons", close: "Close" },
 	programs: {
 		paintball: "Paint all ten turtles: walk and turn with the arrow keys, throw with the space bar.",
 		allPainted: "All ten turtles are painted!",

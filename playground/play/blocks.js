@@ -47,7 +47,7 @@ const breed = (name, kind = name) => menu(name, kind);
 const anyone = menu("BREED", "OTHER");
 const text = (value) => ({ type: "field_input", name: "TEXT", text: value });
 const AGENT = { type: "input_value", name: "AGENT", check: "Agent" };
-const COLOUR = { type: "input_value", name: "COLOUR", check: "Colour" };
+const COLOUR = { type: "input_value", name: "COLOUR", check: ["Colour", "Number"] };
 const input = (name) => ({ type: "input_value", name, check: "Number" });
 
 const STYLES = { event: "event_blocks", collision: "collision_blocks", movement: "movement_blocks", agent: "agent_blocks", look: "look_blocks", sense: "sense_blocks", game: "game_blocks", logic: "logic_blocks", math: "math_blocks", text: "text_blocks", variable: "variable_blocks" };

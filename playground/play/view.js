@@ -225,7 +225,11 @@ class PlayView {
 		if (name !== "link") this.shelf.last = name;
 		this.#listPrograms();
 		this.reset();
-		if (before) this.#say(words.opened(this.#title(name)));
+		if (before) this.#sayOpened();
+	}
+
+	#sayOpened() {
+		if (!this.#broken && this.world.agents.length > 0) this.#say(words.opened(this.#title(this.#name)));
 	}
 
 	/** Takes back what replaced a program. */
@@ -321,6 +325,7 @@ class PlayView {
 			const replaced = this.#replaced;
 			this.#putNew(file.name.replace(/\.json$/i, ""), this.editor.program);
 			this.#replaced = replaced ?? { program: EXAMPLES[before], name: before };
+			this.#sayOpened();
 			if (!this.shelf.isKept) this.#say(words.notKept, true);
 		} catch {
 			this.#say(words.brokenProgram, true);

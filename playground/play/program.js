@@ -129,6 +129,27 @@ export function compile(state, world) {
 	});
 }
 
+/**
+ * The keys that a program has scripts for, each with what its first block does.
+ *
+ * @returns {Map<string, string>}
+ */
+export function keysOf(state) {
+	const keys = new Map();
+	for (const { type, fields, inputs } of state?.blocks?.blocks ?? []) {
+		const first = inputs?.DO?.block;
+		if (type === "starlogo_key" && first) keys.set(fields.KEY, doing(first));
+	}
+	return keys;
+}
+
+/** What a block does in a word or two. */
+function doing({ type, fields, inputs }) {
+	if (inputs?.STEPS?.shadow?.fields.NUM < 0) return texts.blocks.back;
+	const word = texts.blocks[type].split(" ")[0];
+	return fields?.DIRECTION ? `${word} ${texts.blocks.directions[fields.DIRECTION]}` : word;
+}
+
 const EVENTS = {
 	starlogo_start: "start", starlogo_each: "each", starlogo_key: "key", starlogo_timer: "timer", starlogo_click: "click", starlogo_collision: "collision",
 	starlogo_touch_start: "touchStart", starlogo_touch_end: "touchEnd",

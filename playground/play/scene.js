@@ -4,6 +4,7 @@ import { pairsOf } from "../compare/game.js";
 import { button, h } from "../shared/dom.js";
 import { texts } from "../texts.js";
 import { breedName } from "./panel.js";
+import { HALF_WIDTH } from "./world.js";
 
 const words = texts.play;
 const STRUCTURES = { color: 0xc24a00 };
@@ -46,6 +47,21 @@ export class Scene {
 		this.chosen = null;
 	}
 
+	/** Sees the agents of a new program, or all of the ground if they are all over it. */
+	seeAll() {
+		const low = [Infinity, Infinity, 0];
+		const high = [-Infinity, -Infinity, 0];
+		for (const agent of this.world.agents) {
+			[agent.x, agent.y].forEach((at, i) => {
+				low[i] = Math.min(low[i], at - agent.size);
+				high[i] = Math.max(high[i], at + agent.size);
+			});
+			high[2] = Math.max(high[2], agent.z + this.#height(agent));
+		}
+		const width = Math.max(high[0] - low[0], high[1] - low[1]);
+		this.stage.showAll(width > 0 && width < HALF_WIDTH ? [...low, ...high] : null);
+	}
+
 	/** Draws the game as it is. */
 	draw(again) {
 		const { stage, world } = this;
@@ -65,6 +81,14 @@ export class Scene {
 		this.#show(again);
 		this.#inspect();
 		stage.draw();
+	}
+
+	/** A picture of other agents, which are shown until the game is drawn again. */
+	picture(agents, width, height) {
+		this.stage.showAgents(agents, this.models);
+		this.stage.showMarks([], []);
+		for (const name of ["structures", "chosen"]) this.stage.showLines(name, [], STRUCTURES);
+		return this.stage.picture(width, height);
 	}
 
 	#height(agent) {

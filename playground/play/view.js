@@ -7,7 +7,11 @@ import { Stage } from "../shared/stage.js";
 import { texts } from "../texts.js";
 import { Editor } from "./editor.js";
 import { EXAMPLES } from "./examples.js";
+import { openGallery } from "./gallery.js";
+import { LessonCard } from "./lessoncard.js";
+import { LESSONS, LESSON_NAMES } from "./lessons.js";
 import { Panel } from "./panel.js";
+import { keysOf } from "./program.js";
 import { Scene } from "./scene.js";
 import { Shelf, download, fromLink, isProgram, toLink } from "./storage.js";
 import { FRAMES_A_SECOND, HALF_WIDTH, World } from "./world.js";
@@ -15,6 +19,8 @@ import { FRAMES_A_SECOND, HALF_WIDTH, World } from "./world.js";
 const words = texts.play;
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
 const SIGNS = { up: "▲", down: "▼", left: "◀", right: "▶", space: "●" };
+/** The programs that the page brings, by their names; those of lessons begin as addresses do. */
+const BROUGHT = { ...EXAMPLES, ...Object.fromEntries(LESSON_NAMES.map((name) => [`lesson-${name}`, LESSONS[name].program])) };
 /** How many frames may be made up for between two pictures. */
 const MOST_AT_ONCE = 8;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -43,6 +49,8 @@ class PlayView {
 	#replaced = null;
 	/** What another tab has made of the program that is open. */
 	#isTaken = false;
+	/** The lesson that is open, or null. */
+	#lesson = null;
 
 	constructor(main, models, world) {
 		this.models = models;
@@ -78,14 +86,15 @@ class PlayView {
 		this.undoButton = button(words.undo, () => this.#undo(), { hidden: true });
 		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocks });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
-		const pad = h("div.pad", {}, ...Object.entries(words.keys).map(([key, text]) => this.#padKey(key, text)));
-		const keys = h("p.keys", {}, ...Object.entries(words.keys).flatMap(([key, text]) => [h("kbd", {}, words.keysOf[key]), ` ${text.toLowerCase()} `]));
+		this.pad = h("div.pad");
+		this.keys = h("p.keys");
 		this.speed = slider(words.speed, { min: 0, max: SPEEDS.length - 1, step: 1, value: SPEEDS.indexOf(1), format: (i) => words.speeds(SPEEDS[i]) }, (i) => {
 			this.#speed = SPEEDS[i];
 			this.#playOn();
 		});
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (back) => (back > 0 ? words.rewindBack((back / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (back) => this.#goBack(back));
-		this.screen = h("div.screen", {}, this.worldHost, keys, pad);
+		this.screen = h("div.screen", {}, this.worldHost, this.keys, this.pad);
+		this.lessons = new LessonCard((name) => this.#choose(name === null ? "paintball" : `lesson-${name}`));
 		const camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
 			if (name === "all") this.stage.showAll();
@@ -96,11 +105,11 @@ class PlayView {
 		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
 		this.#turnTo("game");
 		main.replaceChildren(
-			h("p.intro", {}, words.intro),
+			this.lessons.element,
 			h("div.controls.game", { role: "group", "aria-label": words.run },
 				this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status),
 			h("section.program", { "aria-label": words.blocks },
-				h("div.tools", {}, field(words.program, this.programs),
+				h("div.tools", {}, field(words.program, this.programs), button(texts.gallery.open, () => this.#openGallery()),
 					button(words.save, () => download(this.editor.program, words.fileName)),
 					fileButton(words.open, ".json,application/json", (file) => this.openFile(file)),
 					button(words.share, () => this.#share()), this.undoButton),
@@ -124,6 +133,14 @@ class PlayView {
 	#turnTo(tab) {
 		this.main.dataset.tab = tab;
 		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
+	}
+
+	/** Shows the keys that a program has scripts for. */
+	#showKeys(program) {
+		const keys = [...keysOf(program)];
+		this.keys.hidden = keys.length === 0;
+		this.keys.replaceChildren(...keys.flatMap(([key, does]) => [h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), ` ${does} `]));
+		this.pad.replaceChildren(...keys.filter(([key]) => key in SIGNS).map(([key, does]) => this.#padKey(key, words.keyName(does))));
 	}
 
 	#padKey(key, text) {
@@ -207,7 +224,7 @@ class PlayView {
 		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
 		try {
 			if (entry && isProgram(entry.program)) this.#show(entry.program, entry.id);
-			else this.#show(EXAMPLES[last] ?? EXAMPLES.paintball, last in EXAMPLES ? last : "paintball");
+			else this.#show(BROUGHT[last] ?? EXAMPLES.paintball, last in BROUGHT ? last : "paintball");
 		} catch {
 			// one of another version
 			this.#show(EXAMPLES.paintball, "paintball");
@@ -217,14 +234,18 @@ class PlayView {
 	/** Shows a program; throws if it is none, and leaves what was there. */
 	#show(program, name) {
 		const before = this.#begun === "" ? null : { program: this.editor.program, name: this.#name };
-		this.editor.show(program, name in EXAMPLES || name === "link");
+		this.editor.show(program, name in BROUGHT || name === "link");
 		this.#replaced = before;
 		this.undoButton.hidden = before === null;
 		this.#name = name;
 		this.#isTaken = false;
+		// what is made of a lesson's program is in the lesson
+		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? null;
+		this.lessons.show(this.#lesson);
 		if (name !== "link") this.shelf.last = name;
 		this.#listPrograms();
 		this.reset();
+		this.scene.seeAll();
 		if (before) this.#sayOpened();
 	}
 
@@ -241,7 +262,51 @@ class PlayView {
 	}
 
 	#title(name) {
-		return words.examples[name] ?? this.shelf.find(name)?.name ?? words.fromLink;
+		return words.examples[name] ?? texts.lessons.list[lessonOf(name)]?.title ?? this.shelf.find(name)?.name ?? words.fromLink;
+	}
+
+	#openGallery() {
+		if (this.#running) this.stop();
+		const own = this.shelf.all.map(({ id, name }) => ({ id, name }));
+		const programOf = (id) => this.shelf.find(id)?.program ?? BROUGHT[id];
+		openGallery([
+			{ title: texts.gallery.own, isOwn: true, entries: own },
+			{ title: words.brought, entries: Object.entries(words.examples).map(([id, name]) => ({ id, name })) },
+			{ title: texts.gallery.lessons, entries: LESSON_NAMES.map((name) => ({ id: `lesson-${name}`, name: texts.lessons.list[name].title, isDone: this.lessons.isDone(name) })) },
+		], {
+			picture: (id) => this.#picture(programOf(id)),
+			open: (id) => this.#choose(id),
+			rename: (id, name) => {
+				this.shelf.put({ id, name });
+				this.#listPrograms();
+			},
+			remove: (id) => this.#remove(id),
+		});
+		this.#draw();
+	}
+
+	/** What a program's game looks like when it begins; null if it cannot. */
+	#picture(program) {
+		const world = new World(this.world.greatLand);
+		try {
+			world.begin(program);
+			world.step();
+		} catch {
+			return null;
+		}
+		return this.scene.picture(world.agents, ...PICTURE);
+	}
+
+	/** Deletes a program of the user's; it can be taken back. */
+	#remove(id) {
+		const entry = this.shelf.find(id);
+		this.shelf.remove(id);
+		if (this.#name === id) this.#choose("paintball");
+		this.#listPrograms();
+		this.#offer(texts.gallery.removed(entry.name), words.undo, () => {
+			this.shelf.put(entry);
+			this.#choose(id);
+		});
 	}
 
 	#listPrograms() {
@@ -249,13 +314,14 @@ class PlayView {
 		this.programs.replaceChildren(
 			...(this.#name === "link" ? [h("option", { value: "link", selected: true }, words.fromLink)] : []),
 			...group(words.own, this.shelf.all.map(({ id, name }) => [id, name])),
-			...group(words.brought, Object.entries(words.examples)));
+			...group(words.brought, Object.entries(words.examples)),
+			...group(texts.gallery.lessons, LESSON_NAMES.map((name) => [`lesson-${name}`, texts.lessons.list[name].title])));
 	}
 
 	#choose(name) {
 		const entry = this.shelf.find(name);
 		try {
-			this.#show(entry?.program ?? EXAMPLES[name], name);
+			this.#show(entry?.program ?? BROUGHT[name], name);
 		} catch {
 			this.#listPrograms();
 			this.#say(words.brokenProgram, true);
@@ -290,7 +356,7 @@ class PlayView {
 		let name = title;
 		for (let number = 2; names.has(name); number++) name = words.another(title, number);
 		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
-		this.shelf.put({ id, name, program, changed: Date.now() });
+		this.shelf.put({ id, name, program, lesson: this.#lesson, changed: Date.now() });
 		this.shelf.last = id;
 		this.#name = id;
 		this.#listPrograms();
@@ -306,7 +372,7 @@ class PlayView {
 	#hearOtherTab() {
 		const entry = this.shelf.find(this.#name);
 		this.#listPrograms();
-		if (this.#isTaken || this.#name in EXAMPLES || this.#name === "link") return;
+		if (this.#isTaken || this.#name in BROUGHT || this.#name === "link") return;
 		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.editor.program)) return;
 		this.#isTaken = true;
 		this.#say(words.elsewhere(entry?.name ?? this.programs.selectedOptions[0]?.textContent ?? ""));
@@ -324,7 +390,7 @@ class PlayView {
 			this.#show(program, "link");
 			const replaced = this.#replaced;
 			this.#putNew(file.name.replace(/\.json$/i, ""), this.editor.program);
-			this.#replaced = replaced ?? { program: EXAMPLES[before], name: before };
+			this.#replaced = replaced ?? { program: BROUGHT[before], name: before };
 			this.#sayOpened();
 			if (!this.shelf.isKept) this.#say(words.notKept, true);
 		} catch {
@@ -352,10 +418,12 @@ class PlayView {
 		this.#say(words.ready);
 		const { program } = this.editor;
 		this.#begun = meaning(program);
+		this.#showKeys(program);
 		this.#attempt(() => this.world.begin(program));
 		if (!this.#broken && this.world.agents.length === 0) this.#say(words.empty);
 		this.panel.forget();
 		this.scene.begin();
+		this.lessons.begin();
 		this.#draw();
 	}
 
@@ -403,6 +471,7 @@ class PlayView {
 	#tick() {
 		this.#attempt(() => this.world.step());
 		this.panel.count();
+		if (!this.#broken && this.lessons.look(this.world)) this.#say(texts.lessons.done);
 		if (this.world.ended) this.#end();
 	}
 
@@ -467,6 +536,9 @@ class PlayView {
 		this.stage.close();
 	}
 }
+
+/** The lesson that a program of the page is of, or null. */
+const lessonOf = (name) => (/^lesson-/.test(name) ? name.slice(7) : null);
 
 /** What of a program its game depends on: not where its blocks lie, nor which are folded. */
 const meaning = (program) => JSON.stringify(program, (key, value) => (["x", "y", "collapsed"].includes(key) ? undefined : value));

@@ -137,17 +137,24 @@ export class Stage {
 		this.onDrawn?.();
 	}
 
-	/** Sees all of the ground, from where it was seen first. */
-	showAll() {
+	/**
+	 * Sees all of the ground, or of a part of it, from the side where it was seen first.
+	 *
+	 * @param {number[]|null} part the least and the largest x, y and z; the ground if null; left out, the same as before
+	 */
+	showAll(part = this.home?.part) {
 		if (!this.renderer) return;
 		this.#isTouched = false;
-		const { target } = this.home;
+		this.home.part = part;
+		const half = this.ground / 2;
+		const [x, y, z, endX, endY, endZ] = part ?? [-half, -half, 0, half, half, 1.5];
+		const target = part ? new Vector3((x + endX) / 2, (y + endY) / 2, (z + endZ) / 2) : this.home.target;
 		// into a window that is high rather than wide, more from above
 		const from = this.home.from.clone().multiply(new Vector3(1, 1, this.camera.aspect < 1 ? 2.2 : 1));
-		const half = this.ground / 2;
-		const corners = [[-half, -half, 0], [half, -half, 0], [half, half, 1.5], [-half, half, 1.5]];
+		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
+		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
 		this.controls.target.copy(target);
-		let [near, far] = [1, this.controls.maxDistance];
+		let [near, far] = [2, this.controls.maxDistance];
 		for (let i = 0; i < 16; i++) {
 			const distance = (near + far) / 2;
 			this.camera.position.copy(from.setLength(distance)).add(target);

@@ -293,30 +293,26 @@ test('after a choice of system the arrow keys play, and at a wall the bear is no
 		wall.jumpTo(-1, -8, 0);
 	});
 	const bear = async () => (await agents(page, 'bears'))[0];
-	await press(page, 'Run');
-	await page.keyboard.down('ArrowUp');
-	await page.waitForFunction(() => globalThis.playground.world.events.some(({ names }) => names.includes('bears')));
-	await page.keyboard.up('ArrowUp');
-	await page.getByLabel('Collision system').selectOption('tightest fits');
-	const { heading } = await bear();
-	await page.keyboard.press('ArrowLeft', { delay: 300 });
-	await page.waitForFunction((before) => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').heading > before, heading);
-	assert.equal(await page.getByLabel('Collision system').inputValue(), 'tightest fits');
-	await press(page, 'Stop');
-	// at the wall, where the boxes overlap and the models do not
-	await page.evaluate(() => {
-		globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').heading = 45;
-	});
-	const hold = async (key) => {
+	const hold = async (key, frames) => {
 		await page.evaluate((name) => globalThis.playground.world.press(name), key);
-		await step(page, 3);
+		await step(page, frames);
 		await page.evaluate((name) => globalThis.playground.world.release(name), key);
 	};
+	await hold('up', 8);
+	await page.getByLabel('Collision system').selectOption('tightest fits');
+	await step(page, 1);
+	assert.ok(await page.evaluate(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').touched > 0), 'as boxes they overlap');
 	const at = await bear();
-	await hold('left');
+	await hold('left', 3);
 	assert.equal((await bear()).heading, 54);
-	await hold('down');
+	await hold('down', 3);
 	assert.ok((await bear()).x < at.x - 0.05, `${(await bear()).x} after ${at.x}`);
+	// the same by the keys themselves, while it runs
+	await press(page, 'Run');
+	await page.getByLabel('Collision system').selectOption('unit spheres');
+	await page.keyboard.press('ArrowLeft', { delay: 300 });
+	await page.waitForFunction(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').heading > 54);
+	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
 	assert.deepEqual(said, []);
 	await context.close();
 });
@@ -339,7 +335,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	const { page, context, said } = await open(site, 'play');
 	const count = await blocks(page);
 	await press(page, 'Copy a link');
-	const block = () => page.evaluate(() => document.activeElement.closest('.blocks .blocklyWorkspace .blocklyDraggable')?.dataset.id ?? null);
+	const block = () => page.evaluate(() => (document.activeElement.closest('.blocklyFlyout') ? null : document.activeElement.closest('.blocklyDraggable')?.dataset.id ?? null));
 	// past the toolbox, and what it offers
 	for (let i = 0; i < 6 && !(await block()); i++) {
 		await page.keyboard.press('Tab');
@@ -522,6 +518,37 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 	await press(page, 'Play again');
 	await page.waitForFunction(() => document.querySelector('.score').textContent === 'Score 0');
 	assert.ok(!(await page.locator('.end').isVisible()));
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a lesson is opened, done and left for the next; the gallery has all programs, and takes names', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await press(page, 'Lessons');
+	await press(page, 'Next');
+	assert.match(await page.textContent('.lesson'), /^Lesson 2 of 10Why is the helmet missed\?/);
+	await step(page, 2);
+	assert.equal(await page.textContent('.lesson .done'), '');
+	await page.getByLabel('Collision system').selectOption('tightest fits');
+	await step(page, 2);
+	assert.equal(await page.textContent('.lesson .done'), 'Done!');
+	// what is made of its program is the student's, and in the lesson
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_size')[0].getInputTargetBlock('SIZE').setFieldValue(2, 'NUM'));
+	await page.waitForFunction(() => document.querySelectorAll('optgroup[label="Your programs"] option').length === 1);
+	assert.match(await page.textContent('.lesson'), /^Lesson 2/);
+	await press(page, 'Gallery');
+	assert.equal(await page.locator('.gallery img').count(), 15);
+	assert.deepEqual(await page.locator('.gallery .open', { hasText: '✓' }).allTextContents(), ['Why is the helmet missed? ✓']);
+	await page.getByLabel('Rename Why is the helmet missed? (mine)').fill('Smaller');
+	await page.keyboard.press('Enter');
+	assert.deepEqual(await own(page), ['Smaller']);
+	await page.locator('.gallery').getByRole('button', { name: 'Delete Why' }).click();
+	assert.deepEqual(await own(page), []);
+	await page.locator('.status').getByRole('button', { name: 'Undo' }).click();
+	assert.deepEqual(await own(page), ['Smaller']);
+	assert.equal((await agents(page, 'turtles'))[0].size, 2);
+	await press(page, 'Close');
+	assert.equal((await agents(page, 'turtles')).length, 10);
 	assert.deepEqual(said, []);
 	await context.close();
 });

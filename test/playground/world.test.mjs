@@ -18,7 +18,7 @@ let greatLand;
 before(async () => {
 	const out = path.join(root, 'bin/generated/playground-world.mjs');
 	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'texts.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	buildSync({
 		stdin: { contents: [...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
 		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', alias: { 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
@@ -358,4 +358,62 @@ test('links are a third of what they were, and bring the same program', async ()
 	assert.ok(link.length * 3 <= before, `${link.length} of ${before}`);
 	assert.deepEqual((await parts.fromLink(link)).blocks.blocks, parts.EXAMPLES.paintball.blocks.blocks);
 	assert.deepEqual(await parts.fromLink(deflateRawSync(JSON.stringify(named)).toString('base64url')), named, 'links of before');
+});
+
+/** A program with something changed in it. */
+const changed = (state, change) => {
+	const copy = structuredClone(state);
+	change(copy.blocks.blocks);
+	return copy;
+};
+const script = (type, BREED, ...blocks) => ({ type, fields: { BREED }, inputs: inside(...blocks) });
+const nearestTurtle = value('starlogo_nearest', { BREED: 'turtles' }, { DISTANCE: number(50) });
+const say = (what) => ({ type: 'starlogo_say', inputs: { TEXT: what } });
+/** Puts blocks behind the last one of a script. */
+function append(scripts, type, ...blocks) {
+	let last = scripts.find((each) => each.type === type).inputs.DO.block;
+	while (last.next) {
+		last = last.next.block;
+	}
+	last.next = { block: chain(...blocks) };
+}
+
+/** What does each lesson: a change of its program, and the system that is chosen. */
+const SOLUTIONS = {
+	blocks: [(scripts) => append(scripts, 'starlogo_each', forward(0.05))],
+	helmet: [null, 'tightest fits'],
+	wing: [null, 'hierarchies'],
+	main: [(scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_hierarchical', fields: { WHO: 'turtles', ON: 'on' } })],
+	fast: [(scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_sweep', fields: { WHO: 'paintballs', ON: 'on' } })],
+	starts: [(scripts) => {
+		scripts.find(({ type }) => type === 'starlogo_collision').type = 'starlogo_touch_start';
+	}],
+	room: [(scripts) => scripts.push({ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_bounce' }) })],
+	near: [(scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) }))))],
+	see: [(scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: nearestTurtle }))))],
+	hunt: [(scripts) => {
+		scripts.find(({ type, fields }) => type === 'starlogo_each' && fields.BREED === 'bears').inputs = inside({ type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.15));
+	}],
+};
+
+test('each lesson is done by what it teaches, and not before', () => {
+	assert.deepEqual(Object.keys(SOLUTIONS), parts.LESSON_NAMES);
+	assert.equal(parts.LESSON_NAMES.length, 10);
+	for (const [name, [change, system]] of Object.entries(SOLUTIONS)) {
+		const { program: given, isDone } = parts.LESSONS[name];
+		for (const [state, chosen, done] of [[given, null, false], [change ? changed(given, change) : given, system, true]]) {
+			const world = played(state, 0);
+			if (chosen) {
+				world.useSystem(chosen);
+			}
+			const memory = {};
+			let frame = 0;
+			do {
+				world.step();
+				frame++;
+			} while (!isDone(world, memory) && frame < 1900);
+			assert.equal(frame < 1900, done, `${name}: ${done ? 'not done' : 'done without doing'} (${frame} frames)`);
+			assert.ok(parts.texts.lessons.list[name].challenge.length > 10);
+		}
+	}
 });

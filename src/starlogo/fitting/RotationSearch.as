@@ -1,6 +1,5 @@
 package starlogo.fitting
 {
-    import flash.geom.Matrix3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
@@ -15,8 +14,8 @@ package starlogo.fitting
      * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first. A step tries all rotations
      * about z that follow one about x and y.
      *
-     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The player turns the whole
-     * hull about x and y natively; the rotations about z that follow leave the extent along z as it is, and their extents
+     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The whole hull is turned about x and y at
+     * once, in Numbers: a Matrix3D's precision depends on the player; the rotations about z that follow leave the extent along z as it is, and their extents
      * along x and y are looked for in the plane. The extreme corners of a rotation are found from those of the one before by
      * climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. A rotation is
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
@@ -34,8 +33,6 @@ package starlogo.fitting
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
         private var _rotation:Placement = new Placement();
-        private var _matrix:Matrix3D = new Matrix3D();
-        private var _raw:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
         // Extreme corners found last: those of the first rotation about z, then those of one half a right angle on.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
@@ -157,21 +154,26 @@ package starlogo.fitting
         private function turn(aboutX:Number, aboutY:Number):void
         {
             _rotation.setRotation(0, aboutY, aboutX);
-            _rotation.writeMatrix(_raw);
-            _matrix.copyRawDataFrom(_raw);
-            transform(_matrix, _hull.points, _turned);
-        }
-
-        /**
-         * Turns the hull: overridden by tests, with the precision of other players.
-         *
-         * @param matrix a rotation
-         * @param points x, y, z each
-         * @param out gets the turned points
-         */
-        protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
-        {
-            matrix.transformVectors(points, out);
+            var xx:Number = _rotation.r00;
+            var xy:Number = _rotation.r01;
+            var xz:Number = _rotation.r02;
+            var yy:Number = _rotation.r11;
+            var yz:Number = _rotation.r12;
+            var zx:Number = _rotation.r20;
+            var zy:Number = _rotation.r21;
+            var zz:Number = _rotation.r22;
+            var points:Vector.<Number> = _hull.points;
+            var turned:Vector.<Number> = _turned;
+            var end:int = points.length;
+            for (var i:int = 0; i < end; i += 3)
+            {
+                var x:Number = points[i];
+                var y:Number = points[i + 1];
+                var z:Number = points[i + 2];
+                turned[i] = xx * x + xy * y + xz * z;
+                turned[i + 1] = yy * y + yz * z;
+                turned[i + 2] = zx * x + zy * y + zz * z;
+            }
         }
 
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.

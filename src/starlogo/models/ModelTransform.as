@@ -49,12 +49,12 @@ package starlogo.models
             var turn:Vector3D = null;
             var factors:Vector3D = null;
             var move:Vector3D = null;
-            for each (var line:String in TextTokens.replaceAll(text || "", "\r", "").split("\n"))
+            for each (var line:String in (text || "").split("\r").join("").split("\n"))
             {
                 var words:Array = line.split(" ");
-                var x:Number = parseFloat(words[1]);
+                var x:Number = numberIn(words[1]);
                 var isEven:Boolean = words.length < 4;
-                var numbers:Vector3D = isEven ? new Vector3D(x, x, x) : new Vector3D(x, parseFloat(words[2]), parseFloat(words[3]));
+                var numbers:Vector3D = isEven ? new Vector3D(x, x, x) : new Vector3D(x, numberIn(words[2]), numberIn(words[3]));
                 if (words[0] == "scale" && isScale(numbers))
                 {
                     factors = numbers;
@@ -69,6 +69,13 @@ package starlogo.models
                 }
             }
             return new ModelTransform(turn, factors, move);
+        }
+
+        // As parseFloat() reads it: what follows the number does not matter.
+        private static function numberIn(word:String):Number
+        {
+            var found:Array = word == null ? null : /^\s*([-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)/.exec(word);
+            return found == null ? NaN : Decimal.of(found[1]);
         }
 
         /** Degrees about x, y and z. */

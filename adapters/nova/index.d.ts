@@ -35,8 +35,8 @@ export interface NovaOptions {
      * client's. Read when it is installed.
      */
     shapes?: Record<string, Model | string | null> | ((shape: string) => Model | string | null | undefined);
-    /** Whether files that `starlogo-bake` has written are asked for beside those of models. Read when it is installed. */
-    baked?: boolean;
+    /** Where the list is of what `starlogo-bake --scaling volume --transforms` has made of models. Read when it is installed. */
+    manifest?: string | null;
 }
 
 /** An agent of the client; the engine reads more of it than is named here. */

@@ -252,6 +252,10 @@ package starlogo.collision
         public function snapshot():ByteArray
         {
             requireSearch("snapshot");
+            if (_isRefused)
+            {
+                throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
+            }
             var record:FrameRecord = new FrameRecord();
             if (_searched != null)
             {
@@ -326,10 +330,6 @@ package starlogo.collision
             if (!(_collisionSystem is Collider))
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + _collisionSystem);
-            }
-            if (_isRefused && what == "snapshot")
-            {
-                throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
         }
 

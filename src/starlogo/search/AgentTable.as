@@ -201,13 +201,8 @@ package starlogo.search
                 findShapes();
                 loadingCount += loading;
             }
-            x[row] = agent.placement.x;
-            y[row] = agent.placement.y;
-            z[row] = agent.placement.z;
             revisions[row] = agent.revision;
-            extents.x[row] = x[row] + _offsetX[row];
-            extents.y[row] = y[row] + _offsetY[row];
-            extents.z[row] = z[row] + _offsetZ[row];
+            putAt(row, agent.placement.x, agent.placement.y, agent.placement.z);
         }
 
         /** Whether a row is as its agent is now. */
@@ -304,12 +299,7 @@ package starlogo.search
                 }
                 revisions[row] = record.hasMotion[i] ? seen : NOT_SEEN;
                 placedRevisions[row] = STALE;
-                x[row] = record.x[i];
-                y[row] = record.y[i];
-                z[row] = record.z[i];
-                extents.x[row] = x[row] + _offsetX[row];
-                extents.y[row] = y[row] + _offsetY[row];
-                extents.z[row] = z[row] + _offsetZ[row];
+                putAt(row, record.x[i], record.y[i], record.z[i]);
             }
         }
 
@@ -393,12 +383,7 @@ package starlogo.search
         /** Puts a row back to where it was, with the revision that it had. */
         public function putBack(row:int, toX:Number, toY:Number, toZ:Number, revision:int):void
         {
-            x[row] = toX;
-            y[row] = toY;
-            z[row] = toZ;
-            extents.x[row] = toX + _offsetX[row];
-            extents.y[row] = toY + _offsetY[row];
-            extents.z[row] = toZ + _offsetZ[row];
+            putAt(row, toX, toY, toZ);
             revisions[row] = revision;
             placedRevisions[row] = STALE;
         }
@@ -418,6 +403,16 @@ package starlogo.search
                 outer[row].place(shape.outer, placement, margin);
             }
             placedRevisions[row] = revisions[row];
+        }
+
+        private function putAt(row:int, toX:Number, toY:Number, toZ:Number):void
+        {
+            x[row] = toX;
+            y[row] = toY;
+            z[row] = toZ;
+            extents.x[row] = toX + _offsetX[row];
+            extents.y[row] = toY + _offsetY[row];
+            extents.z[row] = toZ + _offsetZ[row];
         }
 
         // Reads where agents are, and notes which have changed in more than their places: false if the rows are not theirs. The places are

@@ -1,0 +1,22 @@
+package starlogo.models.cooked
+{
+    import starlogo.geometry.Fingerprint;
+    import starlogo.models.ModelTransform;
+
+    /**
+     * The fingerprint of the arguments that decide what a model's file becomes: a cooked file is for some of them.
+     *
+     * @param upAxis "x", "y", "z" or a ModelTransform
+     * @param scaling as Model's constructor has it
+     * @param usesTransforms whether a transform file beside the model's is asked for
+     *
+     * @private
+     */
+    public function argumentsFingerprint(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
+    {
+        var transform:ModelTransform = upAxis as ModelTransform;
+        var fingerprint:Fingerprint = new Fingerprint();
+        fingerprint.addText([transform == null ? upAxis : transform.toText(), scaling, transform == null && usesTransforms].join());
+        return fingerprint;
+    }
+}

@@ -60,7 +60,7 @@ const result = await build({
 for (const file of ["index.html", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
 cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
 cpSync(path.join(here, "../assets"), path.join(out, "models"), { recursive: true, filter: (file) => !file.includes("generat") && !file.endsWith("README.md") });
-writeFileSync(path.join(out, "models/colours.json"), JSON.stringify(Object.fromEntries(models.map(({ name, build: make }) => [name, coloursOf(make())]))));
+writeFileSync(path.join(out, "models/colours.json"), JSON.stringify(Object.fromEntries(models.map((model) => [model.name, coloursOf(model)]))));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js" })) {
@@ -86,9 +86,12 @@ function kilobytes(files, size) {
 	return Math.round(files.reduce((sum, file) => sum + size(readFileSync(file)), 0) / 1024);
 }
 
-/** The colours of a model's triangles, in the order of its file: how many of one, and that. */
-function coloursOf(nodes) {
-	return flatten(nodes).map(({ colour, mesh }) => [mesh.faces.reduce((sum, face) => sum + face.length - 2, 0), palette[colour]]);
+/** The colours of a model's triangles, in the order that the engine has them in: how many of one, and that. */
+function coloursOf({ build: make, format }) {
+	const parts = flatten(make());
+	const runs = (isOf) => parts.map(({ colour, mesh }) => [mesh.faces.filter(isOf).reduce((sum, face) => sum + face.length - 2, 0), palette[colour]]).filter(([count]) => count > 0);
+	// polygons of OBJ files come after all triangles
+	return format === "COLLADA" ? runs(() => true) : [...runs(({ length }) => length === 3), ...runs(({ length }) => length > 3)];
 }
 
 /** The licences of what is bundled in: of the packages that the bundle has files of, beside the engine. */

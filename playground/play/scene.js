@@ -53,13 +53,13 @@ export class Scene {
 		const high = [-Infinity, -Infinity, 0];
 		for (const agent of this.world.agents) {
 			[agent.x, agent.y].forEach((at, i) => {
-				low[i] = Math.min(low[i], at - agent.size);
-				high[i] = Math.max(high[i], at + agent.size);
+				low[i] = Math.min(low[i], at - agent.size / 2);
+				high[i] = Math.max(high[i], at + agent.size / 2);
 			});
 			high[2] = Math.max(high[2], agent.z + this.#height(agent));
 		}
 		const width = Math.max(high[0] - low[0], high[1] - low[1]);
-		this.stage.showAll(width > 0 && width < HALF_WIDTH ? [...low, ...high] : null);
+		this.stage.showAll(width > 0 && width < 1.5 * HALF_WIDTH ? [...low, ...high] : null);
 	}
 
 	/** Draws the game as it is. */
@@ -67,7 +67,7 @@ export class Scene {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
-		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 1 - (frame - hit) / FLASH));
+		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		if (this.areAllShown) for (const agent of world.agents) world.structures.linesOf(agent, lines);
 		else world.structures.lines(lines);

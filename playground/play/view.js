@@ -92,7 +92,7 @@ class PlayView {
 			this.#speed = SPEEDS[i];
 			this.#playOn();
 		});
-		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (back) => (back > 0 ? words.rewindBack((back / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (back) => this.#goBack(back));
+		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack((-at / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (at) => this.#goBack(-at));
 		this.screen = h("div.screen", {}, this.worldHost, this.keys, this.pad);
 		this.lessons = new LessonCard((name) => this.#choose(name === null ? "paintball" : `lesson-${name}`));
 		const camera = choice(Object.entries(words.cameras), "all", (name) => {
@@ -525,8 +525,8 @@ class PlayView {
 			this.run();
 		});
 		this.panel.show(this.#running ? now : 0);
-		this.rewind.input.max = world.history.length;
-		this.rewind.set(world.history.back);
+		this.rewind.input.min = -world.history.length;
+		this.rewind.set(-world.history.back);
 	}
 
 	close() {

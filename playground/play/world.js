@@ -105,7 +105,8 @@ export class World {
 	}
 
 	#meet(a, b, { x, y, z }) {
-		a.hit = b.hit = this.frame;
+		// what touches from the beginning has not been hit
+		if (this.frame > 1) a.hit = b.hit = this.frame;
 		const names = [a.breed, b.breed].sort().join("\n");
 		this.totals.set(names, (this.totals.get(names) ?? 0) + 1);
 		this.state.meetings++;

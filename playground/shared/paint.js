@@ -81,8 +81,7 @@ class Shape {
 		colour.set(isPainted ? agent.color : 0xffffff);
 		if (glow > 0) colour.lerp(WHITE, isPainted ? glow : 1);
 		const alpha = isPainted ? 1 : glow;
-		// brighter than white: the flash of a hit
-		this.paint.array.set([colour.r + glow, colour.g + glow, colour.b + glow, alpha], 4 * this.count);
+		this.paint.array.set([colour.r, colour.g, colour.b, alpha], 4 * this.count);
 		this.agents[this.count++] = agent;
 	}
 

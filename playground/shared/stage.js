@@ -142,15 +142,16 @@ export class Stage {
 	 *
 	 * @param {number[]|null} part the least and the largest x, y and z; the ground if null; left out, the same as before
 	 */
-	showAll(part = this.home?.part) {
+	showAll(part = this.home?.part ?? null) {
 		if (!this.renderer) return;
 		this.#isTouched = false;
 		this.home.part = part;
 		const half = this.ground / 2;
 		const [x, y, z, endX, endY, endZ] = part ?? [-half, -half, 0, half, half, 1.5];
 		const target = part ? new Vector3((x + endX) / 2, (y + endY) / 2, (z + endZ) / 2) : this.home.target;
-		// into a window that is high rather than wide, more from above
-		const from = this.home.from.clone().multiply(new Vector3(1, 1, this.camera.aspect < 1 ? 2.2 : 1));
+		// into a window that is high rather than wide, and on what is flat, more from above
+		const isSteep = this.camera.aspect < 1 || (part !== null && 2 * (endZ - z) < endX - x);
+		const from = this.home.from.clone().multiply(new Vector3(1, 1, isSteep ? 2.2 : 1));
 		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
 		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
 		this.controls.target.copy(target);

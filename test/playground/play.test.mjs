@@ -270,7 +270,7 @@ test('the figures have all that touched since the last look, whoever has scripts
 	assert.match((await page.locator('.totals li').allTextContents()).join(), /turtles × walls \d+/);
 	// rewound, the list is what it was
 	const frames = await page.evaluate(() => globalThis.playground.world.frame);
-	await page.getByLabel('Rewind').fill('20');
+	await page.getByLabel('Rewind').fill('-20');
 	assert.equal(await page.evaluate(() => globalThis.playground.world.frame), frames - 20);
 	assert.equal(await say(page), `Frame ${frames - 20}`);
 	await step(page, 1);

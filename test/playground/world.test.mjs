@@ -7,6 +7,9 @@ import path from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
+import { models } from '../../assets/generator/models/index.mjs';
+import { palette } from '../../assets/generator/palette.mjs';
+import { flatten } from '../../assets/generator/scene.mjs';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'playground/package.json'))('esbuild');
@@ -414,6 +417,39 @@ test('each lesson is done by what it teaches, and not before', () => {
 			} while (!isDone(world, memory) && frame < 1900);
 			assert.equal(frame < 1900, done, `${name}: ${done ? 'not done' : 'done without doing'} (${frame} frames)`);
 			assert.ok(parts.texts.lessons.list[name].challenge.length > 10);
+		}
+	}
+});
+
+test('models are drawn in the colours that their parts have', () => {
+	const colours = JSON.parse(readFileSync(path.join(root, 'bin/playground/models/colours.json'), 'utf8'));
+	const area = (a, b, c) => {
+		const [[ux, uy, uz], [vx, vy, vz]] = [b, c].map((corner) => corner.map((each, i) => each - a[i]));
+		return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+	};
+	for (const { name, format, build } of models) {
+		const reader = format === 'COLLADA' ? parts.ColladaModel : parts.ObjModel;
+		const { vertices, triangles } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(root, 'assets', `${name}.${format === 'COLLADA' ? 'dae' : 'obj'}`))));
+		const corner = (i) => [0, 1, 2].map((axis) => vertices[3 * triangles[i] + axis]);
+		const [drawn, wanted] = [{}, {}];
+		let at = 0;
+		for (const [count, colour] of colours[name]) {
+			for (let end = at + count; at < end; at++) {
+				drawn[colour] = (drawn[colour] ?? 0) + area(corner(3 * at), corner(3 * at + 1), corner(3 * at + 2));
+			}
+		}
+		assert.equal(3 * at, triangles.length, name);
+		for (const { colour, mesh: { points, faces } } of flatten(build())) {
+			for (const face of faces) {
+				for (let i = 2; i < face.length; i++) {
+					wanted[palette[colour]] = (wanted[palette[colour]] ?? 0) + area(points[face[0]], points[face[i - 1]], points[face[i]]);
+				}
+			}
+		}
+		const all = (areas) => Object.values(areas).reduce((sum, each) => sum + each);
+		for (const colour of Object.keys(wanted)) {
+			const [part, is] = [wanted[colour] / all(wanted), drawn[colour] / all(drawn)];
+			assert.ok(Math.abs(part - is) < 0.002 + 0.01 * part, `${name} ${colour}: ${is} of it, not ${part}`);
 		}
 	}
 });

@@ -441,5 +441,23 @@ async function bindings() {
 	print(`1,000 agents bound to three.js ${three.REVISION}, ms a frame`, ["", "three.js alone", "updateObject", "updateAgent", "updateObject of instances"], rows);
 }
 
+function snapshots() {
+	const { agents, walk } = scatter(10000, ["sphere"]);
+	const rows = [false, true].map((hasEnds) => {
+		const collision = new engine.Collision(new TightestFitCollider(greatLand));
+		collision.onCollision("turtles", "turtles", () => {});
+		if (hasEnds) collision.onCollisionEnd("turtles", "turtles", () => {});
+		walk();
+		collision.update(agents);
+		let bytes = collision.snapshot();
+		const [take, back] = measure([
+			{ run: () => { bytes = collision.snapshot(); } },
+			{ run: () => collision.restore(bytes, agents) },
+		], 100);
+		return [hasEnds ? "with starts and ends" : "collisions alone", take, back, bytes.length];
+	});
+	print("Snapshots of 10,000 agents, ms", ["", "snapshot", "restore", "bytes"], rows);
+}
+
 console.log(`the ES module in Node ${process.versions.node}`);
 for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

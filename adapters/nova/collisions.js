@@ -61,7 +61,7 @@ export class NovaCollisions {
 		this.#cells = new Cells(this.#half);
 		this.#blocks = new Blocks(this.#state, (a, b) => this.#onPair(a.entry, b.entry));
 		this.#use(options);
-		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, baked: options.baked });
+		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, manifest: options.manifest });
 	}
 
 	/** The options that count. */

@@ -40,8 +40,8 @@ export interface NovaOptions {
      * at, triangles; red what the last tick found to collide. In three dimensions it goes the way that the client draws between two ticks.
      */
     overlay?: boolean;
-    /** Whether files that `starlogo-bake` has written are asked for beside those of models. Read when it is installed. */
-    baked?: boolean;
+    /** Where the list is of what `starlogo-bake --scaling volume --transforms` has made of models. Read when it is installed. */
+    manifest?: string | null;
 }
 
 /** An agent of the client; the engine reads more of it than is named here. */

@@ -34,6 +34,7 @@ import {
 	Contact,
 	ContactSystem,
 	ConvexHull,
+	CookedModel,
 	Cylinder,
 	CylinderFitter,
 	DetectionBlocks,
@@ -44,7 +45,6 @@ import {
 	Fit,
 	FitSession,
 	FitSettings,
-	FitsReceiver,
 	FitStorage,
 	FitStore,
 	Fitter,
@@ -309,8 +309,8 @@ export function keep(): string[] {
 	greatLand.fitStore = new FitStore(100000, storage);
 	greatLand.addModel(model);
 	const fits: ModelFits | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
-	const receiver: FitsReceiver = new GreatLand();
-	finish(receiver.receiveWithFits(model, greatLand.bake(model)));
+	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.bake(model, "z"));
+	finish(new GreatLand().receive(cooked));
 	// there is none in Node
 	const here: FitStorage = new SharedFitStorage();
 	return [String(greatLand.bake(model).length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];

@@ -1,7 +1,10 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * How a model is turned, scaled and moved before it is used: what the StarLogo Nova client's transform files say (<code>bear.slb</code>

@@ -1,20 +1,26 @@
 /** Play: a program of blocks beside the world that it moves. */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
-import { button, choice, field, fileButton, h, short, tick } from "../shared/dom.js";
-import { loadModel } from "../shared/models.js";
+import { button, choice, field, fileButton, h, slider, tick } from "../shared/dom.js";
+import { loadModel, parseModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { texts } from "../texts.js";
+import { meet } from "./blocks.js";
 import { Editor } from "./editor.js";
-import { EXAMPLES } from "./examples.js";
-import { download, fromLink, isProgram, keep, kept, toLink } from "./storage.js";
+import { Panel } from "./panel.js";
+import { keysOf } from "./program.js";
+import { Scene } from "./scene.js";
+import { MODEL_FILE, Programs } from "./programs.js";
+import { download } from "./storage.js";
 import { FRAMES_A_SECOND, HALF_WIDTH, World } from "./world.js";
 
 const words = texts.play;
-const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space" };
+const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
 const SIGNS = { up: "▲", down: "▼", left: "◀", right: "▶", space: "●" };
 /** How many frames may be made up for between two pictures. */
-const MOST_AT_ONCE = 4;
+const MOST_AT_ONCE = 8;
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
+const PICTURE = [240, 150];
 
 export async function createView(main, link) {
 	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
@@ -26,24 +32,23 @@ export async function createView(main, link) {
 }
 
 class PlayView {
-	#running = false;
+	isRunning = false;
 	#request = 0;
 	#last = 0;
 	#owed = 0;
-	#shownAt = 0;
-	#frames = 0;
-	#ticks = 0;
-	#collisionMs = 0;
-	#broken = false;
-	#name = "paintball";
+	#speed = 1;
+	isBroken = false;
 	#begun = "";
 
 	constructor(main, models, world) {
 		this.models = models;
 		this.world = world;
+		this.programs = new Programs(this);
+		this.panel = new Panel(world);
 		this.#build(main);
-		this.editor = new Editor(this.blocksHost, () => this.#changed());
-		this.stage = new Stage(this.worldHost, { label: words.world, eye: [-11, -19, 17], target: [0, -1, 0], ground: 2 * HALF_WIDTH });
+		this.editor = new Editor(this.blocksHost, (isDeletion) => this.programs.changed(isDeletion));
+		this.stage = new Stage(this.worldHost, { label: words.world, eye: [-4, -19, 8.5], target: [0, -1, 0], ground: 2 * HALF_WIDTH, isLand: true });
+		this.scene = new Scene(this.stage, world, models, this.screen);
 		this.#listen();
 		world.onSystem = (name) => {
 			this.system.value = name;
@@ -52,37 +57,75 @@ class PlayView {
 	}
 
 	#build(main) {
-		this.runButton = button(words.run, () => (this.#running ? this.stop() : this.run()), { class: "primary" });
+		this.main = main;
+		this.runButton = button(words.run, () => (this.isRunning ? this.stop() : this.run()), { class: "primary" });
 		this.status = h("p.status", { role: "status" }, words.ready);
 		this.system = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), CollisionBlocks.TIGHTEST_FITS, (name) => {
 			this.world.useSystem(name);
-			this.#draw();
+			// a game that stands still is as the new one sees it
+			if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
+				this.world.collide();
+				this.panel.count();
+			});
+			this.draw();
+			this.#playOn();
 		});
-		this.allStructures = false;
-		const names = [["own", words.own], ...Object.entries(words.examples)];
-		this.programs = choice(names, this.#name, (name) => this.#choose(name));
-		this.blocksHost = h("div.blocks", { role: "region", "aria-label": words.blocks });
+		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocks });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
-		this.figures = Object.fromEntries(Object.keys(words.panel).map((name) => [name, h("dd", {}, "–")]));
-		const panel = h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text))));
-		const pad = h("div.pad", {}, ...Object.entries(words.keys).map(([key, text]) => this.#padKey(key, text)));
+		this.pad = h("div.pad");
+		this.keys = h("p.keys");
+		this.speed = slider(words.speed, { min: 0, max: SPEEDS.length - 1, step: 1, value: SPEEDS.indexOf(1), format: (i) => words.speeds(SPEEDS[i]) }, (i) => {
+			this.#speed = SPEEDS[i];
+			this.#playOn();
+		});
+		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack((-at / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (at) => this.#goBack(-at));
+		this.screen = h("div.screen", {}, this.worldHost, this.keys, this.pad);
+		const camera = choice(Object.entries(words.cameras), "all", (name) => {
+			this.scene.camera = name;
+			if (name === "all") this.stage.showAll();
+			this.draw();
+			this.#playOn();
+		});
+		// of a small window's two parts, one is in sight
+		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
+		this.#turnTo("game");
 		main.replaceChildren(
+			this.programs.lessons.element,
+			h("div.controls.game", { role: "group", "aria-label": words.run },
+				this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status),
 			h("section.program", { "aria-label": words.blocks },
-				h("div.tools", {}, field(words.program, this.programs),
+				h("div.tools", {}, field(words.program, this.programs.menu), button(texts.gallery.open, () => this.programs.openGallery()),
 					button(words.save, () => download(this.editor.program, words.fileName)),
-					fileButton(words.open, ".json,application/json", (file) => this.#openFile(file)),
-					button(words.share, () => this.#share())),
+					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)),
+					button(words.share, () => this.programs.share()), this.programs.undoButton),
 				this.blocksHost),
 			h("section.game", { "aria-label": words.world },
-				h("div.tools", {}, this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()),
-					field(words.system, this.system),
+				h("div.tools", {}, field(words.system, this.system), field(words.camera, camera),
 					tick(words.structures, false, (on) => {
-						this.allStructures = on;
-						this.#draw();
-					})),
-				this.status,
-				h("div.screen", {}, this.worldHost, pad),
-				panel));
+						this.scene.areAllShown = on;
+						this.draw();
+					}),
+					tick(words.sees, false, (on) => {
+						this.scene.isSeen = on;
+						this.draw();
+					}),
+					button(h("span.icon"), () => this.screen.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
+				this.screen,
+				h("div.time", {}, this.speed.element, this.rewind.element),
+				this.panel.element));
+	}
+
+	#turnTo(tab) {
+		this.main.dataset.tab = tab;
+		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
+	}
+
+	/** Shows the keys that a program has scripts for. */
+	#showKeys(program) {
+		const keys = [...keysOf(program)];
+		this.keys.hidden = keys.length === 0;
+		this.keys.replaceChildren(...keys.flatMap(([key, does]) => [h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), ` ${does} `]));
+		this.pad.replaceChildren(...keys.filter(([key]) => key in SIGNS).map(([key, does]) => this.#padKey(key, words.keyName(does))));
 	}
 
 	#padKey(key, text) {
@@ -103,79 +146,86 @@ class PlayView {
 	}
 
 	#listen() {
-		this.worldHost.addEventListener("keydown", (event) => {
+		const { world, worldHost } = this;
+		worldHost.addEventListener("keydown", (event) => {
 			if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
-			if (!event.repeat) this.world.press(KEYS[event.key]);
+			if (!event.repeat) world.press(KEYS[event.key]);
 			event.preventDefault();
 		});
-		this.worldHost.addEventListener("keyup", (event) => this.world.release(KEYS[event.key]));
-		this.worldHost.addEventListener("blur", () => this.world.releaseAll());
+		worldHost.addEventListener("keyup", (event) => world.release(KEYS[event.key]));
+		worldHost.addEventListener("blur", () => world.releaseAll());
+		const point = (event) => {
+			const at = this.stage.renderer && this.stage.pointAt(event, 0);
+			if (at) Object.assign(world.mouse, { x: at.x, y: at.y });
+		};
+		let down = null;
+		worldHost.addEventListener("pointermove", point);
+		worldHost.addEventListener("pointerdown", (event) => {
+			down = event;
+			world.mouse.isDown = true;
+			point(event);
+		});
+		const up = (event) => {
+			world.mouse.isDown = false;
+			// a click, not a turn of the world
+			if (down && event.type === "pointerup" && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < 6) this.#click(this.stage.agentAt(event));
+			down = null;
+		};
+		worldHost.addEventListener("pointerup", up);
+		worldHost.addEventListener("pointercancel", up);
 	}
 
-	/** Opens the program of a link; without one, that which the browser keeps, or else the paintball game. */
-	async open(link) {
-		const saved = kept();
-		if (link) {
-			try {
-				this.#show(await fromLink(link), "own");
-				return;
-			} catch {
-				this.#show(EXAMPLES.paintball, "paintball");
-				this.#say(words.brokenLink, true);
-				return;
-			}
-		}
-		if (isProgram(saved?.program)) {
-			try {
-				this.#show(saved.program, saved.name);
-				return;
-			} catch {
-				// one of another version
-			}
-		}
-		this.#show(EXAMPLES.paintball, "paintball");
+	#click(agent) {
+		if (!agent) return;
+		this.world.click(agent);
+		this.scene.chosen = agent;
+		this.draw();
 	}
 
-	#show(program, name) {
-		this.editor.show(program, name in EXAMPLES);
-		this.#name = name in EXAMPLES ? name : "own";
-		this.programs.value = this.#name;
-		keep(this.#name, this.editor.program);
-		this.reset();
+	/** Gives the keys back to the game after a choice beside it. */
+	#playOn() {
+		if (this.isRunning) this.worldHost.focus({ preventScroll: true });
 	}
 
-	#choose(name) {
-		if (name in EXAMPLES) this.#show(EXAMPLES[name], name);
-		else this.#changed();
-	}
-
-	#changed() {
-		this.#name = "own";
-		this.programs.value = "own";
-		keep("own", this.editor.program);
-		// what is kept counts from now on, not what a link brought
-		if (location.hash.includes("/")) history.replaceState(null, "", "#play");
-	}
-
-	async #openFile(file) {
+	/** What a program's game looks like when it begins; null if it cannot. */
+	pictureOf(program) {
+		const world = new World(this.world.greatLand);
 		try {
-			const program = JSON.parse(await file.text());
-			if (!isProgram(program)) throw new Error("no program");
-			this.#show(program, "own");
+			world.begin(program);
+			world.step();
 		} catch {
-			this.#say(words.brokenProgram, true);
+			return null;
 		}
+		return this.scene.picture(world.agents, ...PICTURE);
 	}
 
-	async #share() {
-		const address = new URL(location.href);
-		address.hash = `play/${await toLink(this.editor.program)}`;
-		history.replaceState(null, "", address);
+	/** Opens the program of a link, or that which was open last. */
+	open(link) {
+		return this.programs.open(link);
+	}
+
+	/** Says something, with what may be done about it. */
+	offer(text, action, onclick) {
+		this.say(text);
+		this.status.append(" ", button(action, onclick));
+	}
+
+	/** A program, or a model: chosen, or dropped on the page. */
+	openFile(file) {
+		return this.programs.openFile(file);
+	}
+
+	async addModel(file) {
+		let name = file.name.replace(MODEL_FILE, "");
+		for (let number = 2; this.models.has(name); number++) name = words.another(file.name.replace(MODEL_FILE, ""), number);
 		try {
-			await navigator.clipboard.writeText(address.href);
-			this.#say(words.shared);
-		} catch {
-			this.#say(words.sharedHere);
+			const model = parseModel(name, file.name, new Uint8Array(await file.arrayBuffer()));
+			this.world.greatLand.addModel(model);
+			this.models.set(name, model);
+			meet("SHAPE", name);
+			this.say(words.newShape(name));
+		} catch (error) {
+			this.say(words.brokenModel(error.message), true);
 		}
 	}
 
@@ -183,117 +233,128 @@ class PlayView {
 	reset() {
 		this.#halt();
 		this.editor.mark(null);
-		this.#broken = false;
-		this.#say(words.ready);
+		this.isBroken = false;
+		this.say(words.ready);
 		const { program } = this.editor;
-		this.#begun = JSON.stringify(program);
+		this.#begun = meaning(program);
+		this.#showKeys(program);
 		this.#attempt(() => this.world.begin(program));
-		if (!this.#broken && this.world.agents.length === 0) this.#say(words.empty);
-		this.#draw();
+		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
+		this.panel.forget();
+		this.scene.begin();
+		this.programs.lessons.begin();
+		this.draw();
 	}
 
 	run() {
 		// what was changed since counts from the beginning
-		if (this.#broken || this.#isStale()) this.reset();
-		if (this.#broken) return;
-		this.#running = true;
+		if (this.isBroken || this.world.ended || this.isStale) this.reset();
+		if (this.isBroken) return;
+		this.isRunning = true;
+		this.#turnTo("game");
 		this.runButton.textContent = words.stop;
-		this.#say(words.running);
+		this.say(words.running);
 		this.worldHost.focus({ preventScroll: true });
 		this.#last = performance.now();
 		this.#owed = 0;
-		this.#shownAt = this.#last;
-		this.#frames = 0;
+		this.panel.forget(this.#last);
 		this.#request = requestAnimationFrame((now) => this.#frame(now));
 	}
 
-	#isStale() {
-		return this.#begun !== JSON.stringify(this.editor.program);
+	get isStale() {
+		return this.#begun !== meaning(this.editor.program);
 	}
 
 	stop() {
 		this.#halt();
-		this.#say(words.stopped);
+		this.say(words.stopped);
+		this.draw();
 	}
 
 	#halt() {
-		this.#running = false;
+		this.isRunning = false;
 		cancelAnimationFrame(this.#request);
 		this.runButton.textContent = words.run;
-		this.figures.fps.textContent = "–";
 		this.world.releaseAll();
 	}
 
 	#step() {
-		if (this.#running) this.stop();
-		if (this.#broken || this.#isStale()) this.reset();
-		if (this.#broken) return;
+		if (this.isRunning) this.stop();
+		if (this.isBroken || this.world.ended || this.isStale) this.reset();
+		if (this.isBroken) return;
 		this.#tick();
-		if (!this.#broken) this.#say(words.frame(this.world.frame));
-		this.#draw();
+		if (!this.isBroken) this.say(words.frame(this.world.frame));
+		this.draw();
 	}
 
 	#tick() {
 		this.#attempt(() => this.world.step());
-		this.#collisionMs += this.world.collisionMs;
-		this.#ticks++;
+		this.panel.count();
+		if (!this.isBroken && this.programs.lessons.look(this.world)) this.say(texts.lessons.done);
+		if (this.world.ended) this.#end();
+	}
+
+	#end() {
+		const { text } = this.world.ended;
+		this.#halt();
+		this.say(text);
+	}
+
+	#goBack(back) {
+		if (this.isRunning) this.stop();
+		this.isBroken = false;
+		this.world.history.show(back);
+		this.say(words.frame(this.world.frame));
+		this.draw();
 	}
 
 	#frame(now) {
-		this.#owed = Math.min(MOST_AT_ONCE, this.#owed + ((now - this.#last) * FRAMES_A_SECOND) / 1000);
+		this.#owed = Math.min(MOST_AT_ONCE, this.#owed + ((now - this.#last) * FRAMES_A_SECOND * this.#speed) / 1000);
 		this.#last = now;
-		while (this.#owed >= 1 && this.#running) {
+		while (this.#owed >= 1 && this.isRunning) {
 			this.#owed--;
 			this.#tick();
 		}
-		this.#frames++;
-		this.#draw(now);
-		if (this.#running) this.#request = requestAnimationFrame((next) => this.#frame(next));
+		this.draw(now);
+		if (this.isRunning) this.#request = requestAnimationFrame((next) => this.#frame(next));
 	}
 
 	/** Does what a program may fail at; says how. */
 	#attempt(action) {
-		if (this.#broken) return;
+		if (this.isBroken) return;
 		try {
 			action();
 		} catch (error) {
-			this.#broken = true;
+			this.isBroken = true;
 			this.#halt();
 			this.editor.mark(error.block ?? null);
-			this.#say(words.problem(error.message), true);
+			this.say(words.problem(error.message), true);
 		}
 	}
 
-	#say(text, isProblem = false) {
+	say(text, isProblem = false) {
 		this.status.textContent = text;
 		this.status.classList.toggle("problem", isProblem);
 	}
 
-	#draw(now = 0) {
+	draw(now = 0) {
 		const { world } = this;
-		this.stage.showAgents(world.agents, this.models);
-		const lines = [];
-		if (this.allStructures) for (const agent of world.agents) world.structures.linesOf(agent, lines);
-		else world.structures.lines(lines);
-		this.stage.showLines("structures", lines, 0xff8a00);
-		if (now === 0 || now - this.#shownAt > 500) this.#tell(now);
-	}
-
-	#tell(now) {
-		const { statistics } = this.world.collisions.collision;
-		const values = { ms: short(this.#collisionMs / this.#ticks), agents: this.world.agents.length, pairs: statistics.candidatePairs, tests: statistics.tests, collisions: statistics.collisions };
-		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
-		this.#ticks = this.#collisionMs = 0;
-		if (now > 0) {
-			this.figures.fps.textContent = Math.round((this.#frames * 1000) / (now - this.#shownAt));
-			this.#shownAt = now;
-			this.#frames = 0;
-		}
+		this.scene.draw(() => {
+			this.reset();
+			this.run();
+		});
+		this.panel.show(this.isRunning ? now : 0);
+		this.rewind.input.min = -world.history.length;
+		this.rewind.set(-world.history.back);
 	}
 
 	close() {
 		this.#halt();
+		this.programs.close();
 		this.editor.close();
 		this.stage.close();
 	}
 }
+
+/** What of a program its game depends on: not where its blocks lie, nor which are folded. */
+const meaning = (program) => JSON.stringify(program, (key, value) => (["x", "y", "collapsed"].includes(key) ? undefined : value));

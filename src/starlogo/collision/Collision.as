@@ -260,8 +260,10 @@ package starlogo.collision
             if (_searched != null)
             {
                 var search:CollisionSearch = _searched.search;
-                var places:Vector.<int> = search.recordPlaces(record);
-                for (var i:int = 0; i < _calls.tracker.count; i++)
+                var places:Vector.<int> = search.recordPositions(record);
+                var pairs:int = _calls.tracker.count;
+                record.beginPairs(pairs);
+                for (var i:int = 0; i < pairs; i++)
                 {
                     var pair:ContactPair = _calls.tracker.pairAt(i);
                     var first:int = search.rowOf(pair.first);
@@ -308,13 +310,13 @@ package starlogo.collision
                 throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
             }
             var collider:Collider = Collider(_collisionSystem);
-            collider.search.restorePlaces(agents, record);
-            _calls.tracker.clear();
+            collider.search.restorePositions(agents, record);
+            _calls.tracker.clear(record.pairCount);
             for (var i:int = 0; i < record.pairCount; i++)
             {
                 var pair:ContactPair = _calls.tracker.start(agents[record.first[i]], agents[record.second[i]]);
-                pair.firstBreed = record.firstBreed[i];
-                pair.secondBreed = record.secondBreed[i];
+                pair.firstBreed = record.breeds[record.firstBreed[i]];
+                pair.secondBreed = record.breeds[record.secondBreed[i]];
                 pair.isBothWays = record.isBothWays[i];
             }
             _searched = collider;

@@ -39,7 +39,7 @@ package starlogo.handlers
          *
          * @return null if there is none. A contact of other breeds, or one that has not begun in both directions, counts as ended
          */
-        public function goOn(a:Agent, b:Agent):ContactPair
+        public function renew(a:Agent, b:Agent):ContactPair
         {
             var pair:ContactPair = _table[placeOf(a, b)];
             if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breed || pair.secondBreed != pair.second.breed)
@@ -84,15 +84,24 @@ package starlogo.handlers
             return _pairs[index];
         }
 
-        /** Lets go of all pairs, without an end. */
-        public function clear():void
+        /**
+         * Lets go of all pairs, without an end.
+         *
+         * @param pairs how many will come
+         */
+        public function clear(pairs:int = 0):void
         {
             for (var i:int = 0; i < count; i++)
             {
                 _pairs[i].first = _pairs[i].second = null;
             }
             count = 0;
-            fill(LEAST_LENGTH);
+            var length:int = LEAST_LENGTH;
+            while (length <= 2 * pairs)
+            {
+                length *= 2;
+            }
+            fill(length);
         }
 
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */

@@ -13,6 +13,7 @@ package starlogo.models.cooked
      */
     public function argumentsFingerprint(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
     {
+        // join() takes the text of a transform, so that what never loads one need not have the class
         var fingerprint:Fingerprint = new Fingerprint();
         fingerprint.addText([upAxis, scaling, upAxis is String && usesTransforms].join());
         return fingerprint;

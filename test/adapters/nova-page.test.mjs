@@ -92,8 +92,8 @@ async function drive({ ticks, options, mends = false, mixed = false }) {
 			State.collisionDict.get(AgentController.EVERYONE.id).set(AgentController.EVERYONE.id, node);
 			State.jsFunctions.set(node, (agent) => {
 				const chance = Helper.Utils.random();
-				if (chance < 0.02) agent.die();
-				else if (chance < 0.04) AgentController.spawn(agent, 1, agent.breed.name);
+				if (chance < 0.02 && alive().length > 15) agent.die();
+				else if (chance < 0.04 && alive().length < 800) AgentController.spawn(agent, 1, agent.breed.name);
 			});
 		});
 		if (mixed && alive().length < 100) {
@@ -117,7 +117,7 @@ async function drive({ ticks, options, mends = false, mixed = false }) {
 			if (mixed && tick % 3 === 0) {
 				const parent = alive()[tick % 7];
 				AgentController.spawn(parent, 1, parent.breed.name);
-				alive()[tick % 11].die();
+				if (alive().length > 15) alive()[tick % 11].die();
 			}
 			globalThis.tick();
 			const now = alive();

@@ -97,7 +97,7 @@ test('the example client compiles against the SWC alone, and runs', { timeout: 3
 	const client = path.join(folder, 'examples/client');
 	const [, command] = /^ {4}mxmlc (.*)$/m.exec(text('examples/client/README.md'));
 	mxmlc(command.split(' '), { cwd: client });
-	const frames = await playUntil(path.join(client, 'client.swf'), 'frame 160:', path.join(pictures, 'client.png'));
+	const frames = await playUntil(path.join(client, 'client.swf'), 'frame 120:', path.join(pictures, 'client.png'));
 	assert.equal(frames.filter((line) => line.startsWith('error')).length, 0, frames.join('\n'));
 	const [, bumps, hits] = /(\d+) bumps, (\d+) hits/.exec(frames.at(-1)).map(Number);
 	assert.ok(bumps > 10 && hits > 1, frames.at(-1));

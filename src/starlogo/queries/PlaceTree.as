@@ -19,7 +19,7 @@ package starlogo.queries
     public final class PlaceTree
     {
         /** Rows in a leaf, at most. */
-        private static const LEAF_SIZE:int = 16;
+        private static const LEAF_SIZE:int = 24;
 
         // How a box and a sphere are to each other.
         private static const APART:int = 0;

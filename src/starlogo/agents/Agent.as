@@ -1,6 +1,7 @@
 package starlogo.agents
 {
     import flash.geom.Matrix3D;
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
 
@@ -61,6 +62,7 @@ package starlogo.agents
 
         private static var sCreated:int = 0;
         private static var sTurned:Placement = new Placement();
+        private static var sAngles:Vector3D = new Vector3D();
 
         /**
          * @private The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
@@ -96,8 +98,12 @@ package starlogo.agents
         private var _shape:String;
         private var _breed:String;
         private var _hierarchical:Boolean = false;
+        private var _heading:Number = 0;
+        private var _pitch:Number = 0;
+        private var _roll:Number = 0;
         private var _rotationIsStale:Boolean = false;
         private var _isTurnedByQuaternion:Boolean = false;
+        private var _anglesAreStale:Boolean = false;
         private var _transform:Matrix3D;
         private var _transformRevision:int = -1;
         private var _transformData:Vector.<Number>;
@@ -196,34 +202,40 @@ package starlogo.agents
         /** The turn about the z axis, counter-clockwise seen from above, in degrees, finite. */
         public function get heading():Number
         {
-            return placement.heading;
+            findAngles();
+            return _heading;
         }
 
         public function set heading(value:Number):void
         {
-            turnTo(value, placement.pitch, placement.roll);
+            findAngles();
+            turnTo(value, _pitch, _roll);
         }
 
         /** The turn about the world's y axis, before the heading, in degrees, finite. */
         public function get pitch():Number
         {
-            return placement.pitch;
+            findAngles();
+            return _pitch;
         }
 
         public function set pitch(value:Number):void
         {
-            turnTo(placement.heading, value, placement.roll);
+            findAngles();
+            turnTo(_heading, value, _roll);
         }
 
         /** The turn about the world's x axis, before the pitch, in degrees, finite. */
         public function get roll():Number
         {
-            return placement.roll;
+            findAngles();
+            return _roll;
         }
 
         public function set roll(value:Number):void
         {
-            turnTo(placement.heading, placement.pitch, value);
+            findAngles();
+            turnTo(_heading, _pitch, value);
         }
 
         /** The uniform scale of the model, from SMALLEST_SIZE to LARGEST_SIZE; 1 leaves it a unit wide. */
@@ -401,7 +413,7 @@ package starlogo.agents
                     _transform = new Matrix3D();
                     _transformData = _transform.rawData;
                 }
-                writeTransform(worldPlacement());
+                worldPlacement().writeMatrix(_transformData);
                 _transform.copyRawDataFrom(_transformData);
                 _transformRevision = revision;
             }
@@ -504,7 +516,7 @@ package starlogo.agents
         {
             if (_rotationIsStale)
             {
-                placement.setRotation(placement.heading, placement.pitch, placement.roll);
+                placement.setRotation(_heading, _pitch, _roll);
                 _rotationIsStale = false;
             }
             return placement;
@@ -518,15 +530,14 @@ package starlogo.agents
                 requireFinite("pitch", pitch);
                 requireFinite("roll", roll);
             }
-            var place:Placement = placement;
-            if (heading == place.heading && pitch == place.pitch && roll == place.roll && !_isTurnedByQuaternion)
+            if (heading == _heading && pitch == _pitch && roll == _roll && !_isTurnedByQuaternion)
             {
                 return;
             }
             _isTurnedByQuaternion = false;
-            place.heading = heading;
-            place.pitch = pitch;
-            place.roll = roll;
+            _heading = heading;
+            _pitch = pitch;
+            _roll = roll;
             _rotationIsStale = true;
             extentsChanged();
         }
@@ -540,7 +551,21 @@ package starlogo.agents
             {
                 placement.copyRotation(sTurned);
                 _isTurnedByQuaternion = true;
+                _anglesAreStale = true;
                 extentsChanged();
+            }
+        }
+
+        // Three arctangents, which most games that turn by quaternions never need.
+        private function findAngles():void
+        {
+            if (_anglesAreStale)
+            {
+                placement.readAngles(sAngles);
+                _heading = sAngles.z;
+                _pitch = sAngles.y;
+                _roll = sAngles.x;
+                _anglesAreStale = false;
             }
         }
 
@@ -548,24 +573,6 @@ package starlogo.agents
         {
             placement.extentsRevision++;
             revision++;
-        }
-
-        // Column by column, as Matrix3D keeps it.
-        private function writeTransform(placement:Placement):void
-        {
-            var scale:Number = placement.size;
-            _transformData[0] = scale * placement.r00;
-            _transformData[1] = scale * placement.r10;
-            _transformData[2] = scale * placement.r20;
-            _transformData[4] = scale * placement.r01;
-            _transformData[5] = scale * placement.r11;
-            _transformData[6] = scale * placement.r21;
-            _transformData[8] = scale * placement.r02;
-            _transformData[9] = scale * placement.r12;
-            _transformData[10] = scale * placement.r22;
-            _transformData[12] = placement.x;
-            _transformData[13] = placement.y;
-            _transformData[14] = placement.z;
         }
 
         private function requireCoordinate(trait:String, value:Number):void

@@ -1,7 +1,7 @@
 package starlogo.away3d
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Trigonometry;
 
     /**
      * A rotation as it is on the other side: with y and z swapped, which takes the engine's space to Away3D's and back.
@@ -31,6 +31,8 @@ package starlogo.away3d
         public var z:Number = 0;
 
         private var _placement:Placement = new Placement();
+        private var _swapped:Placement = new Placement();
+        private var _angles:Vector3D = new Vector3D();
 
         /** No turn. */
         public function SwappedTurn()
@@ -60,17 +62,20 @@ package starlogo.away3d
             z = _placement.r20 * fromX + _placement.r21 * fromY + _placement.r22 * fromZ;
         }
 
-        // Rows and columns 1 and 2 are swapped. The roll is computed after the heading: when x points up or down, the heading is arbitrary
-        // (rounding decides), but their sum is still right.
+        // Rows and columns 1 and 2 are swapped.
         private function readRotation():void
         {
-            var r00:Number = _placement.r00;
-            var r10:Number = _placement.r20;
-            heading = Trigonometry.arctangent(r10, r00);
-            var sin:Number = Trigonometry.sine(heading);
-            var cos:Number = Trigonometry.cosine(heading);
-            pitch = Trigonometry.arctangent(-_placement.r10, Math.sqrt(r00 * r00 + r10 * r10));
-            roll = Trigonometry.arctangent(sin * _placement.r01 - cos * _placement.r21, cos * _placement.r22 - sin * _placement.r02);
+            _swapped.r00 = _placement.r00;
+            _swapped.r01 = _placement.r02;
+            _swapped.r02 = _placement.r01;
+            _swapped.r10 = _placement.r20;
+            _swapped.r11 = _placement.r22;
+            _swapped.r12 = _placement.r21;
+            _swapped.r20 = _placement.r10;
+            _swapped.readAngles(_angles);
+            heading = _angles.z;
+            pitch = _angles.y;
+            roll = _angles.x;
         }
     }
 }

@@ -252,11 +252,15 @@ package starlogo.collision
         public function snapshot():ByteArray
         {
             requireSearch("snapshot");
+            if (_isRefused)
+            {
+                throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
+            }
             var record:FrameRecord = new FrameRecord();
             if (_searched != null)
             {
                 var search:CollisionSearch = _searched.search;
-                var places:Vector.<int> = search.recordPlaces(record);
+                var places:Vector.<int> = search.recordPositions(record);
                 for (var i:int = 0; i < _calls.tracker.count; i++)
                 {
                     var pair:ContactPair = _calls.tracker.pairAt(i);
@@ -304,7 +308,7 @@ package starlogo.collision
                 throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
             }
             var collider:Collider = Collider(_collisionSystem);
-            collider.search.restorePlaces(agents, record);
+            collider.search.restorePositions(agents, record);
             _calls.tracker.clear();
             for (var i:int = 0; i < record.pairCount; i++)
             {
@@ -326,10 +330,6 @@ package starlogo.collision
             if (!(_collisionSystem is Collider))
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + _collisionSystem);
-            }
-            if (_isRefused && what == "snapshot")
-            {
-                throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
         }
 

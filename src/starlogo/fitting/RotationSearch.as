@@ -1,12 +1,14 @@
 package starlogo.fitting
 {
-    import flash.geom.Matrix3D;
     import starlogo.bounding.Box;
+    import starlogo.engine;
     import starlogo.geometry.ConvexHull;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
+
+    use namespace engine;
 
     /**
      * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose
@@ -14,26 +16,24 @@ package starlogo.fitting
      * boxes of the same volume the first that is tried counts: the axis-aligned one is the very first. A step tries all rotations
      * about z that follow one about x and y.
      *
-     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The player turns the whole
-     * hull about x and y natively; the rotations about z that follow leave the extent along z as it is, and their extents
+     * <p>What the thesis's search costs is kept down in four ways, none of which changes its result. The whole hull is turned about x and y at
+     * once, in Numbers: a Matrix3D's precision depends on the player; the rotations about z that follow leave the extent along z as it is, and their extents
      * along x and y are looked for in the plane. The extreme corners of a rotation are found from those of the one before by
      * climbing from neighbour to neighbour: on a convex body the first corner without a better neighbour is the best. A rotation is
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
      * if a box is as small as the hull itself.</p>
      */
-    internal class RotationSearch implements Steps
+    internal class RotationSearch extends StepSequence
     {
         private static const MANY:int = 50;
         private static const RARELY:Number = 0.2;
 
-        private var _work:StepSequence = new StepSequence();
         private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
         private var _firstNeighbor:Vector.<int>;
         private var _neighbors:Vector.<int>;
-        private var _matrix:Matrix3D = new Matrix3D();
-        private var _raw:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+        private var _rotation:Placement = new Placement();
 
         // Extreme corners found last: those of the first rotation about z, then those of one half a right angle on.
         private var _landmarks:Vector.<int> = new Vector.<int>(8);
@@ -68,13 +68,7 @@ package starlogo.fitting
             _stepX = stepX;
             _stepY = stepY;
             _stepZ = stepZ;
-            _work.call(prepare).repeat(tryNext);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
+            call(prepare).repeat(tryNext);
         }
 
         // All rotations about z that follow the next one about x and y; false if there are no more.
@@ -118,7 +112,10 @@ package starlogo.fitting
         /** The smallest box of the rotations tried so far, around all vertices. */
         public function smallestBox(session:FitSession):Box
         {
-            return EnclosingStructures.box(session.vertices, axesOf(_bestX, _bestY, _bestZ));
+            var axes:Vector.<Number> = new Vector.<Number>(9);
+            _rotation.setRotation(_bestZ, _bestY, _bestX);
+            _rotation.writeRotation(axes, 0);
+            return EnclosingStructures.box(session.vertices, axes);
         }
 
         private function prepare():void
@@ -148,45 +145,30 @@ package starlogo.fitting
             return _aboutX < 90;
         }
 
-        // The rows of Rz Ry Rx.
-        private static function axesOf(aboutX:Number, aboutY:Number, aboutZ:Number):Vector.<Number>
-        {
-            var cosX:Number = Trigonometry.cosine(aboutX);
-            var sinX:Number = Trigonometry.sine(aboutX);
-            var cosY:Number = Trigonometry.cosine(aboutY);
-            var sinY:Number = Trigonometry.sine(aboutY);
-            var cosZ:Number = Trigonometry.cosine(aboutZ);
-            var sinZ:Number = Trigonometry.sine(aboutZ);
-            return new <Number>[cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
-                    sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
-                    -sinY, cosY * sinX, cosY * cosX];
-        }
-
-        // Turns the hull about x, then about y. The matrix holds the rows of Ry Rx column by column.
+        // Turns the hull about x, then about y.
         private function turn(aboutX:Number, aboutY:Number):void
         {
-            var rows:Vector.<Number> = axesOf(aboutX, aboutY, 0);
-            for (var row:int = 0; row < 3; row++)
+            _rotation.setRotation(0, aboutY, aboutX);
+            var xx:Number = _rotation.r00;
+            var xy:Number = _rotation.r01;
+            var xz:Number = _rotation.r02;
+            var yy:Number = _rotation.r11;
+            var yz:Number = _rotation.r12;
+            var zx:Number = _rotation.r20;
+            var zy:Number = _rotation.r21;
+            var zz:Number = _rotation.r22;
+            var points:Vector.<Number> = _hull.points;
+            var turned:Vector.<Number> = _turned;
+            var end:int = points.length;
+            for (var i:int = 0; i < end; i += 3)
             {
-                for (var column:int = 0; column < 3; column++)
-                {
-                    _raw[4 * column + row] = rows[3 * row + column];
-                }
+                var x:Number = points[i];
+                var y:Number = points[i + 1];
+                var z:Number = points[i + 2];
+                turned[i] = xx * x + xy * y + xz * z;
+                turned[i + 1] = yy * y + yz * z;
+                turned[i + 2] = zx * x + zy * y + zz * z;
             }
-            _matrix.copyRawDataFrom(_raw);
-            transform(_matrix, _hull.points, _turned);
-        }
-
-        /**
-         * Turns the hull: overridden by tests, with the precision of other players.
-         *
-         * @param matrix a rotation
-         * @param points x, y, z each
-         * @param out gets the turned points
-         */
-        protected function transform(matrix:Matrix3D, points:Vector.<Number>, out:Vector.<Number>):void
-        {
-            matrix.transformVectors(points, out);
         }
 
         // The extent in a direction of the plane; corners holds where it was last at the first index and the next.

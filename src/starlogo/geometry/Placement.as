@@ -1,5 +1,6 @@
 package starlogo.geometry
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
 
     use namespace engine;
@@ -28,15 +29,6 @@ package starlogo.geometry
 
         /** Counts the changes of all but the position, for caches of what does not depend on it. */
         public var extentsRevision:int = 0;
-
-        /** The turn about z that the rotation is made of, in degrees; see setRotation. */
-        public var heading:Number = 0;
-
-        /** The turn about y. */
-        public var pitch:Number = 0;
-
-        /** The turn about x. */
-        public var roll:Number = 0;
 
         /** Whether the rotation is the identity. */
         public var isIdentity:Boolean = true;
@@ -83,12 +75,9 @@ package starlogo.geometry
             copyRotation(other);
         }
 
-        /** Takes over the rotation of another, and its angles. */
+        /** Takes over the rotation of another. */
         public function copyRotation(other:Placement):void
         {
-            heading = other.heading;
-            pitch = other.pitch;
-            roll = other.roll;
             isIdentity = other.isIdentity;
             r00 = other.r00;
             r01 = other.r01;
@@ -111,9 +100,6 @@ package starlogo.geometry
          */
         public function setRotation(heading:Number, pitch:Number, roll:Number):void
         {
-            this.heading = heading;
-            this.pitch = pitch;
-            this.roll = roll;
             isIdentity = heading == 0 && pitch == 0 && roll == 0;
             var cosHeading:Number = Trigonometry.cosine(heading);
             var sinHeading:Number = Trigonometry.sine(heading);
@@ -144,7 +130,7 @@ package starlogo.geometry
         }
 
         /**
-         * Sets the rotation to that of a quaternion. Its angles are those that give the same rotation, the pitch between -90 and 90 degrees.
+         * Sets the rotation to that of a quaternion.
          *
          * @param x the quaternion, x i + y j + z k + w, of length 1
          * @param y likewise
@@ -163,7 +149,22 @@ package starlogo.geometry
             r21 = 2 * (y * z + w * x);
             r22 = 1 - 2 * (x * x + y * y);
             isIdentity = x == 0 && y == 0 && z == 0;
-            findAngles();
+        }
+
+        /**
+         * Finds the angles that setRotation() makes the rotation of, the pitch between -90 and 90 degrees.
+         *
+         * @param out takes roll, pitch and heading, in degrees, as x, y and z
+         */
+        public function readAngles(out:Vector3D):void
+        {
+            var level:Number = Math.sqrt(r00 * r00 + r10 * r10);
+            // of what is left without the heading: right even where the heading is arbitrary
+            var cosHeading:Number = level == 0 ? 1 : r00 / level;
+            var sinHeading:Number = level == 0 ? 0 : r10 / level;
+            out.x = Trigonometry.arctangent(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01);
+            out.y = Trigonometry.arctangent(-r20, level);
+            out.z = Trigonometry.arctangent(r10, r00);
         }
 
         /** Whether the rotation is that of another, to the last bit. */
@@ -195,7 +196,6 @@ package starlogo.geometry
             r02 = data[8] / size;
             r12 = data[9] / size;
             r22 = data[10] / size;
-            findAngles();
             return data[3] == 0 && data[7] == 0 && data[11] == 0 && data[15] == 1
                 && isNear(r01 * r01 + r11 * r11 + r21 * r21, 1) && isNear(r00 * r01 + r10 * r11 + r20 * r21, 0)
                 // the third column is where a rotation has it
@@ -248,6 +248,27 @@ package starlogo.geometry
             out[3] = real * scale;
         }
 
+        /**
+         * Writes all as a matrix, the counterpart of setMatrix.
+         *
+         * @param out sixteen numbers, column by column, as Matrix3D keeps them; those that are the same in all placements are left alone
+         */
+        public function writeMatrix(out:Vector.<Number>):void
+        {
+            out[0] = size * r00;
+            out[1] = size * r10;
+            out[2] = size * r20;
+            out[4] = size * r01;
+            out[5] = size * r11;
+            out[6] = size * r21;
+            out[8] = size * r02;
+            out[9] = size * r12;
+            out[10] = size * r22;
+            out[12] = x;
+            out[13] = y;
+            out[14] = z;
+        }
+
         /** Writes the rotation, row by row, from an index on. */
         engine function writeRotation(out:Vector.<Number>, at:int):void
         {
@@ -262,7 +283,7 @@ package starlogo.geometry
             out[int(at + 8)] = r22;
         }
 
-        /** Takes over a rotation that was written so; the angles stay what they were. */
+        /** Takes over a rotation that was written so. */
         engine function readRotation(from:Vector.<Number>, at:int):void
         {
             r00 = from[at];
@@ -281,17 +302,6 @@ package starlogo.geometry
         private static function isNear(a:Number, b:Number):Boolean
         {
             return Math.abs(a - b) <= Tolerances.MATRIX;
-        }
-
-        private function findAngles():void
-        {
-            var level:Number = Math.sqrt(r00 * r00 + r10 * r10);
-            heading = Trigonometry.arctangent(r10, r00);
-            pitch = Trigonometry.arctangent(-r20, level);
-            // of what is left without the heading: right even where the heading is arbitrary
-            var cosHeading:Number = level == 0 ? 1 : r00 / level;
-            var sinHeading:Number = level == 0 ? 0 : r10 / level;
-            roll = Trigonometry.arctangent(sinHeading * r02 - cosHeading * r12, cosHeading * r11 - sinHeading * r01);
         }
     }
 }

@@ -13,7 +13,7 @@ package starlogo.libraries
     public final class FitSettings
     {
         /** Has to be raised whenever an algorithm of the engine gives another result for the same settings. */
-        private static const REVISION:int = 2;
+        private static const REVISION:int = 3;
 
         /**
          * The settings that structures depend on; null if structures are not wanted, or cannot be kept.
@@ -59,18 +59,6 @@ package starlogo.libraries
         public function toString():String
         {
             return fingerprintOf([structures, hierarchy, wantsSurface].join()).toString();
-        }
-
-        /**
-         * The settings that a section of a .fits file depends on: 0 is the structures, 1 the hierarchy, 2 the surface.
-         *
-         * @return null if the section is not wanted, or cannot be kept
-         *
-         * @private
-         */
-        engine function ofSection(section:int):Fingerprint
-        {
-            return section == 0 ? structures : hierarchy;
         }
 
         // null if one of the fitters has no signature

@@ -1,7 +1,10 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
-    import starlogo.geometry.Trigonometry;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * How a model is turned, scaled and moved before it is used: what the StarLogo Nova client's transform files say (<code>bear.slb</code>
@@ -49,12 +52,12 @@ package starlogo.models
             var turn:Vector3D = null;
             var factors:Vector3D = null;
             var move:Vector3D = null;
-            for each (var line:String in TextTokens.replaceAll(text || "", "\r", "").split("\n"))
+            for each (var line:String in (text || "").split("\r").join("").split("\n"))
             {
                 var words:Array = line.split(" ");
-                var x:Number = parseFloat(words[1]);
+                var x:Number = numberIn(words[1]);
                 var isEven:Boolean = words.length < 4;
-                var numbers:Vector3D = isEven ? new Vector3D(x, x, x) : new Vector3D(x, parseFloat(words[2]), parseFloat(words[3]));
+                var numbers:Vector3D = isEven ? new Vector3D(x, x, x) : new Vector3D(x, numberIn(words[2]), numberIn(words[3]));
                 if (words[0] == "scale" && isScale(numbers))
                 {
                     factors = numbers;
@@ -69,6 +72,13 @@ package starlogo.models
                 }
             }
             return new ModelTransform(turn, factors, move);
+        }
+
+        // As parseFloat() reads it: what follows the number does not matter.
+        private static function numberIn(word:String):Number
+        {
+            var found:Array = word == null ? null : /^\s*([-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)/.exec(word);
+            return found == null ? NaN : Decimal.of(found[1]);
         }
 
         /** Degrees about x, y and z. */
@@ -101,6 +111,12 @@ package starlogo.models
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
         }
 
+        /** As toText() has it. */
+        public function toString():String
+        {
+            return toText();
+        }
+
         /**
          * The rotation as a matrix.
          *
@@ -110,16 +126,11 @@ package starlogo.models
          */
         internal function rotationRows():Vector.<Number>
         {
-            var cosX:Number = Trigonometry.cosine(_rotation.x);
-            var cosY:Number = Trigonometry.cosine(_rotation.y);
-            var cosZ:Number = Trigonometry.cosine(_rotation.z);
-            var sinX:Number = Trigonometry.sine(_rotation.x);
-            var sinY:Number = Trigonometry.sine(_rotation.y);
-            var sinZ:Number = Trigonometry.sine(_rotation.z);
-            return new <Number>[
-                    cosZ * cosY, cosZ * sinY * sinX - sinZ * cosX, cosZ * sinY * cosX + sinZ * sinX,
-                    sinZ * cosY, sinZ * sinY * sinX + cosZ * cosX, sinZ * sinY * cosX - cosZ * sinX,
-                    -sinY, cosY * sinX, cosY * cosX];
+            var rows:Vector.<Number> = new Vector.<Number>(9);
+            var turned:Placement = new Placement();
+            turned.setRotation(_rotation.z, _rotation.y, _rotation.x);
+            turned.writeRotation(rows, 0);
+            return rows;
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

@@ -86,9 +86,9 @@ package starlogo.models
          */
         public static function toNumber(word:String):Number
         {
-            var number:Number = Number(word);
+            var number:Number = Decimal.of(word);
             var isPlain:Boolean = number == number || word.indexOf(",") < 0 || word.indexOf(".") >= 0;
-            return isPlain ? number : Number(word.replace(",", "."));
+            return isPlain ? number : Decimal.of(word.replace(",", "."));
         }
 
         /** A text's beginning, for messages. */

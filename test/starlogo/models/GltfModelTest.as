@@ -116,6 +116,24 @@ package starlogo.models
             assertTrue(String(Surfaces.volume(model)), Math.abs(Surfaces.volume(model) - 12) < 1e-9);
         }
 
+        // Players read long numbers differently, and Ruffle keeps whole ones within 32 bits.
+        [Test]
+        public function numbersAreTheSameOnEveryMachine():void
+        {
+            for each (var word:String in ["0.22349309909760888", "-5.9066087652313134e-8", "4294967311", "123456789012345678901", "0.1", "7"])
+            {
+                _file = Gltf.tetrahedron();
+                _file.json.nodes[0].translation = [987, 0, 0];
+                _file.json.nodes[0].name = "-1234567890.5 \\\" 123456789012345";
+                var text:String = _file.toText().replace("987", word).replace("\"count\":4", "\"count\":4.000000000000");
+                assertEquals(word, Decimal.of(word), GltfModel.fromBytes("a", bytesOf(text), "z", Model.AS_GIVEN).vertices[0]);
+            }
+            Failures.assertFails("", "its JSON can't be read", function():void
+                {
+                    GltfModel.fromBytes("a", bytesOf(text.replace("[7", "[123456.7.8901")));
+                });
+        }
+
         [Test]
         public function readsTheSceneThatIsShown():void
         {
@@ -237,6 +255,13 @@ package starlogo.models
             _file.json.bufferViews[0].buffer = 1;
             _file.json.bufferViews[0].extensions = {EXT_meshopt_compression: {}};
             Failures.assertFails("bufferViews[0]", "meshopt", read);
+        }
+
+        private static function bytesOf(text:String):ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeUTFBytes(text);
+            return bytes;
         }
 
         private function read():Model

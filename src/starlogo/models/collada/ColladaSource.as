@@ -1,5 +1,6 @@
 package starlogo.models.collada
 {
+    import starlogo.models.Decimal;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -74,7 +75,7 @@ package starlogo.models.collada
 
         private function numberAt(word:int):Number
         {
-            var number:Number = Number(_words[word]);
+            var number:Number = Decimal.of(_words[word]);
             return number - number == 0 ? number : _document.toNumber(_array, _words[word]);
         }
 

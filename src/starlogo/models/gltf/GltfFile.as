@@ -39,6 +39,7 @@ package starlogo.models.gltf
         private var _name:String;
         private var _bytes:ByteArray;
         private var _text:String;
+        private var _meter:JsonMeter;
 
         // of each buffer its bytes, null for what is not there, and where in them it starts
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
@@ -174,20 +175,22 @@ package starlogo.models.gltf
 
         private function measuring():Steps
         {
-            return new JsonMeter(_name, _text);
+            _meter = new JsonMeter(_name, _text);
+            return _meter;
         }
 
         private function parse():void
         {
             try
             {
-                var root:Object = JSON.parse(_text);
+                var root:Object = JSON.parse(_meter.marked);
             }
             catch (failure:Error)
             {
                 refuseIf(true, _name, "its JSON can't be read: " + failure.message);
             }
             _text = null;
+            _meter = null;
             json = new GltfJson(_name, root);
             var asset:Object = json.objectIn(root, "asset", "");
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);

@@ -85,6 +85,7 @@ package starlogo.models.gltf
         public function numberOf(value:*, place:String, kind:String):int
         {
             var most:int = count(kind);
+            value = JsonMeter.numberOf(value);
             refuseIf(!isWhole(value, most - 1), place, "expected the number of one of " + most + " " + kind + ", but found " + shown(value));
             return value;
         }
@@ -92,7 +93,7 @@ package starlogo.models.gltf
         /** An object's integer from 0 to some other; what is preset if it has none. */
         public function whole(owner:Object, key:String, place:String, most:int, preset:int):int
         {
-            var found:* = owner[key];
+            var found:* = JsonMeter.numberOf(owner[key]);
             if (found === undefined && preset >= 0)
             {
                 return preset;
@@ -113,7 +114,7 @@ package starlogo.models.gltf
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < list.length; i++)
             {
-                var found:* = list[i];
+                var found:* = JsonMeter.numberOf(list[i]);
                 refuseIf(!(found is Number) || found - found != 0, placeIn(place, key) + "[" + i + "]", "expected a finite number, but found " + shown(found));
                 all.push(found);
             }
@@ -145,6 +146,7 @@ package starlogo.models.gltf
 
         private static function shown(value:*):String
         {
+            value = JsonMeter.numberOf(value);
             if (value === undefined || value === null)
             {
                 return value === null ? "null" : "nothing";

@@ -1,5 +1,6 @@
 package starlogo.models.gltf
 {
+    import starlogo.geometry.Placement;
     import starlogo.models.AffineTransform;
     import starlogo.steps.StepSequence;
 
@@ -153,14 +154,12 @@ package starlogo.models.gltf
         // A scale, after it a turn by a unit quaternion x, y, z, w, after it a translation.
         private static function ofParts(t:Vector.<Number>, r:Vector.<Number>, s:Vector.<Number>):AffineTransform
         {
-            var x:Number = r[0];
-            var y:Number = r[1];
-            var z:Number = r[2];
-            var w:Number = r[3];
+            var turned:Placement = new Placement();
+            turned.setQuaternion(r[0], r[1], r[2], r[3]);
             return new AffineTransform(new <Number>[
-                        (1 - 2 * (y * y + z * z)) * s[0], 2 * (x * y - w * z) * s[1], 2 * (x * z + w * y) * s[2], t[0],
-                        2 * (x * y + w * z) * s[0], (1 - 2 * (x * x + z * z)) * s[1], 2 * (y * z - w * x) * s[2], t[1],
-                        2 * (x * z - w * y) * s[0], 2 * (y * z + w * x) * s[1], (1 - 2 * (x * x + y * y)) * s[2], t[2]]);
+                        turned.r00 * s[0], turned.r01 * s[1], turned.r02 * s[2], t[0],
+                        turned.r10 * s[0], turned.r11 * s[1], turned.r12 * s[2], t[1],
+                        turned.r20 * s[0], turned.r21 * s[1], turned.r22 * s[2], t[2]]);
         }
     }
 }

@@ -1,24 +1,38 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.Decimal;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
-    /** Measures JSON before the player parses it, in steps: parsers descend into what is nested, and make an object of every value. */
+    /**
+     * Measures JSON before the player parses it, in steps: parsers descend into what is nested, and make an object of every value. Numbers that
+     * players parse differently are marked strings afterwards, for numberOf() to read.
+     */
     internal final class JsonMeter extends StepSequence
     {
         internal static const MAX_DEPTH:int = 100;
         internal static const MAX_VALUES:int = 2000000;
 
+        // Ruffle's parser keeps whole numbers within 32 bits, and in long ones players differ in the last bits.
+        private static const LONGEST_NUMBER:int = 9;
+        private static const NUMBER:RegExp = /^-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?$/;
+        private static const MARK:String = "\uE002";
+
         private static const CHARACTERS_PER_STEP:int = 8000;
 
         private static const QUOTE:int = 0x22;
         private static const BACKSLASH:int = 0x5C;
+        private static const PLUS:int = 0x2B;
         private static const COMMA:int = 0x2C;
+        private static const SMALL_E:int = 0x65;
+        private static const LARGE_E:int = 0x45;
 
         private var _name:String;
         private var _text:String;
         private var _next:int = 0;
         private var _depth:int = 0;
+        private var _pieces:Array = [];
+        private var _taken:int = 0;
         private var _values:int = 0;
 
         /**
@@ -32,6 +46,18 @@ package starlogo.models.gltf
             repeat(measure);
         }
 
+        /** The text with its marked numbers, when no step is left. */
+        public function get marked():String
+        {
+            return _taken == 0 ? _text : _pieces.join("") + _text.substr(_taken);
+        }
+
+        /** The number of a marked string; any other value is returned as it is. */
+        public static function numberOf(value:*):*
+        {
+            return value is String && value.charAt(0) == MARK ? Decimal.of(value.substr(1)) : value;
+        }
+
         private function measure():Boolean
         {
             var text:String = _text;
@@ -41,6 +67,11 @@ package starlogo.models.gltf
             while (i < last)
             {
                 var code:int = text.charCodeAt(i);
+                if (isInNumber(code))
+                {
+                    i = endOfNumber(i);
+                    continue;
+                }
                 i = code == QUOTE ? endOfString(i + 1) : i + 1;
                 if (code == 0x7B || code == 0x5B)
                 {
@@ -60,6 +91,31 @@ package starlogo.models.gltf
             _next = i;
             refuseIf(_values > MAX_VALUES, _name, "its JSON has more than " + MAX_VALUES + " values");
             return _next < length;
+        }
+
+        // Digits, "-" and "."; the "e" of true and false begins no number
+        private static function isInNumber(code:int):Boolean
+        {
+            return code > COMMA && code < 0x3A && code != 0x2F;
+        }
+
+        // The place behind a number, or behind what looks like one.
+        private function endOfNumber(from:int):int
+        {
+            var end:int = from;
+            var code:int;
+            do
+            {
+                code = _text.charCodeAt(++end);
+            }
+            while (isInNumber(code) || code == PLUS || code == SMALL_E || code == LARGE_E);
+            var number:String = end - from > LONGEST_NUMBER ? _text.substring(from, end) : "";
+            if (NUMBER.test(number))
+            {
+                _pieces.push(_text.substring(_taken, from), "\"" + MARK + number + "\"");
+                _taken = end;
+            }
+            return end;
         }
 
         // The place behind the quote that ends a string.

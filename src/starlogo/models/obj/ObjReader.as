@@ -1,5 +1,6 @@
 package starlogo.models.obj
 {
+    import starlogo.models.Decimal;
     import starlogo.models.LineTokens;
     import starlogo.models.ModelError;
     import starlogo.models.ModelLimits;
@@ -110,9 +111,9 @@ package starlogo.models.obj
         {
             var words:Array = _tokens.words;
             var at:int = _tokens.next;
-            var x:Number = Number(words[at]);
-            var y:Number = Number(words[int(at + 1)]);
-            var z:Number = Number(words[int(at + 2)]);
+            var x:Number = Decimal.of(words[at]);
+            var y:Number = Decimal.of(words[int(at + 1)]);
+            var z:Number = Decimal.of(words[int(at + 2)]);
             if (x - x + y - y + z - z != 0)
             {
                 readUnusualVertex();

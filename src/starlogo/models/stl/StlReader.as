@@ -3,6 +3,7 @@ package starlogo.models.stl
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.geometry.PointTable;
+    import starlogo.models.Decimal;
     import starlogo.models.LineTokens;
     import starlogo.models.ModelError;
     import starlogo.models.ModelLimits;
@@ -167,9 +168,9 @@ package starlogo.models.stl
         {
             var words:Array = _tokens.words;
             var at:int = _tokens.next;
-            var x:Number = Number(words[at]);
-            var y:Number = Number(words[int(at + 1)]);
-            var z:Number = Number(words[int(at + 2)]);
+            var x:Number = Decimal.of(words[at]);
+            var y:Number = Decimal.of(words[int(at + 1)]);
+            var z:Number = Decimal.of(words[int(at + 2)]);
             if (x - x + y - y + z - z != 0 || _corners == 3)
             {
                 throw new ModelError(name, "line " + _tokens.line, _corners == 3 ? "a facet has more than three vertices"

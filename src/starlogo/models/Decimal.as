@@ -1,0 +1,132 @@
+package starlogo.models
+{
+    /**
+     * Reads numbers that are written in decimals, with the same result on every machine: the nearest Number, or one of the two nearest where the
+     * middle between them is nearer than 1e-12 of their distance. What players read differs by some units in the last place where there are more than fifteen digits.
+     *
+     * <p>These are taken as the sum of two Numbers, with the exact products of T. J. Dekker ("A floating-point technique for extending the
+     * available precision", Numerische Mathematik 18, 1971).</p>
+     *
+     * @private
+     */
+    public final class Decimal
+    {
+        // So many characters have at most fifteen digits: a whole Number. Between the limits it is multiplied or divided, once, by at most 1e22, a
+        // Number too: all players round that alike.
+        private static const SHORT:int = 15;
+        private static const SMALLEST:Number = 1e-7;
+        private static const LARGEST:Number = 1e15;
+
+        // sign, digits, digits behind the point, exponent; not the zeros before
+        private static const PARTS:RegExp = /^([-+]?)(?=\.?\d)0*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?$/;
+        private static const MOST_DIGITS:int = 30;
+        private static const LARGEST_EXPONENT:Number = 99999;
+        private static const POWERS:Vector.<Number> = powersOfTen(22);
+
+        // 2^27 + 1 splits a Number in two halves, if it is not among the largest: the products of halves are exact
+        private static const SPLITTER:Number = 134217729;
+        private static const LARGEST_TO_SPLIT:Number = 1e290;
+
+        /** All is static. */
+        public function Decimal()
+        {
+        }
+
+        /**
+         * The number that a word is.
+         *
+         * @param word such as "1", "-.5" or "2.50e-3"
+         * @return NaN if it is none; Infinity if it is too large
+         */
+        public static function of(word:String):Number
+        {
+            var length:int = word == null ? 0 : word.length;
+            if (length == 0)
+            {
+                return NaN;
+            }
+            // to some players "1e" is a number
+            var last:int = word.charCodeAt(length - 1);
+            if (length <= SHORT && last < 0x3A && last > 0x2D)
+            {
+                var number:Number = Number(word);
+                var size:Number = number < 0 ? -number : number;
+                if (size >= SMALLEST && size <= LARGEST || size == 0 && word.search(/[eE]/) < 0)
+                {
+                    return number;
+                }
+            }
+            return read(PARTS.exec(word));
+        }
+
+        private static function read(parts:Array):Number
+        {
+            if (parts == null)
+            {
+                return NaN;
+            }
+            var fraction:String = parts[3];
+            var digits:String = (parts[2] + fraction).replace(/^0+/, "");
+            var exponent:Number = parts[4] ? Math.max(-LARGEST_EXPONENT, Math.min(Number(parts[4]), LARGEST_EXPONENT)) : 0;
+            exponent += Math.max(0, digits.length - MOST_DIGITS) - fraction.length;
+            var behind:String = digits.substring(SHORT, MOST_DIGITS);
+            var size:Number = scaled(Number(digits.substr(0, SHORT)), Number(behind), behind.length, exponent);
+            return parts[1] == "-" ? -size : size;
+        }
+
+        // (first * 10^shift + second) * 10^exponent; first and second are whole and have at most fifteen digits
+        private static function scaled(first:Number, second:Number, shift:int, exponent:Number):Number
+        {
+            var product:Number = first * POWERS[shift];
+            var rest:Number = errorOf(first, POWERS[shift], product);
+            var high:Number = product + second;
+            rest += second - (high - product);
+            product = high;
+            high += rest;
+            var low:Number = rest - (high - product);
+            while (exponent != 0 && high > 0 && high < Infinity)
+            {
+                var step:int = Math.min(22, Math.abs(exponent));
+                var power:Number = POWERS[step];
+                if (exponent > 0)
+                {
+                    product = high * power;
+                    rest = product > LARGEST_TO_SPLIT ? 0 : errorOf(high, power, product) + low * power;
+                    exponent -= step;
+                }
+                else
+                {
+                    product = high / power;
+                    var back:Number = product * power;
+                    rest = (high - back - errorOf(product, power, back) + low) / power;
+                    exponent += step;
+                }
+                high = product + rest;
+                low = rest - (high - product);
+            }
+            return high;
+        }
+
+        // What a product lacks by rounding.
+        private static function errorOf(a:Number, b:Number, product:Number):Number
+        {
+            var split:Number = SPLITTER * a;
+            var aHigh:Number = split - (split - a);
+            var aLow:Number = a - aHigh;
+            split = SPLITTER * b;
+            var bHigh:Number = split - (split - b);
+            var bLow:Number = b - bHigh;
+            return aLow * bLow - (product - aHigh * bHigh - aLow * bHigh - aHigh * bLow);
+        }
+
+        private static function powersOfTen(most:int):Vector.<Number>
+        {
+            var powers:Vector.<Number> = new <Number>[1];
+            for (var i:int = 1; i <= most; i++)
+            {
+                powers[i] = 10 * powers[i - 1];
+            }
+            return powers;
+        }
+    }
+}

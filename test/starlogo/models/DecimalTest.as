@@ -1,0 +1,58 @@
+package starlogo.models
+{
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import support.Fixtures;
+
+    public class DecimalTest
+    {
+        // Words and the bits of their numbers, which test/oracle/decimals.py has made.
+        private static const VECTORS:String = "/fixtures/decimals.txt";
+
+        public static const FIXTURES:Array = [VECTORS];
+
+        [Test]
+        public function everyNumberIsTheNearest():void
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            var lines:Array = Fixtures.text(VECTORS).split("\n");
+            assertEquals(2401, lines.length);
+            for each (var line:String in lines.slice(0, 2400))
+            {
+                var parts:Array = line.split(" ");
+                bytes.position = 0;
+                bytes.writeDouble(Decimal.of(parts[0]));
+                bytes.position = 0;
+                assertEquals(parts[0], parts[1], hexadecimal(bytes.readUnsignedInt()) + hexadecimal(bytes.readUnsignedInt()));
+            }
+        }
+
+        [Test]
+        public function largeSmallAndNone():void
+        {
+            for each (var zero:String in ["0", "-0", "0.0", "0.00000000000000000000", "1e-400", "1e-99999999999", "0e999999"])
+            {
+                assertTrue(zero, Decimal.of(zero) == 0);
+            }
+            assertTrue("-0", 1 / Decimal.of("-0") < 0 && 1 / Decimal.of("-0.00000000000000000000") < 0);
+            for each (var large:String in ["1e309", "1e99999999999", "12345678901234567890e300"])
+            {
+                assertEquals(large, Infinity, Decimal.of(large));
+                assertEquals(large, -Infinity, Decimal.of("-" + large));
+            }
+            for each (var wrong:String in [null, "", " ", ".", "-", "+", "e5", ".e5", "1e", "1e+", "1e-", "1.2.3", "--1", "1x", "Infinity", "NaN",
+                        "1,5", "1.234567890123456789e", "1.234567890123456789-", "- 1.2345678901234567"])
+            {
+                assertTrue(wrong, isNaN(Decimal.of(wrong)));
+            }
+        }
+
+        private static function hexadecimal(word:uint):String
+        {
+            return ("0000000" + word.toString(16)).slice(-8);
+        }
+    }
+}

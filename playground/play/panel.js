@@ -32,8 +32,8 @@ export class Panel {
 		const { collisionMs, collisions } = this.world;
 		this.#ms += collisionMs;
 		this.#ticks++;
-		const { candidatePairs: pairs, tests, collisions: touching } = collisions.collision.statistics;
-		for (const [name, value] of Object.entries({ pairs, tests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
+		const { candidatePairs: pairs, tests, hierarchyTests, collisions: touching } = collisions.collision.statistics;
+		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
 	}
 
 	/** Shows what was counted; while the game runs, twice a second. */

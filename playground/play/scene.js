@@ -7,8 +7,8 @@ import { breedName } from "./panel.js";
 import { HALF_WIDTH } from "./world.js";
 
 const words = texts.play;
-const STRUCTURES = 0xc24a00;
-const CHOSEN = 0x1d4ed8;
+const STRUCTURES = { color: 0xc24a00 };
+const CHOSEN = { color: 0x1d4ed8 };
 /** What the engine sees: what touches nothing, what it finds rightly or wrongly, and what it misses. */
 const COLOURS = { none: 0x2f6fed, hit: 0xe02020, wrong: 0xff9d00, missed: 0x9b1fe8 };
 /** How many frames a flash and a mark last. */
@@ -71,8 +71,8 @@ export class Scene {
 		const lines = [];
 		if (this.areAllShown) for (const agent of world.agents) world.structures.linesOf(agent, lines);
 		else world.structures.lines(lines);
-		stage.showLines("structures", lines, STRUCTURES);
-		stage.showLines("chosen", this.chosen ? world.structures.linesOf(this.chosen) : [], CHOSEN);
+		stage.wireframe("structures", STRUCTURES).showLines(lines);
+		stage.wireframe("chosen", CHOSEN).showLines(this.chosen ? world.structures.linesOf(this.chosen) : []);
 		const verdicts = this.isSeen ? this.#verdicts() : null;
 		const solids = verdicts ? world.agents.map((agent) => ({ ...this.#structuresOf(agent), color: COLOURS[verdicts.get(agent) ?? "none"] })) : [];
 		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: 0xffd21f })), solids);
@@ -87,7 +87,7 @@ export class Scene {
 	picture(agents, width, height) {
 		this.stage.showAgents(agents, this.models);
 		this.stage.showMarks([], []);
-		for (const name of ["structures", "chosen"]) this.stage.showLines(name, [], STRUCTURES);
+		this.stage.clearLines("structures", "chosen");
 		return this.stage.picture(width, height);
 	}
 
@@ -181,7 +181,7 @@ export class Scene {
 			button(words.inspected.close, () => {
 				this.chosen = null;
 				this.facts.hidden = true;
-				this.stage.showLines("chosen", [], CHOSEN);
+				this.stage.clearLines("chosen");
 			}));
 	}
 }

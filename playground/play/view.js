@@ -62,10 +62,15 @@ class PlayView {
 		this.status = h("p.status", { role: "status" }, words.ready);
 		this.system = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), CollisionBlocks.TIGHTEST_FITS, (name) => {
 			this.world.useSystem(name);
+			// a game that stands still is as the new one sees it
+			if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
+				this.world.collide();
+				this.#take();
+			});
 			this.draw();
 			this.#playOn();
 		});
-		this.blocksHost = h("div.blocks", { role: "region", "aria-label": words.blocks });
+		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocks });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.pad = h("div.pad");
 		this.keys = h("p.keys");
@@ -91,7 +96,7 @@ class PlayView {
 			h("section.program", { "aria-label": words.blocks },
 				h("div.tools", {}, field(words.program, this.programs.menu), button(texts.gallery.open, () => this.programs.openGallery()),
 					button(words.save, () => download(this.editor.program, words.fileName)),
-					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.programs.openFile(file)),
+					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)),
 					button(words.share, () => this.programs.share()), this.programs.undoButton),
 				this.blocksHost),
 			h("section.game", { "aria-label": words.world },
@@ -168,11 +173,6 @@ class PlayView {
 		};
 		worldHost.addEventListener("pointerup", up);
 		worldHost.addEventListener("pointercancel", up);
-		this.drop = (event) => {
-			event.preventDefault();
-			if (event.type === "drop" && event.dataTransfer.files.length > 0) this.programs.openFile(event.dataTransfer.files[0]);
-		};
-		for (const type of ["dragover", "drop"]) addEventListener(type, this.drop);
 	}
 
 	#click(agent) {
@@ -204,6 +204,11 @@ class PlayView {
 		return this.programs.open(link);
 	}
 
+	/** Opens what the user has chosen, or dropped anywhere on the page. */
+	openFile(file) {
+		return this.programs.openFile(file);
+	}
+
 	/** Says something, with what may be done about it. */
 	offer(text, action, onclick) {
 		this.say(text);
@@ -214,7 +219,7 @@ class PlayView {
 		let name = file.name.replace(MODEL_FILE, "");
 		for (let number = 2; this.models.has(name); number++) name = words.another(file.name.replace(MODEL_FILE, ""), number);
 		try {
-			const model = parseModel(name, file.name, new Uint8Array(await file.arrayBuffer()));
+			const model = await parseModel(name, new Uint8Array(await file.arrayBuffer()));
 			this.world.greatLand.addModel(model);
 			this.models.set(name, model);
 			meet("SHAPE", name);
@@ -284,9 +289,14 @@ class PlayView {
 
 	#tick() {
 		this.#attempt(() => this.world.step());
+		this.#take();
+		if (this.world.ended) this.#end();
+	}
+
+	/** Takes a frame into account. */
+	#take() {
 		this.panel.count();
 		if (!this.isBroken && this.programs.lessons.look(this.world)) this.say(texts.lessons.done);
-		if (this.world.ended) this.#end();
 	}
 
 	#end() {
@@ -346,7 +356,6 @@ class PlayView {
 	close() {
 		this.#halt();
 		this.programs.close();
-		for (const type of ["dragover", "drop"]) removeEventListener(type, this.drop);
 		this.editor.close();
 		this.stage.close();
 	}

@@ -136,10 +136,15 @@ export class World {
 		this.#pressed.clear();
 		this.#clicked = null;
 		const listed = [...this.agents];
+		this.collide();
+		this.history.add(listed);
+	}
+
+	/** The end of a frame: who touches whom. */
+	collide() {
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = performance.now() - start;
-		this.history.add(listed);
 	}
 
 	#isDue(event, fields, seconds) {

@@ -15,7 +15,7 @@ const THEMES = {
 };
 
 export class Stage {
-	#lines = new Map();
+	#wireframes = new Map();
 	#wanted = 0;
 	#grid = null;
 	#isTouched = false;
@@ -44,6 +44,7 @@ export class Stage {
 		this.canvas.setAttribute("role", "img");
 		this.canvas.setAttribute("aria-label", label);
 		host.append(this.canvas);
+		sayIfLost(this);
 		this.controls = new OrbitControls(this.camera, this.canvas);
 		this.controls.target.set(...target);
 		this.controls.maxPolarAngle = Math.PI * 0.55;
@@ -203,6 +204,11 @@ export class Stage {
 		this.redraw();
 	}
 
+	/** The ray from the eye through the pointer. */
+	rayAt(event) {
+		return this.#ray(event).ray;
+	}
+
 	/** Moves the eye along its line of sight, so that a ball around the target fits. */
 	frame(target, radius) {
 		if (!this.renderer) return;
@@ -248,17 +254,25 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Shows lines under a name, in place of those that it had: x, y, z of one end, then of the other. */
-	showLines(name, numbers, color) {
-		if (!this.renderer) return;
-		let wireframe = this.#lines.get(name);
-		if (!wireframe) {
-			wireframe = new ThreeWireframe({ up: "z" });
-			this.#lines.set(name, wireframe);
-			this.scene.add(wireframe);
+	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. */
+	wireframe(name, { color, opacity = 1, isOnTop = false }) {
+		if (!this.#wireframes.has(name)) {
+			const made = new ThreeWireframe({ up: "z" });
+			// what comes later is over what is there
+			made.renderOrder = isOnTop ? 1 : 0;
+			this.#wireframes.set(name, made);
+			this.scene?.add(made);
 		}
+		const wireframe = this.#wireframes.get(name);
 		wireframe.material.color.set(color);
-		wireframe.clearLines().showLines(numbers);
+		Object.assign(wireframe.material, { opacity, transparent: opacity < 1, depthTest: !isOnTop });
+		this.redraw();
+		return wireframe.clearLines();
+	}
+
+	/** Leaves nothing in the wireframes of some names. */
+	clearLines(...names) {
+		for (const name of names) this.#wireframes.get(name)?.clearLines();
 		this.redraw();
 	}
 
@@ -299,10 +313,24 @@ export class Stage {
 		this.agents.dispose();
 		this.land?.dispose();
 		this.marks?.dispose();
-		for (const wireframe of this.#lines.values()) wireframe.dispose();
+		for (const wireframe of this.#wireframes.values()) wireframe.dispose();
 		this.renderer.dispose();
 		this.canvas.remove();
 	}
+}
+
+/** Says so, and draws again, when the browser takes the graphics card away and gives it back. */
+function sayIfLost(stage) {
+	const note = h("p.notice.lost", { role: "alert" }, texts.lostWebGL);
+	stage.canvas.addEventListener("webglcontextlost", (event) => {
+		// else it is not given back
+		event.preventDefault();
+		stage.host.append(note);
+	});
+	stage.canvas.addEventListener("webglcontextrestored", () => {
+		note.remove();
+		stage.redraw();
+	});
 }
 
 const placement = new Matrix4();

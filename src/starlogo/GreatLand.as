@@ -2,7 +2,6 @@ package starlogo
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
@@ -14,6 +13,7 @@ package starlogo
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.argumentsFingerprint;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -48,7 +48,7 @@ package starlogo
          */
         public var fitStore:FitStore = null;
 
-        // the libraries have the same
+        // shared with the libraries
         private var _shapes:ShapeTable = new ShapeTable();
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
@@ -244,21 +244,13 @@ package starlogo
             return true;
         }
 
-        /**
-         * Another number whenever something that was known of a model has been replaced or removed: what was made of it is void.
-         *
-         * @private
-         */
+        /** @private Increased whenever what is known of any model is replaced or removed: what was made of it is out of date. */
         engine function get revision():int
         {
             return _shapes.revision;
         }
 
-        /**
-         * The same of one name alone.
-         *
-         * @private
-         */
+        /** @private The revision of one model alone. */
         engine function revisionOf(name:String):int
         {
             return _shapes.of(name).revision;
@@ -277,11 +269,13 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, _shapes.of(name).model.vertices);
         }
 
-        /**
-         * What finds for a model what the flags ask for; not begun, and nothing of it is added.
-         *
-         * @private
-         */
+        /** @private The model of a name; null if there is none. */
+        engine function modelOf(name:String):Model
+        {
+            return _shapes.of(name).model;
+        }
+
+        /** @private The work that computes what the flags ask for of a model; not begun. What it finds is not added. */
         engine function newBuild(model:Model, fitStore:FitStore):ModelBuild
         {
             if (model == null)

@@ -34,4 +34,6 @@ export async function check({ bear, ball, collision, greatLand, teapot }) {
 	globalThis.fetch = fetch;
 	server.close();
 	assert.ok(['bear', 'dragon', 'tree'].every((name) => greatLand.hasModel(name)));
+	// the system that takes the bins' place knows the shapes of the agents that are there
+	collision.update([bear, ball]);
 }

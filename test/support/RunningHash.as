@@ -38,7 +38,7 @@ package support
                 return;
             }
             _bytes.position = 0;
-            _bytes.writeDouble(number);
+            _bytes.writeDouble(number == 0 ? 0 : number);
             addBytes(_bytes);
         }
 

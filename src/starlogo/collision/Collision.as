@@ -260,7 +260,7 @@ package starlogo.collision
             if (_searched != null)
             {
                 var search:CollisionSearch = _searched.search;
-                var places:Vector.<int> = search.recordPlaces(record);
+                var places:Vector.<int> = search.recordPositions(record);
                 for (var i:int = 0; i < _calls.tracker.count; i++)
                 {
                     var pair:ContactPair = _calls.tracker.pairAt(i);
@@ -308,7 +308,7 @@ package starlogo.collision
                 throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
             }
             var collider:Collider = Collider(_collisionSystem);
-            collider.search.restorePlaces(agents, record);
+            collider.search.restorePositions(agents, record);
             _calls.tracker.clear();
             for (var i:int = 0; i < record.pairCount; i++)
             {

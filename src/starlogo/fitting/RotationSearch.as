@@ -1,12 +1,14 @@
 package starlogo.fitting
 {
     import starlogo.bounding.Box;
+    import starlogo.engine;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
+
+    use namespace engine;
 
     /**
      * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose
@@ -21,12 +23,11 @@ package starlogo.fitting
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
      * if a box is as small as the hull itself.</p>
      */
-    internal class RotationSearch implements Steps
+    internal class RotationSearch extends StepSequence
     {
         private static const MANY:int = 50;
         private static const RARELY:Number = 0.2;
 
-        private var _work:StepSequence = new StepSequence();
         private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
@@ -67,13 +68,7 @@ package starlogo.fitting
             _stepX = stepX;
             _stepY = stepY;
             _stepZ = stepZ;
-            _work.call(prepare).repeat(tryNext);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
+            call(prepare).repeat(tryNext);
         }
 
         // All rotations about z that follow the next one about x and y; false if there are no more.

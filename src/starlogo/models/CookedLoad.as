@@ -42,9 +42,13 @@ package starlogo.models
             {
                 return super.step();
             }
-            catch (error:ModelError)
+            catch (error:Error)
             {
-                problem = error;
+                problem = error as ModelError;
+                if (problem == null)
+                {
+                    throw error;
+                }
             }
             return false;
         }

@@ -80,9 +80,13 @@ package starlogo.libraries.cooked
             {
                 return _work.step() && !_isRefused;
             }
-            catch (error:EOFError)
+            catch (error:Error)
             {
-                _isRefused = true;
+                _isRefused = error is EOFError;
+                if (!_isRefused)
+                {
+                    throw error;
+                }
             }
             return false;
         }

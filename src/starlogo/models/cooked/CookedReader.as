@@ -59,9 +59,11 @@ package starlogo.models.cooked
             {
                 return super.step();
             }
-            catch (error:EOFError)
+            catch (error:Error)
             {
-                refuseIf(true, name, "the cooked file has fewer numbers than it says");
+                // of a catch the compiler to JavaScript drops the class
+                refuseIf(error is EOFError, name, "the cooked file has fewer numbers than it says");
+                throw error;
             }
             return false;
         }

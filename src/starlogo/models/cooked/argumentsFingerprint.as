@@ -1,7 +1,6 @@
 package starlogo.models.cooked
 {
     import starlogo.geometry.Fingerprint;
-    import starlogo.models.ModelTransform;
 
     /**
      * The fingerprint of the arguments that decide what a model's file becomes: a cooked file is for some of them.
@@ -14,9 +13,10 @@ package starlogo.models.cooked
      */
     public function argumentsFingerprint(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
     {
-        var transform:ModelTransform = upAxis as ModelTransform;
+        // a transform is no name: join() takes its text, so that what never loads one need not have the class
+        var isName:Boolean = upAxis == null || upAxis is String;
         var fingerprint:Fingerprint = new Fingerprint();
-        fingerprint.addText([transform == null ? upAxis : transform.toText(), scaling, transform == null && usesTransforms].join());
+        fingerprint.addText([upAxis, scaling, isName && usesTransforms].join());
         return fingerprint;
     }
 }

@@ -65,7 +65,7 @@ class PlayView {
 			// a game that stands still is as the new one sees it
 			if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
 				this.world.collide();
-				this.panel.count();
+				this.#take();
 			});
 			this.draw();
 			this.#playOn();
@@ -204,22 +204,22 @@ class PlayView {
 		return this.programs.open(link);
 	}
 
+	/** Opens what the user has chosen, or dropped anywhere on the page. */
+	openFile(file) {
+		return this.programs.openFile(file);
+	}
+
 	/** Says something, with what may be done about it. */
 	offer(text, action, onclick) {
 		this.say(text);
 		this.status.append(" ", button(action, onclick));
 	}
 
-	/** A program, or a model: chosen, or dropped on the page. */
-	openFile(file) {
-		return this.programs.openFile(file);
-	}
-
 	async addModel(file) {
 		let name = file.name.replace(MODEL_FILE, "");
 		for (let number = 2; this.models.has(name); number++) name = words.another(file.name.replace(MODEL_FILE, ""), number);
 		try {
-			const model = parseModel(name, file.name, new Uint8Array(await file.arrayBuffer()));
+			const model = await parseModel(name, new Uint8Array(await file.arrayBuffer()));
 			this.world.greatLand.addModel(model);
 			this.models.set(name, model);
 			meet("SHAPE", name);
@@ -289,9 +289,14 @@ class PlayView {
 
 	#tick() {
 		this.#attempt(() => this.world.step());
+		this.#take();
+		if (this.world.ended) this.#end();
+	}
+
+	/** Takes a frame into account. */
+	#take() {
 		this.panel.count();
 		if (!this.isBroken && this.programs.lessons.look(this.world)) this.say(texts.lessons.done);
-		if (this.world.ended) this.#end();
 	}
 
 	#end() {

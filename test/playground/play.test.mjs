@@ -477,8 +477,13 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	// a model of one's own is a shape
 	await drop('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
 	assert.match(await say(page), /^Agents can have the shape “cone” now/);
-	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('cone', 'SHAPE'));
-	await settle(page);
+	assert.equal(await page.evaluate(() => {
+		const [made] = globalThis.playground.editor.workspace.getBlocksByType('starlogo_create');
+		// as when its menu opens
+		made.getField('SHAPE').getOptions(false);
+		made.setFieldValue('cone', 'SHAPE');
+		return made.getFieldValue('SHAPE');
+	}), 'cone');
 	await press(page, 'Step');
 	assert.equal(await page.evaluate(() => globalThis.playground.world.agents[0].shape), 'cone');
 	await drop('broken.obj', 'v 1 2 x\n');
@@ -490,8 +495,9 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	assert.match(await say(other), /there is no model “cone” here/);
 	await other.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
 	await page.waitForFunction(() => /^“mine” was changed in another tab/.test(document.querySelector('.game .status').textContent));
+	await page.bringToFront();
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('bears', 'BREED'));
-	await settle(page);
+	await page.waitForFunction(() => document.querySelectorAll('optgroup[label="Your programs"] option').length === 2);
 	assert.deepEqual(await own(page), ['mine', 'mine (mine)']);
 	await other.close();
 	await page.evaluate(() => {

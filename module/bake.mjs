@@ -1,70 +1,191 @@
 #!/usr/bin/env node
-/**
- * Computes what a game needs of its models when the game is built, so that no player's machine has to: writes a .fits file for every
- * OBJ, DAE, ZAE, GLB and STL file of a folder and of those below it. Put them beside the models: a ModelLoader finds them there.
- *
- *   starlogo-bake FOLDER [--out FOLDER] [--up x|y|z] [--increment DEGREES] [--min-vertices N] [--depth N] [--by-mean]
- *
- * --out puts copies of the models and their .fits files elsewhere; --up is the axis that points up in OBJ files. The rest are the settings
- * that the game loads its models with: orientedBoxDegIncrement, minVerticesToSplit, maxDepth, splitByMean.
- */
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
-import { basename, dirname, extname, join, relative, resolve } from "node:path";
+import { createHash } from "node:crypto";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
+import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
-import { GreatLand, ModelLoader } from "./starlogo-collision.min.js";
+import { GreatLand, Model, ModelLoader, ModelTransform } from "./starlogo-collision.min.js";
 
-const MODEL = /\.(obj|dae|zae|glb|stl)$/i;
+const HELP = `Reads models and computes what a game needs of them when the game is built, so that no player's machine has to: writes a cooked file for every
+OBJ, DAE, ZAE, GLB, GLTF and STL file of a folder and of those below it, and manifest.json, which a ModelLoader finds them by. What is
+there already, of the same source and options, is left as it is.
+
+  starlogo-bake FOLDER [options]
+
+  --out FOLDER         copies the models there, with what they need beside them, and writes beside the copies; without it, beside the models
+  --up x|y|z           the axis that points up in OBJ and STL files, as load() is given it (z)
+  --scaling WORD       footprint, volume or "as given", as load() is given it (footprint)
+  --transforms         for loaders with usesTransforms: a file bear.slb beside bear.obj turns it
+  --increment DEGREES  orientedBoxDegIncrement of the game (10)
+  --min-vertices N     minVerticesToSplit (5)
+  --depth N            maxDepth (10)
+  --by-mean            splitByMean
+  --force              cooks again what is there
+  --help               prints this`;
+
+const MODEL = /\.(obj|dae|zae|glb|gltf|stl)$/i;
+const SCALINGS = [Model.FOOTPRINT, Model.VOLUME, Model.AS_GIVEN];
+const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 const options = {
 	out: { type: "string" },
 	up: { type: "string", default: "z" },
-	increment: { type: "string" },
-	"min-vertices": { type: "string" },
-	depth: { type: "string" },
+	scaling: { type: "string", default: Model.FOOTPRINT },
+	transforms: { type: "boolean", default: false },
+	increment: { type: "string", default: "10" },
+	"min-vertices": { type: "string", default: "5" },
+	depth: { type: "string", default: "10" },
 	"by-mean": { type: "boolean", default: false },
+	force: { type: "boolean", default: false },
+	help: { type: "boolean", default: false },
 };
 
-const { values, positionals } = parseArgs({ options, allowPositionals: true });
+<<<<<<< HEAD
+const { values, positionals } = parsed();
 if (positionals.length !== 1) {
 	console.error("usage: starlogo-bake FOLDER [--out FOLDER] [--up x|y|z] [--increment DEGREES] [--min-vertices N] [--depth N] [--by-mean]");
 	process.exit(2);
 }
 const folder = resolve(positionals[0]);
+=======
+const { values, folder } = readArguments();
+>>>>>>> b6ba8aae83104a33db25dbc0621ac304d240c662
 const out = resolve(values.out ?? folder);
-const files = readdirSync(folder, { recursive: true }).map(String).filter((file) => MODEL.test(file) && statSync(join(folder, file)).isFile()).sort();
+const list = join(out, "manifest.json");
+const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"]]);
+const before = readList();
+const models = {};
+const files = readdirSync(folder, { recursive: true }).map(String)
+	.filter((file) => MODEL.test(file) && statSync(join(folder, file)).isFile() && (out === folder || !isIn(out, join(folder, file)))).sort();
 
 let failures = 0;
+let kept = 0;
 for (const file of files) {
 	const from = join(folder, file);
 	const to = join(out, file);
-	mkdirSync(dirname(to), { recursive: true });
-	if (to !== from) copyFileSync(from, to);
+	const name = file.split(sep).join("/");
 	try {
 		const start = performance.now();
-		const model = await read(from);
-		const bytes = newGame().bake(model).toUint8Array();
-		writeFileSync(`${to}.fits`, bytes);
+		const { bytes: source, transform, parts } = readSource(from);
+		const hash = hashOf([settings, ...parts.map((part) => readFileSync(part))]);
+		if (out !== folder) parts.forEach(copy);
+		models[name] = { cooked: `${name}.cooked`, source: hash };
+		if (!values.force && before[name]?.source === hash && existsSync(`${to}.cooked`)) {
+			kept++;
+			continue;
+		}
+		const model = await read(name, source, transform ?? values.up);
+		const bytes = newGame().bake(model, values.up, values.transforms).toUint8Array();
+		writeFileSync(`${to}.cooked`, bytes);
 		const time = (performance.now() - start).toFixed(0);
-		console.log(`${relative(out, to)}.fits: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);
+		console.log(`${relative(out, to)}.cooked: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);
 	} catch (error) {
 		failures++;
+		delete models[name];
 		console.error(`${file}: ${error.message}`);
 	}
 }
-console.log(`${files.length - failures} baked${failures > 0 ? `, ${failures} that are no models` : ""}`);
+mkdirSync(out, { recursive: true });
+writeFileSync(list, `${JSON.stringify({ models }, null, "\t")}\n`);
+const counts = [`${files.length - failures - kept} cooked`, kept > 0 ? `${kept} as they were` : "", failures > 0 ? `${failures} that are no models` : ""];
+console.log(counts.filter((text) => text !== "").join(", "));
 process.exitCode = failures > 0 ? 1 : 0;
 
+<<<<<<< HEAD
+function parsed() {
+	try {
+		return parseArgs({ options, allowPositionals: true });
+	} catch (error) {
+		console.error(error.message.split(". ")[0]);
+		return { positionals: [] };
+	}
+}
+
+=======
+/** The options and the folder; what is wrong with them ends the program with a sentence. */
+function readArguments() {
+	let read;
+	try {
+		read = parseArgs({ options, allowPositionals: true });
+	} catch (error) {
+		fail(error.message);
+	}
+	const { values, positionals } = read;
+	if (values.help) {
+		console.log(HELP);
+		process.exit(0);
+	}
+	if (positionals.length !== 1) fail(positionals.length === 0 ? "it needs a folder of models" : `one folder at a time, not ${positionals.join(" and ")}`);
+	const folder = resolve(positionals[0]);
+	if (!existsSync(folder) || !statSync(folder).isDirectory()) fail(`${positionals[0]} is no folder`);
+	if (!["x", "y", "z"].includes(values.up)) fail(`--up is x, y or z, not ${values.up}`);
+	if (!SCALINGS.includes(values.scaling)) fail(`--scaling is footprint, volume or "as given", not ${values.scaling}`);
+	if (!(Number(values.increment) > 0 && Number(values.increment) <= 360)) fail(`--increment is a number of degrees above 0, not ${values.increment}`);
+	for (const name of ["min-vertices", "depth"]) if (!/^[1-9]\d{0,5}$/.test(values[name])) fail(`--${name} is a whole number from 1 on, not ${values[name]}`);
+	return { values, folder };
+}
+
+function fail(problem) {
+	console.error(`starlogo-bake: ${problem}\nstarlogo-bake --help prints what it takes`);
+	process.exit(2);
+}
+
+/** What was cooked before; nothing if there is no list, or it is damaged. */
+function readList() {
+	try {
+		return JSON.parse(readFileSync(list, "utf8")).models ?? {};
+	} catch {
+		return {};
+	}
+}
+
+/** What a model is made of: bytes that need nothing beside them, the transform beside it or null, and the files of all that. */
+function readSource(file) {
+	const parts = [file];
+	let bytes = readFileSync(file);
+	if (/\.gltf$/i.test(file)) {
+		const document = JSON.parse(bytes);
+		for (const buffer of (document.buffers ?? []).filter(({ uri }) => uri && !uri.startsWith("data:"))) {
+			const path = join(dirname(file), decodeURIComponent(buffer.uri));
+			if (!isIn(folder, path)) throw new Error(`its data is not in the folder: ${buffer.uri}`);
+			parts.push(path);
+			buffer.uri = `data:application/octet-stream;base64,${readFileSync(path, "base64")}`;
+		}
+		bytes = Buffer.from(JSON.stringify(document));
+	}
+	const beside = file.slice(0, -extname(file).length) + ".slb";
+	if (!values.transforms || !existsSync(beside)) return { bytes, transform: null, parts };
+	const transform = ModelTransform.fromText(readFileSync(beside, "utf8"));
+	return { bytes, transform: transform.isIdentity ? null : transform, parts: [...parts, beside] };
+}
+
+function hashOf(pieces) {
+	const hash = createHash("sha256");
+	for (const piece of pieces) hash.update(`${piece.length} `).update(piece);
+	return hash.digest("hex");
+}
+
+function isIn(whole, path) {
+	return !relative(whole, path).startsWith("..");
+}
+
+function copy(file) {
+	const to = join(out, relative(folder, file));
+	mkdirSync(dirname(to), { recursive: true });
+	copyFileSync(file, to);
+}
+
+>>>>>>> b6ba8aae83104a33db25dbc0621ac304d240c662
 /** A GreatLand with the settings that the game will have. */
 function newGame() {
 	const greatLand = new GreatLand();
-	if (values.increment !== undefined) greatLand.orientedBoxDegIncrement = Number(values.increment);
-	if (values["min-vertices"] !== undefined) greatLand.hierarchies.minVerticesToSplit = Number(values["min-vertices"]);
-	if (values.depth !== undefined) greatLand.hierarchies.maxDepth = Number(values.depth);
+	greatLand.orientedBoxDegIncrement = Number(values.increment);
+	greatLand.hierarchies.minVerticesToSplit = Number(values["min-vertices"]);
+	greatLand.hierarchies.maxDepth = Number(values.depth);
 	greatLand.hierarchies.splitByMean = values["by-mean"];
 	return greatLand;
 }
 
 /** Reads a model as a game will, from a file of any kind. */
-function read(file) {
+function read(name, bytes, upAxis) {
 	const receiver = new GreatLand();
 	receiver.loadTightestFit = false;
 	receiver.loadHierarchies = false;
@@ -72,6 +193,6 @@ function read(file) {
 	return new Promise((resolve, reject) => {
 		loader.addEventListener("modelLoaded", (event) => resolve(event.model));
 		loader.addEventListener("error", (event) => reject(new Error(event.text)));
-		loader.loadBytes(basename(file, extname(file)), readFileSync(file), values.up);
+		loader.loadBytes(basename(name, extname(name)), bytes, upAxis, values.scaling);
 	});
 }

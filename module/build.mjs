@@ -23,13 +23,13 @@ if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
 const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
-const text = `/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
+const text = cleaned(`/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
 ${standinsText()}
 ${classes}
 export {
     ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
 };
-`;
+`);
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
@@ -63,6 +63,12 @@ buildSync({
 	legalComments: "inline",
 });
 console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
+
+/** The text without Flash's numbers of errors (a stream's the engine takes off itself), and with escapes for what makes tools take it for no text. */
+function cleaned(code) {
+	return code.replaceAll(/(["`])Error #\d{4}: (?!Stream)/g, "$1")
+		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
+}
 
 function fail(qname) {
 	throw new Error(`${qname} is public, but was not compiled`);

@@ -1,6 +1,18 @@
 /** Writes index.d.ts: TypeScript's view of the public classes, with their documentation. */
+import { ADDED } from "./added.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
+
+/** What ActionScript's types do not say, by the names of parameters and members. */
+const BY_NAME = new Map([
+	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be of a class of agents
+	["buffers", "Record<string, ByteArray>"],
+	["collisionOrSystem", "Collision<A> | CollisionSystem"],
+	["scaling", "Scaling"],
+	["structureNames", "string[]"],
+	["systemNames", "string[]"],
+	["upAxis", "UpAxis"],
+]);
 
 /** Sentences that say nothing to a JavaScript developer. */
 const OF_PLAYERS = /Ruffle|Adobe|Flash Player|Flash player|Away3D|SWF|avmshell|mxmlc|ASDoc|E4X/;
@@ -9,6 +21,12 @@ export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Arra
 
 /** What is taken for a file's bytes. */
 export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
+
+/** Which axis of a file points up, or what turns it otherwise. */
+export type UpAxis = "x" | "y" | "z" | ModelTransform;
+
+/** How a model is scaled. */
+export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
 
 /** How to listen: as to the platform's own events. */
 export interface ListenerOptions {
@@ -73,6 +91,7 @@ class Writer {
 		const heritage = (bases.length > 0 ? ` extends ${bases.join(", ")}` : "") + (interfaces.length > 0 ? ` implements ${interfaces.join(", ")}` : "");
 		const parameters = isGeneric(type) ? "<A extends Agent = Agent>" : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
+		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
 		return `${this.#eventsText(type)}${doc(type.doc, "")}export ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
 	}
 
@@ -113,7 +132,7 @@ class Writer {
 		const generic = isPicking ? "<A extends Agent>" : "";
 		if (isPicking) this.#agent = "A";
 		const isNull = this.#mayBeNull({ ...member, doc: said });
-		const result = this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
+		const result = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
 		switch (member.kind) {
 			case "constructor":
 				return `${text}    constructor(${this.#parameters(member, type)});`;
@@ -140,12 +159,12 @@ class Writer {
 		if (member.initial === "null") return true;
 		if (member.kind === "const" || /^(Number|int|uint|Boolean|void|\*|Object)$/.test(member.result)) return false;
 		const said = member.kind === "method" ? /@return([\s\S]*?)(?:\n@|$)/.exec(member.doc)?.[1] ?? member.doc.split("\n@")[0] : member.doc.split("\n@")[0];
-		return /\bnull\b/.test(said);
+		return /\bnull\b/i.test(said);
 	}
 
 	// A constant name is its own type: it says which event comes, and which structure is meant.
 	#literalOf(member) {
-		return member.kind === "const" && member.result === "String" && /^"\w+"$/.test(member.initial ?? "") ? member.initial : null;
+		return member.kind === "const" && member.result === "String" && /^"[\w ]+"$/.test(member.initial ?? "") ? member.initial : null;
 	}
 
 	// The names that a text lists as those that are taken: "x", "y" or "z", or the class's own constants.
@@ -189,11 +208,7 @@ class Writer {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
 		const union = owner && this.#unionOf({ members: [] }, type, said);
 		if (union) return union;
-		const names = type === "Object" ? said.match(/"\w+"/g) ?? [] : [];
-		if (names.length > 1) {
-			const classes = [...this.#exported.keys()].filter((each) => new RegExp(String.raw`\ba ${each}\b`).test(said));
-			return [...names, ...classes].join(" | ") + orNull;
-		}
+		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${this.#type(element)}[]${orNull}`;
 		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;

@@ -7,14 +7,15 @@
  * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
  */
 import { parseExpressionAt } from "acorn";
+import { ADDED } from "./added.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
 import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, isLiteral, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
 
 const ENGINE_PREFIX = "starlogo_engine__";
 
-// Statics that only tests change: as constants they take with them what they would switch on.
-const FIXED = new Set(["flash.geom.Matrix3D.isSingle"]);
+// Statics that only tests set: false elsewhere, and left out with what they switch on.
+const SWITCHES = new Set(["flash.geom.Matrix3D.isSingle"]);
 
 // What is data and no more is shown as it is.
 const SHOWN_AS_THEY_ARE = new Set(["flash.geom.Vector3D", "flash.geom.Matrix3D"]);
@@ -39,7 +40,6 @@ export class Program {
 	 * @param hasAllStatics whether the statics of all classes are to be had from outside, not only the public ones'
 	 */
 	constructor(files, externals, signatures = new Map(), hasAllStatics = false) {
-		this.fixed = hasAllStatics ? new Set() : FIXED;
 		this.externals = externals;
 		this.signatures = signatures;
 		this.hasAllStatics = hasAllStatics;
@@ -183,7 +183,7 @@ export class Program {
 			const name = this.#member(field.name);
 			if (!this.#isSeen(unit, field.name)) continue;
 			lines.push(`${docOf(field.doc ?? "")}static get ${name}() {\n  return ${this.#staticName(unit, field.name)};\n}`);
-			if (!isConstant(field) && !this.fixed.has(`${unit.qname}.${field.name}`)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
+			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
 		}
 		lines.push(this.#constructorText(unit));
 		// $shown gives it to public classes; others are in no text that users see
@@ -203,6 +203,7 @@ export class Program {
 				lines.push(`${docOf(member.doc)}${prefix}${name}${this.#functionText(member.node, member.doc, taken)}`);
 			}
 		}
+		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
 		return `class ${this.shortName(unit.qname)}${base} {\n${indent(lines.filter((line) => line !== "").join("\n\n"))}\n}`;
 	}
 
@@ -297,11 +298,15 @@ export class Program {
 			if (each) {
 				lines.push(`for (${each.isDeclared ? "var " : ""}${this.#text(each.variable)} of ${this.#helper("values")}(${this.#text(each.over)})) ${this.#text(each.body)}`);
 				i++;
-			} else if (body[i].type !== "EmptyStatement") {
+			} else if (body[i].type !== "EmptyStatement" && !this.#isSwitchedOff(body[i])) {
 				lines.push(this.#text(body[i]));
 			}
 		}
 		return lines;
+	}
+
+	#isSwitchedOff(statement) {
+		return !this.hasAllStatics && statement.type === "IfStatement" && SWITCHES.has(pathOf(statement.test));
 	}
 
 	#text(node) {
@@ -619,7 +624,6 @@ export class Program {
 				this.#unit = unit;
 				for (const needed of this.#needed(field.value, unit)) visit(needed, seen);
 				this.#unit = unit;
-				if (this.fixed.has(`${unit.qname}.${field.name}`)) return `const ${this.#staticName(unit, field.name)} = ${this.#text(field.value)};`;
 				return `${isConstant(field) ? "const" : "let"} ${this.#staticName(unit, field.name)} = ${this.#pure(field.value)};`;
 			});
 			if (unit.kind === "variable") {

@@ -9,6 +9,9 @@ import { gzipSync } from "node:zlib";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { models } from "../assets/generator/models/index.mjs";
+import { palette } from "../assets/generator/palette.mjs";
+import { flatten } from "../assets/generator/scene.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
@@ -24,7 +27,9 @@ const WARNING = /[\w$]+\("Blockly\.Workspace\.getAllVariables","v12","v13","[^"]
  */
 const tameBlockly = {
 	name: "tame-blockly",
-	setup({ onLoad }) {
+	setup({ onLoad, onResolve, resolve }) {
+		// its keyboard plugin asks for all of it
+		onResolve({ filter: /^blockly$/ }, ({ kind, resolveDir }) => resolve("blockly/core", { kind, resolveDir }));
 		onLoad({ filter: /blockly_compressed\.js$/ }, ({ path: file }) => {
 			const text = readFileSync(file, "utf8");
 			if (!text.includes(STYLE) || !WARNING.test(text)) throw new Error(`${file} is not as it was: look whether it needs taming`);
@@ -46,7 +51,8 @@ const result = await build({
 	metafile: true,
 	legalComments: "none",
 	chunkNames: "parts/[name]-[hash]",
-	alias: { "starlogo-collision": path.join(engine, exports["."].default), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
+	// the readable one: bundlers leave out what is not used of it
+	alias: { "blockly/msg/en": path.join(npm, "blockly/msg/en.js"), "starlogo-collision": path.join(engine, exports["./readable"].default), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
 	plugins: [tameBlockly],
 	logLevel: "warning",
@@ -54,6 +60,7 @@ const result = await build({
 for (const file of ["index.html", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
 cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
 cpSync(path.join(here, "../assets"), path.join(out, "models"), { recursive: true, filter: (file) => !file.includes("generat") && !file.endsWith("README.md") });
+writeFileSync(path.join(out, "models/colours.json"), JSON.stringify(Object.fromEntries(models.map((model) => [model.name, coloursOf(model)]))));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js" })) {
@@ -77,6 +84,14 @@ function neededFor(entry) {
 
 function kilobytes(files, size) {
 	return Math.round(files.reduce((sum, file) => sum + size(readFileSync(file)), 0) / 1024);
+}
+
+/** The colours of a model's triangles, in the order that the engine has them in: how many of one, and that. */
+function coloursOf({ build: make, format }) {
+	const parts = flatten(make());
+	const runs = (isOf) => parts.map(({ colour, mesh }) => [mesh.faces.filter(isOf).reduce((sum, face) => sum + face.length - 2, 0), palette[colour]]).filter(([count]) => count > 0);
+	// polygons of OBJ files come after all triangles
+	return format === "COLLADA" ? runs(() => true) : [...runs(({ length }) => length === 3), ...runs(({ length }) => length > 3)];
 }
 
 /** The licences of what is bundled in: of the packages that the bundle has files of, beside the engine. */

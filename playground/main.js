@@ -1,5 +1,5 @@
 /** Shows the view that the address names: #play, #inspect or #compare. Each loads only what it needs. */
-import { h } from "./shared/dom.js";
+import { button, h } from "./shared/dom.js";
 import { texts } from "./texts.js";
 
 const VIEWS = {
@@ -8,12 +8,13 @@ const VIEWS = {
 	compare: () => import("./compare/view.js"),
 };
 
-const main = document.getElementById("view");
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` }, texts.views[name])]));
 document.getElementById("views").append(...links.values());
+const note = h("p.note", { role: "status" });
+document.querySelector("header").append(note);
 
+let main = document.getElementById("view");
 let shown = null;
-let turn = 0;
 
 /** The view and its argument in the address: #play/abc. */
 function address() {
@@ -28,29 +29,50 @@ async function show() {
 		main.dataset.ready = name;
 		return;
 	}
-	const mine = ++turn;
 	for (const [each, link] of links) {
 		if (each === name) link.setAttribute("aria-current", "page");
 		else link.removeAttribute("aria-current");
 	}
+	note.textContent = "";
+	document.title = texts.title(texts.views[name]);
 	shown?.view.close();
 	shown = null;
-	main.className = name;
-	main.replaceChildren(h("p.waiting", { role: "status" }, texts.loading));
+	// a place of its own: one that comes late writes where nothing is seen any more
+	const place = h("main", { id: "view", tabindex: "-1", class: name }, h("p.waiting", { role: "status" }, texts.loading));
+	main.replaceWith(place);
+	main = place;
 	try {
 		const { createView } = await VIEWS[name]();
-		if (mine !== turn) return;
-		const view = await createView(main, argument);
-		if (mine !== turn) view.close();
-		else shown = { name, view };
+		const view = place.isConnected ? await createView(place, argument) : null;
+		if (!place.isConnected) {
+			view?.close();
+			return;
+		}
+		shown = { name, view };
 		// for the browser's console, and for tests
 		globalThis.playground = view;
-		main.dataset.ready = name;
+		place.dataset.ready = name;
 	} catch (error) {
-		if (mine !== turn) return;
-		main.replaceChildren(h("p.notice", { role: "alert" }, texts.failed(error.message)));
+		place.replaceChildren(h("div.notice", { role: "alert" }, h("p", {}, texts.failed(error.message)), button(texts.again, () => location.reload())));
 	}
 }
+
+/** Listens for what files do that are dragged over the page, in whose place the browser would show them. */
+function onFile(type, listener) {
+	addEventListener(type, (event) => {
+		if (!event.dataTransfer.types.includes("Files")) return;
+		event.preventDefault();
+		listener(event);
+	});
+}
+
+onFile("dragover", () => main.classList.toggle("dropping", Boolean(shown?.view.openFile)));
+onFile("dragleave", ({ relatedTarget }) => main.classList.toggle("dropping", relatedTarget !== null));
+onFile("drop", ({ dataTransfer: { files: [file] } }) => {
+	main.classList.remove("dropping");
+	if (shown?.view.openFile) shown.view.openFile(file);
+	else note.textContent = texts.dropElsewhere(file.name);
+});
 
 addEventListener("hashchange", () => {
 	delete main.dataset.ready;

@@ -2,6 +2,7 @@ package
 {
     import benchmark.BroadPhaseBenchmark;
     import benchmark.ContactsBenchmark;
+    import benchmark.CookedBenchmark;
     import benchmark.CrowdBenchmark;
     import benchmark.DistanceBenchmark;
     import benchmark.FewAgentsBenchmark;
@@ -15,7 +16,6 @@ package
     import benchmark.QueriesBenchmark;
     import benchmark.RayBenchmark;
     import benchmark.ReadingBenchmark;
-    import benchmark.StoredFitsBenchmark;
     import benchmark.TraversalBenchmark;
     import flash.display.Sprite;
     import flash.events.Event;
@@ -29,7 +29,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, StoredFitsBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;
 

@@ -15,6 +15,10 @@ export class Cells {
 	// the same, each entry's agent: questions look at nothing else
 	#agents = Array.from({ length: SIDE * SIDE }, () => []);
 
+	// squares of how far a row is away, and its farther side
+	#nearest = new Float64Array(SIDE);
+	#farthest = new Float64Array(SIDE);
+
 	/** Cells for a ground from -half to half. */
 	constructor(half) {
 		this.#half = half;
@@ -60,16 +64,23 @@ export class Cells {
 		const highX = this.#index(x + radius);
 		const lowY = this.#index(y - radius);
 		const highY = this.#index(y + radius);
+		const nearest = this.#nearest;
+		const farthest = this.#farthest;
+		for (let row = lowY; row <= highY; row++) {
+			nearest[row] = this.#nearer(y, row) ** 2;
+			farthest[row] = this.#farther(y, row) ** 2;
+		}
 		let found = 0;
 		for (let column = lowX; column <= highX; column++) {
-			const farX = this.#farther(x, column);
+			const near = reach - this.#nearer(x, column) ** 2;
+			const far = reach - this.#farther(x, column) ** 2;
 			for (let row = lowY; row <= highY; row++) {
+				if (nearest[row] > near) continue;
 				const list = this.#agents[column * SIDE + row];
-				const farY = this.#farther(y, row);
-				const isInside = farX * farX + farY * farY < reach;
+				const isInside = farthest[row] < far;
 				for (let i = 0; i < list.length; i++) {
 					const other = list[i];
-					if ((breed !== null && other.breed.id !== breed) || other.isDead) continue;
+					if ((breed !== null && other.breed !== breed) || other.isDead) continue;
 					const state = other.state;
 					const dz = z - state.z;
 					if (!isInside || dz !== 0) {
@@ -104,7 +115,7 @@ export class Cells {
 					const list = this.#agents[i * SIDE + j];
 					for (let k = 0; k < list.length; k++) {
 						const other = list[k];
-						if ((breed !== null && other.breed.id !== breed) || other.isDead || other === asker) continue;
+						if ((breed !== null && other.breed !== breed) || other.isDead || other === asker) continue;
 						const state = other.state;
 						const dx = x - state.x;
 						const dy = y - state.y;
@@ -133,6 +144,13 @@ export class Cells {
 		if (index === 0 || index === LAST) return Infinity;
 		const low = (index - 1) * this.#width - this.#half;
 		return Math.max(Math.abs(coordinate - low), Math.abs(coordinate - low - this.#width)) + 1e-9;
+	}
+
+	/** How far a column, or row, is; less a hair for rounding. */
+	#nearer(coordinate, index) {
+		const low = index === 0 ? -Infinity : (index - 1) * this.#width - this.#half;
+		const high = index === LAST ? Infinity : index * this.#width - this.#half;
+		return Math.max(low - coordinate, coordinate - high, 1e-9) - 1e-9;
 	}
 
 	/** What is outside of so many rings of cells about one is at least so far away. */

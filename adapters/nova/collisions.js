@@ -42,6 +42,7 @@ export class NovaCollisions {
 	#collision;
 	#blocks;
 	#bodies = [];
+	#ghost = new Agent(SPHERE);
 	#found = [];
 	#isSwept = false;
 	// the tick in which all places were read last, and the one whose collisions were found last, by pairs of which agents may move
@@ -60,7 +61,7 @@ export class NovaCollisions {
 		this.#cells = new Cells(this.#half);
 		this.#blocks = new Blocks(this.#state, (a, b) => this.#onPair(a.entry, b.entry));
 		this.#use(options);
-		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, baked: options.baked });
+		this.#shapes = new Shapes(this.#greatLand, window, { own: options.shapes, manifest: options.manifest });
 	}
 
 	/** The options that count. */
@@ -88,9 +89,27 @@ export class NovaCollisions {
 		this.#tick = NaN;
 	}
 
-	/** Calls a function with each body that took part in the last getCollisions, and its agent. */
-	forEachBody(call) {
-		for (const body of this.#bodies) call(body, body.entry.agent);
+	/**
+	 * Calls a function for each agent that takes part: with an agent of the engine that is where it would be compared, so far on its way from
+	 * its place in the last tick, and whether the last getCollisions found it in a pair.
+	 */
+	forEachBody(part, call) {
+		const { data, numAgents } = this.#execution.AgentController;
+		const hit = new Set(this.#found.flatMap(({ a, b }) => [a, b]));
+		const ghost = this.#ghost;
+		this.#blocks.read(this.#collision);
+		for (let i = 1; i < numAgents; i++) {
+			const entry = this.#participant(data[i]);
+			if (entry === null) continue;
+			const { agent, body } = entry;
+			const state = part < 1 && agent.prevState ? between(agent.prevState, agent.state, part) : agent.state;
+			if (!this.#pose(ghost, state)) continue;
+			ghost.hierarchical = body.hierarchical;
+			ghost.traversalDepth = body.traversalDepth;
+			ghost.collideAs = body.collideAs;
+			ghost.moveTo(state.x, state.y, this.#isBins ? state.z - ghost.size / 2 : state.z);
+			call(ghost, hit.has(agent));
+		}
 	}
 
 	/** Takes other options from now on; those that are not named stay. */
@@ -102,8 +121,14 @@ export class NovaCollisions {
 	setTraits(whose, traits) {
 		const checked = traits === null ? NO_TRAITS : checkTraits(traits);
 		if (typeof whose === "string") this.exchange({ breeds: { ...this.#options.breeds, [whose]: checked } });
-		else this.#agentTraits.set(whose, checked);
-		for (const entry of this.#entries) entry.traitsOf = null;
+		else this.#giveTraits(whose, checked);
+	}
+
+	/** Sets some of an agent's traits; the others that it has of its own stay. */
+	changeTraits(agent, traits) {
+		const own = this.#agentTraits.get(agent);
+		const checked = checkTraits(traits);
+		if (!own || Object.keys(checked).some((name) => own[name] !== checked[name])) this.#giveTraits(agent, { ...own, ...checked });
 	}
 
 	/** Takes an agent in. */
@@ -114,6 +139,9 @@ export class NovaCollisions {
 			this.#entries.add(entry);
 			entry.owner = this;
 			agent.jbins = [entry];
+			// who is made by one of its breed has its traits, as it has those that the client knows
+			const inherited = agent.parent?.breed === agent.breed && this.#agentTraits.get(agent.parent);
+			if (inherited && !this.#agentTraits.has(agent)) this.#agentTraits.set(agent, inherited);
 		}
 		this.#place(entry);
 	}
@@ -206,6 +234,12 @@ export class NovaCollisions {
 		for (const entry of this.#entries) entry.traitsOf = null;
 	}
 
+	#giveTraits(agent, traits) {
+		this.#agentTraits.set(agent, traits);
+		const entry = this.#entryOf(agent);
+		if (entry !== null) entry.traitsOf = null;
+	}
+
 	#entryOf(agent) {
 		const entry = agent.jbins?.[0];
 		return entry instanceof Entry && entry.agent === agent && entry.owner === this ? entry : null;
@@ -219,17 +253,15 @@ export class NovaCollisions {
 	/** Brings the bodies of all that take part to where their agents are. */
 	#gather() {
 		const { data, numAgents } = this.#execution.AgentController;
-		const concerned = this.#blocks.concerned;
 		const bodies = this.#bodies;
 		let count = 0;
 		let isSwept = false;
 		for (let i = 1; i < numAgents; i++) {
-			const agent = data[i];
-			if (!agent || agent.isDead || !concerned.has(agent.breed.id)) continue;
-			const entry = this.#entryOf(agent);
+			const entry = this.#participant(data[i]);
 			if (entry === null || !this.#follow(entry)) continue;
 			entry.index = i;
-			entry.keys.length = entry.others.length = 0;
+			// to set a length costs
+			if (entry.keys.length > 0) entry.keys.length = entry.others.length = 0;
 			if (entry.body.sweeps) isSwept = true;
 			bodies[count++] = entry.body;
 		}
@@ -249,23 +281,34 @@ export class NovaCollisions {
 		}
 	}
 
+	/** What is kept of an agent that a block is for, its traits up to date; otherwise null. */
+	#participant(agent) {
+		if (!agent || agent.isDead || !this.#blocks.concerned.has(agent.breed.id)) return null;
+		const entry = this.#entryOf(agent);
+		if (entry !== null && entry.traitsOf !== agent.breed) this.#setTraits(entry);
+		return entry;
+	}
+
 	/** Whether an agent can take part; its body is then where it is. */
-	#follow(entry) {
-		const { agent, body } = entry;
-		const { x, y, z, size, heading, shape } = agent.state;
+	#follow({ agent, body }) {
+		const { state } = agent;
+		if (!this.#pose(body, state)) return false;
+		moveBody(body, agent, state.x, state.y, this.#isBins ? state.z - body.size / 2 : state.z);
+		return true;
+	}
+
+	/** Whether one of a state can take part; all of a body but its place is then as in the state. */
+	#pose(body, { x, y, z, size, heading, shape }) {
 		if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z) && size >= 0 && size < Infinity)) return false;
-		if (entry.traitsOf !== agent.breed) this.#setTraits(entry);
 		if (this.#isBins) {
 			body.shape = SPHERE;
 			body.size = size + size * MARGIN + MARGIN;
-			moveBody(body, agent, x, y, z - body.size / 2);
 			return true;
 		}
 		if (!(size > Agent.SMALLEST_SIZE)) return false;
 		body.shape = this.#shapes.modelOf(shape);
 		body.size = size;
 		body.heading = Number.isFinite(heading) ? heading : 0;
-		moveBody(body, agent, x, y, z);
 		return true;
 	}
 
@@ -312,11 +355,11 @@ export class NovaCollisions {
 		if (this.#collidedIn === this.#tick) for (const entry of this.#suspects) this.#cells.put(entry);
 	}
 
-	/** The id of a breed; null for everyone. */
+	/** A breed; null for everyone. */
 	#breedOf(name) {
 		const breed = this.#execution.AgentController.getByName(name);
 		if (!breed) throw new RangeError(`there is no breed "${name}"`);
-		return breed.id === EVERYONE ? null : breed.id;
+		return breed.id === EVERYONE ? null : breed;
 	}
 
 	#asks(trait, value) {
@@ -331,10 +374,23 @@ export class NovaCollisions {
 		let found = 0;
 		for (let i = breed === null ? 0 : 1; i < numAgents; i++) {
 			const agent = data[i];
-			if (agent && !agent.isDead && (breed === null || agent.breed.id === breed) && (accepts === null || accepts(agent))) found++;
+			if (agent && !agent.isDead && (breed === null || agent.breed === breed) && (accepts === null || accepts(agent))) found++;
 		}
 		return found;
 	}
+}
+
+/** A state on the way between two, as the client draws it. */
+function between(before, now, part) {
+	const turn = ((now.heading - before.heading) % 360 + 540) % 360 - 180;
+	return {
+		...now,
+		x: before.x + part * (now.x - before.x),
+		y: before.y + part * (now.y - before.y),
+		z: before.z + part * (now.z - before.z),
+		size: before.size + part * (now.size - before.size),
+		heading: before.heading + part * turn,
+	};
 }
 
 /** By the client's rule: nearer than half the sum of the sizes. */

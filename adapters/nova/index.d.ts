@@ -35,8 +35,13 @@ export interface NovaOptions {
      * client's. Read when it is installed.
      */
     shapes?: Record<string, Model | string | null> | ((shape: string) => Model | string | null | undefined);
-    /** Whether files that `starlogo-bake` has written are asked for beside those of models. Read when it is installed. */
-    baked?: boolean;
+    /**
+     * Whether a wireframe of what collides is shown in the client's view: spheres, tightest fits, the boxes of the deepest level that is looked
+     * at, triangles; red what the last tick found to collide. In three dimensions it goes the way that the client draws between two ticks.
+     */
+    overlay?: boolean;
+    /** Where the list is of what `starlogo-bake --scaling volume --transforms` has made of models. Read when it is installed. */
+    manifest?: string | null;
 }
 
 /** An agent of the client; the engine reads more of it than is named here. */
@@ -60,8 +65,11 @@ export interface NovaInstallation {
      * Goes on with other options from the next tick on; those that are not named stay.
      *
      * @throws RangeError if they cannot be; nothing is then changed
+     * @throws TypeError if there is to be an overlay, and no view that it can be in
      */
     exchange(options: NovaOptions): void;
+    /** Shows what collides in the client's view, or ceases to, as the option `overlay`. */
+    showOverlay(isOn?: boolean): void;
     /**
      * Sets the traits of a breed, by its name, or of an agent, in place of what was set for it before. An agent's count before its breed's.
      *
@@ -70,6 +78,12 @@ export interface NovaInstallation {
      * @throws RangeError if they cannot be; nothing is then changed
      */
     setTraits(whose: string | NovaAgent, traits: NovaTraits | null): void;
+    /**
+     * Sets some of an agent's traits, as its blocks do; the others that were set for it stay. Agents that it makes of its breed have them too.
+     *
+     * @throws RangeError if they cannot be; nothing is then changed
+     */
+    changeTraits(agent: NovaAgent, traits: NovaTraits): void;
     /** Whether two agents touch, as the last getCollisions saw them; whether their breeds have blocks does not matter. */
     areColliding(a: NovaAgent, b: NovaAgent): boolean;
     /** Gives the client its own collisions back, with all agents in its bins. Does nothing the second time. */
@@ -84,5 +98,38 @@ export interface NovaInstallation {
  * @param options what collides
  * @throws TypeError if no client is in the window
  * @throws RangeError if the options cannot be; what was installed then stays
+ * @throws TypeError if there is to be an overlay, and no view that it can be in; what was installed then stays
  */
 export function installInto(window: object, options?: NovaOptions): NovaInstallation;
+
+/**
+ * Puts a button into the client's toolbar, whose menu chooses what decides collisions and whether it is shown. Nothing is installed until
+ * something is chosen.
+ *
+ * @param window which has the client, and its page
+ * @param options for what is then installed, the system left out
+ * @throws TypeError if no client with a toolbar is in the window
+ */
+export function addButton(window: object, options?: NovaOptions): {
+    /** Takes the button away; what is installed stays. */
+    remove(): void;
+};
+
+/**
+ * Puts blocks for traits into the drawer of the client's editor that has its block for collisions: hierarchical, depth, sweeping, structure.
+ * An agent's program sets its own. They do nothing while nothing is installed. A project that has them is compiled only where they are known.
+ *
+ * @throws TypeError if the window has no such editor
+ */
+export function addBlocks(window: object): {
+    /** Takes them out of the drawer; those in programs stay. */
+    remove(): void;
+};
+
+/**
+ * For a bookmarklet: installs the engine, unless it is, and adds the button and, where there is an editor, the blocks. The next time takes all
+ * of that away.
+ *
+ * @throws TypeError if no client with a toolbar is in the window
+ */
+export function toggle(window: object, options?: NovaOptions): void;

@@ -27,13 +27,13 @@ export class Shapes {
 	 * Shapes of a page, taken into a GreatLand; `own` says for a shape which Model or address is to be taken: an object, a function, or null
 	 * for the client's own.
 	 */
-	constructor(greatLand, window, { own = null, baked = false, budget = 8 } = {}) {
+	constructor(greatLand, window, { own = null, manifest = null, budget = 8 } = {}) {
 		this.#greatLand = greatLand;
 		this.#window = window;
 		this.#own = typeof own === "function" ? own : (shape) => (own && Object.hasOwn(own, shape) ? own[shape] : undefined);
 		this.#loader = new ModelLoader(greatLand, budget);
 		this.#loader.usesTransforms = true;
-		this.#loader.usesBakedFits = baked;
+		this.#loader.manifest = manifest;
 		this.#loader.addEventListener("error", (event) => this.problems.push(event.text));
 		this.modelOf(SPHERE);
 	}

@@ -13,6 +13,8 @@ export function textOf(value) {
 	return typeof value === "string" ? `"${value}"` : typeof value === "object" && value !== null ? `${value.constructor?.name ?? "object"}` : String(value);
 }
 
+const turn = [0, 0, 0, 1];
+
 /** Where an agent is in a scene, in the scene's axes. */
 export class AgentPlace {
 	agent;
@@ -20,7 +22,6 @@ export class AgentPlace {
 	quaternion = new Quaternion();
 	size = 1;
 	#isYUp;
-	#turn = [0, 0, 0, 1];
 	// those of the agent when it was read: of all, and of all but the position
 	#revision = -1;
 	#extentsRevision = -1;
@@ -47,7 +48,7 @@ export class AgentPlace {
 		this.#extentsRevision = placement.extentsRevision;
 		this.size = placement.size;
 		// by their indices: taken apart as a list they are slower
-		const turn = agent.getQuaternion(this.#turn);
+		agent.$worldPlacement().readQuaternion(turn);
 		if (this.#isYUp) this.quaternion.set(turn[0], turn[2], -turn[1], turn[3]);
 		else this.quaternion.set(turn[0], turn[1], turn[2], turn[3]);
 		return true;
@@ -63,8 +64,13 @@ export class AgentPlace {
 		if (!isNear(quaternion, this.quaternion)) {
 			if (this.#isYUp) agent.setQuaternion(quaternion.x, -quaternion.z, quaternion.y, quaternion.w);
 			else agent.setQuaternion(quaternion.x, quaternion.y, quaternion.z, quaternion.w);
+			this.quaternion.copy(quaternion);
 		}
-		this.read();
+		// what it would read: the same, up to rounding
+		this.position.copy(position);
+		this.size = size;
+		this.#revision = agent.$revision;
+		this.#extentsRevision = agent.$placement.extentsRevision;
 	}
 }
 

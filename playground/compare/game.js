@@ -8,9 +8,6 @@ const SIZE = 5;
 /** The shapes of its agents, in turn. */
 export const CAST = ["bear", "dragon", "fireman", "seagull", "fortress", "person"];
 
-/** The systems that are compared with the exact one. */
-export const SYSTEMS = [CollisionBlocks.UNIT_SPHERES, CollisionBlocks.TIGHTEST_FITS, CollisionBlocks.HIERARCHIES, CollisionBlocks.COMBINATION];
-
 /** The engine's own scattered scene (ScatteredScene.as): all walk on, turn a little every frame, and come in on the other side. */
 export class ScatteredGame {
 	agents = [];
@@ -47,7 +44,7 @@ export class ScatteredGame {
 const wrapped = (coordinate) => (coordinate > HALF_WIDTH ? coordinate - 2 * HALF_WIDTH : coordinate < -HALF_WIDTH ? coordinate + 2 * HALF_WIDTH : coordinate);
 
 /** The pairs that a system finds, as a map from a key to the two. */
-function pairsOf(system, agents) {
+export function pairsOf(system, agents) {
 	const found = system.findCollisions(agents);
 	const pairs = new Map();
 	for (let i = 0; i < found.length; i += 2) {
@@ -58,21 +55,20 @@ function pairsOf(system, agents) {
 }
 
 /**
- * What each system says of a game, beside what is true.
+ * What each system says of a game, beside what another one says, of which all is taken for right.
  *
  * @param {CollisionBlocks} blocks know the systems by their names
  * @param {Agent[]} agents
- * @returns {{truth: Map, systems: Record<string, {found: number, wrong: Agent[][], missed: Agent[][], precision: number, recall: number}>}}
+ * @param {string} reference the other one
+ * @returns {{truth: Map, systems: Record<string, {right: Agent[][], wrong: Agent[][], missed: Agent[][]}>}} pairs of agents
  */
-export function compare(blocks, agents) {
-	const truth = pairsOf(blocks.systemNamed(CollisionBlocks.EXACT), agents);
+export function compare(blocks, agents, reference) {
+	const truth = pairsOf(blocks.systemNamed(reference), agents);
 	const systems = {};
-	for (const name of SYSTEMS) {
-		const pairs = pairsOf(blocks.systemNamed(name), agents);
-		const wrong = [...pairs].filter(([key]) => !truth.has(key)).map(([, pair]) => pair);
-		const missed = [...truth].filter(([key]) => !pairs.has(key)).map(([, pair]) => pair);
-		const right = pairs.size - wrong.length;
-		systems[name] = { found: pairs.size, wrong, missed, precision: right / pairs.size, recall: right / truth.size };
+	for (const name of CollisionBlocks.systemNames.filter((each) => each !== reference)) {
+		const found = pairsOf(blocks.systemNamed(name), agents);
+		const pick = (pairs, isWanted) => [...pairs].filter(([key]) => isWanted(key)).map(([, pair]) => pair);
+		systems[name] = { right: pick(found, (key) => truth.has(key)), wrong: pick(found, (key) => !truth.has(key)), missed: pick(truth, (key) => !found.has(key)) };
 	}
 	return { truth, systems };
 }

@@ -27,10 +27,11 @@ const COMPARED = ["naiveSphere", "orientedBox", "capsule"];
  *
  * @param {object} model
  * @param {{increment: number, tolerance: number, minVertices: number, byMean: boolean}} settings
- * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number}>}
+ * @param {() => boolean} isWanted whether it goes on
+ * @returns {Promise<{rows: object[], chosen: string, root: object, hierarchyMs: number, volume: number, greatLand: object}>}
  * @throws {Error} the engine's own, if a setting is not possible
  */
-export async function measure(model, settings) {
+export async function measure(model, settings, isWanted) {
 	const greatLand = new GreatLand();
 	greatLand.orientedBoxDegIncrement = settings.increment;
 	greatLand.cheaperTestsFactor = settings.tolerance;
@@ -38,24 +39,43 @@ export async function measure(model, settings) {
 	greatLand.hierarchies.splitByMean = settings.byMean;
 	const rows = [];
 	for (const [name, make] of Object.entries(FITTERS)) {
-		const { result: structure, ms } = timed(() => make(settings.increment).fit(model.vertices));
-		rows.push({ name, structure, volume: structure.volume, ms });
+		const { result: structure, ...times } = timed(() => make(settings.increment).fit(model.vertices));
+		rows.push({ name, structure, volume: structure.volume, ...times });
 		await breath();
+		if (!isWanted()) return null;
 	}
 	const { ms: hierarchyMs } = timed(() => greatLand.hierarchies.add(model.name, model.vertices, model.triangles));
-	greatLand.loadHierarchies = false;
-	const root = greatLand.hierarchies.root(model.name);
-	greatLand.boundingStructures.add(model.name, model.vertices);
+	greatLand.addModel(model);
 	const chosen = greatLand.boundingStructures.tightestFit(model.name);
 	const compared = rows.filter(({ name }) => COMPARED.includes(name));
 	const tightest = compared.reduce((best, row) => (row.structure.kind === chosen.kind && best?.structure.kind !== chosen.kind ? row : best), null);
-	return { rows, chosen: tightest.name, root, hierarchyMs, volume: volumeOf(model) };
+	return { rows, chosen: tightest.name, root: greatLand.hierarchies.root(model.name), greatLand, hierarchyMs, volume: volumeOf(model) };
 }
 
+const SAMPLES = 5;
+const FEWEST_SAMPLES = 3;
+const MOST_MS = 50;
+/** The browser's clock is coarse. */
+const SAMPLE_MS = 2;
+
+/** What an action gives, and its time: the middle one of some samples of warm runs. */
 function timed(action) {
-	const start = performance.now();
 	const result = action();
-	return { result, ms: performance.now() - start };
+	const samples = [];
+	let runs = 0;
+	const begin = performance.now();
+	while (samples.length < FEWEST_SAMPLES || (samples.length < SAMPLES && performance.now() - begin < MOST_MS)) {
+		const start = performance.now();
+		let [count, ms] = [0, 0];
+		while (ms < SAMPLE_MS) {
+			action();
+			count++;
+			ms = performance.now() - start;
+		}
+		samples.push(ms / count);
+		runs += count;
+	}
+	return { result, runs, ms: samples.sort((a, b) => a - b)[samples.length >> 1] };
 }
 
 /** Lets the browser draw. */

@@ -1,16 +1,18 @@
 /** Inspect: a model, what can be put around it, and what that costs. */
-import { Agent, Wireframes } from "starlogo-collision";
+import { Agent, Model } from "starlogo-collision";
 import { button, choice, field, fileButton, h, short, slider, tick } from "../shared/dom.js";
+import { Lab } from "../shared/lab.js";
 import { loadModel, parseModel } from "../shared/models.js";
 import { MODELS } from "../shared/names.js";
-import { Stage, orbitByKeys } from "../shared/stage.js";
+import { orbitByKeys } from "../shared/stage.js";
 import { texts } from "../texts.js";
 import { depthOf, measure, nodesAt } from "./measure.js";
+import { Questions } from "./questions.js";
 
 const words = texts.inspect;
 const FIRST = "bear";
-const LINES = 0xff8a00;
-const LEVEL_LINES = 0x12a594;
+const LINES = { color: 0xff8a00 };
+const LEVEL_LINES = { color: 0x12a594 };
 const MODEL_COLOUR = 0x8fa6c8;
 
 export async function createView(main) {
@@ -21,8 +23,10 @@ export async function createView(main) {
 
 class InspectView {
 	settings = { increment: 10, tolerance: 1, minVertices: 5, byMean: false };
-	#turn = 0;
-	#drop = new AbortController();
+	#asked = 0;
+	#measured = 0;
+	#chosen = "";
+	#files = new Map();
 	#shown = null;
 	#levelShown = false;
 	#level = 3;
@@ -30,16 +34,29 @@ class InspectView {
 	constructor(main) {
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.models = choice(MODELS.map((name) => [name, texts.shapes[name]]), FIRST, (name) => this.choose(name));
+		this.up = choice(Object.entries(words.ups), "z", () => this.loaded && this.#show());
 		this.status = h("p.status", { role: "status" });
 		this.results = h("div.results");
+		this.structures = h("div.sheets", {}, this.results, this.#settingsForm());
 		main.replaceChildren(
 			h("section.picture", { "aria-label": words.picture },
-				h("div.tools", {}, field(words.model, this.models), fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
+				h("div.tools", {}, field(words.model, this.models), field(words.up, this.up), fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
 				this.status, h("div.screen", {}, this.worldHost)),
-			h("section.facts", { "aria-label": words.structures }, this.results, this.#settingsForm()));
-		this.stage = new Stage(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
+			h("section.facts", { "aria-label": words.structures }, this.#modes(), this.structures));
+		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
 		orbitByKeys(this.stage, this.worldHost);
-		this.#listenForFiles(main);
+		this.questions = new Questions(this.stage);
+		main.querySelector(".facts").append(this.questions.element);
+	}
+
+	/** Either the structures around the model are shown, or questions are asked. */
+	#modes() {
+		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
+			h("input", { type: "radio", name: "mode", value: name, checked: name === "structures", onchange: () => {
+				this.structures.hidden = name === "questions";
+				this.questions.element.hidden = !this.structures.hidden;
+				this.#showModel();
+			} }), text)));
 	}
 
 	#settingsForm() {
@@ -59,72 +76,81 @@ class InspectView {
 		h("button.primary", { type: "submit" }, words.apply));
 	}
 
-	#listenForFiles(main) {
-		const { signal } = this.#drop;
-		addEventListener("dragover", (event) => {
-			event.preventDefault();
-			main.classList.add("dropping");
-		}, { signal });
-		addEventListener("dragleave", (event) => {
-			if (!event.relatedTarget) main.classList.remove("dropping");
-		}, { signal });
-		addEventListener("drop", (event) => {
-			event.preventDefault();
-			main.classList.remove("dropping");
-			const [file] = event.dataTransfer.files;
-			if (file) this.openFile(file);
-		}, { signal });
-	}
-
+	/** Shows a model of the game, or of a file that was opened before. */
 	async choose(name) {
-		const turn = ++this.#turn;
-		this.#say(words.working(texts.shapes[name]));
-		const model = await loadModel(name);
-		if (turn === this.#turn) await this.#show(model);
+		const file = this.#files.get(name);
+		await this.#take(name, texts.shapes[name] ?? file.name, () => file ?? loadModel(name));
 	}
 
 	async openFile(file) {
-		const turn = ++this.#turn;
-		if (!/\.(obj|dae|zae|glb|gltf|stl)$/i.test(file.name)) {
-			this.#say(words.wrongKind(file.name), true);
-			return;
-		}
-		this.#say(words.working(file.name));
-		try {
-			const model = parseModel(file.name, file.name, new Uint8Array(await file.arrayBuffer()));
-			if (turn === this.#turn) await this.#show(model);
-		} catch (error) {
-			this.#say(`${words.broken} ${error.message}`, true);
-		}
+		const name = `file ${file.name}`;
+		await this.#take(name, file.name, async () => {
+			const model = await parseModel(file.name, new Uint8Array(await file.arrayBuffer()));
+			if (!this.#files.has(name)) this.models.append(h("option", { value: name }, file.name));
+			this.#files.set(name, model);
+			return model;
+		}, words.kinds);
 	}
 
-	async #show(model) {
-		this.model = model;
+	async #take(name, title, read, hint = "") {
+		const asked = ++this.#asked;
+		this.#say(words.working(title));
+		try {
+			const loaded = await read();
+			if (asked !== this.#asked) return;
+			Object.assign(this, { loaded, title });
+			this.#chosen = name;
+			this.up.value = "z";
+			await this.#show();
+		} catch (error) {
+			if (asked === this.#asked) this.#say(`${words.broken(title, error.message)} ${hint}`, true);
+		}
+		this.models.value = this.#chosen;
+	}
+
+	async #show() {
+		this.model = withUp(this.loaded, this.up.value);
 		this.#shown = null;
+		this.found = null;
+		this.#showModel();
+		await this.#measure();
+	}
+
+	/** The model alone, and what is chosen of what is around it; or all that questions are about, once it is measured. */
+	#showModel() {
+		const { model } = this;
+		if (!model) return;
+		this.questions.close();
 		const agent = new Agent(model.name);
 		agent.color = MODEL_COLOUR;
 		this.stage.showAgents([agent], new Map([[model.name, model]]));
 		const height = model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
 		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
-		await this.#measure();
+		this.stage.clearLines("structure", "level");
+		if (this.found && this.structures.hidden) this.questions.open(model, this.found.greatLand);
+		else if (this.found) this.#drawLines();
 	}
 
 	async #measure() {
-		const turn = ++this.#turn;
-		const { model } = this;
-		this.#say(words.working(texts.shapes[model.name] ?? model.name));
+		const { model, title } = this;
+		if (!model) return;
+		const asked = this.#asked;
+		const turn = ++this.#measured;
+		const say = (...what) => asked === this.#asked && this.#say(...what);
+		say(words.working(title));
 		this.results.setAttribute("aria-busy", "true");
 		try {
-			const found = await measure(model, this.settings);
-			if (turn !== this.#turn) return;
+			const found = await measure(model, this.settings, () => turn === this.#measured);
+			if (turn !== this.#measured) return;
 			this.found = found;
 			this.#shown ??= found.chosen;
 			this.#tell();
-			this.#say(words.vertices(model.vertices.length / 3, (model.triangles?.length ?? 0) / 3));
+			if (this.structures.hidden) this.#showModel();
+			say(words.vertices(title, model.vertices.length / 3, (model.triangles?.length ?? 0) / 3));
 		} catch (error) {
-			if (turn === this.#turn) this.#say(words.wrongSetting + error.message, true);
+			if (turn === this.#measured) say(words.wrongSetting + error.message, true);
 		}
-		this.results.removeAttribute("aria-busy");
+		if (turn === this.#measured) this.results.removeAttribute("aria-busy");
 	}
 
 	#tell() {
@@ -144,7 +170,7 @@ class InspectView {
 				h("div.table", {}, h("table", {},
 					h("thead", {}, h("tr", {}, ...[words.show, words.volume, words.emptier, words.time].map((text) => h("th", { scope: "col" }, text)))),
 					h("tbody", {}, ...rows.map((row) => this.#row(row, least, volume))))),
-				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.chosen(words.fitters[chosen].toLowerCase()))),
+				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.timeNote, " ", words.chosen(words.fitters[chosen].toLowerCase()))),
 			h("div.card", {}, h("h2", {}, words.hierarchy),
 				tick(words.showLevel, this.#levelShown, (on) => {
 					this.#levelShown = on;
@@ -166,8 +192,9 @@ class InspectView {
 
 	#drawLines() {
 		const { rows, root } = this.found;
-		this.stage.showLines("structure", Wireframes.ofStructure(rows.find(({ name }) => name === this.#shown).structure), LINES);
-		this.stage.showLines("level", this.#levelShown ? Wireframes.ofLevel(root, this.#level) : [], LEVEL_LINES);
+		this.stage.wireframe("structure", LINES).showStructure(rows.find(({ name }) => name === this.#shown).structure);
+		const levels = this.stage.wireframe("level", LEVEL_LINES);
+		if (this.#levelShown) levels.showLevel(root, this.#level);
 	}
 
 	#say(text, isProblem = false) {
@@ -176,8 +203,20 @@ class InspectView {
 	}
 
 	close() {
-		this.#turn++;
-		this.#drop.abort();
+		this.#asked++;
+		this.#measured++;
 		this.stage.close();
 	}
+}
+
+/** A model with another of its axes up, turned as the engine turns what a file says. */
+function withUp(model, axis) {
+	if (axis === "z") return model;
+	const { name, vertices, triangles } = model;
+	const turned = [];
+	for (let i = 0; i < vertices.length; i += 3) {
+		const [x, y, z] = vertices.slice(i, i + 3);
+		turned.push(...(axis === "y" ? [x, -z, y] : [-y, -z, x]));
+	}
+	return new Model(name, turned, triangles);
 }

@@ -6,30 +6,72 @@ const words = texts.blocks;
 const options = (table) => Object.entries(table).map(([value, text]) => [text, value]);
 const dropdown = (name, list) => ({ type: "field_dropdown", name, options: list });
 
-const BREEDS = options(texts.breeds);
-const ANYONE = [...BREEDS, [words.anyBreed, "anyone"]];
-const SHAPE = dropdown("SHAPE", SHAPES.map((name) => [texts.shapes[name].toLowerCase(), name]));
+/** What menus of breeds offer, own ones too. Programs bring theirs. */
+export const breeds = Object.keys(texts.breeds);
+/** What menus of shapes offer. */
+export const shapes = [...SHAPES];
+/** The menu's entry that asks for the name of a new breed. */
+export const NEW_BREED = "new breed";
+
+const nameOf = (table, value) => table[value] ?? value;
+const breedOptions = () => breeds.map((name) => [nameOf(texts.breeds, name), name]);
+const newBreed = [words.newBreed, NEW_BREED];
+export const MENUS = {
+	BREED: () => [...breedOptions(), newBreed],
+	OTHER: () => [...breedOptions(), [words.anyBreed, "anyone"], newBreed],
+	WHO: () => [[words.me, "me"], [words.collidee, "collidee"], ...breedOptions().map(([text, value]) => [words.allOf(text), value])],
+	SHAPE: () => shapes.map((name) => [nameOf(texts.shapes, name).toLowerCase(), name]),
+};
+
+/**
+ * Takes in the breeds and shapes that a program names, so that menus have them.
+ *
+ * @param {string} field BREED, OTHER, WHO or SHAPE
+ * @param {string} value
+ */
+export function meet(field, value) {
+	const list = field === "SHAPE" ? shapes : breeds;
+	if (field in MENUS && typeof value === "string" && value !== NEW_BREED && !MENUS[field]().some(([, each]) => each === value)) list.push(value);
+}
+
+/** A menu that grows: `menu` says what its options are when it opens. */
+const menu = (name, kind = name) => ({ ...dropdown(name, MENUS[kind]()), menu: kind });
+const SHAPE = menu("SHAPE");
 const SYSTEM = dropdown("SYSTEM", options(texts.systems).map(([text, value]) => [text.toLowerCase(), value]));
-const WHO = dropdown("WHO", [[words.me, "me"], [words.collidee, "collidee"], ...BREEDS.map(([text, value]) => [words.allOf(text), value])]);
+const WHO = menu("WHO");
 const ONE = dropdown("WHO", [[words.me, "me"], [words.collidee, "collidee"]]);
 const ON = dropdown("ON", options(words.onOff));
 const AS = dropdown("AS", ["tightest", "sphere", "box", "capsule"].map((name) => [name, name]));
-const breed = (name) => dropdown(name, name === "OTHER" ? ANYONE : BREEDS);
+const KEY = dropdown("KEY", options(words.keys));
+const breed = (name, kind = name) => menu(name, kind);
+const anyone = menu("BREED", "OTHER");
+const text = (value) => ({ type: "field_input", name: "TEXT", text: value });
+const AGENT = { type: "input_value", name: "AGENT", check: "Agent" };
+const COLOUR = { type: "input_value", name: "COLOUR", check: ["Colour", "Number"] };
 const input = (name) => ({ type: "input_value", name, check: "Number" });
 
-const STYLES = { event: "event_blocks", collision: "collision_blocks", movement: "movement_blocks", agent: "agent_blocks", look: "look_blocks" };
+const STYLES = { event: "event_blocks", collision: "collision_blocks", movement: "movement_blocks", agent: "agent_blocks", look: "look_blocks", sense: "sense_blocks", game: "game_blocks", logic: "logic_blocks", math: "math_blocks", text: "text_blocks", variable: "variable_blocks" };
 
 /** A block: its style, what its words' places take, and what it is. */
 const define = (type, style, args, shape) => ({ type, style: STYLES[style], message0: words[type], args0: args, inputsInline: true, ...shape });
 const STATEMENT = { previousStatement: null, nextStatement: null };
+const NUMBER = { output: "Number" };
+const TRUTH = { output: "Boolean" };
 const BODY = { message1: "%1", args1: [{ type: "input_statement", name: "DO" }] };
 const HAT = BODY;
+const truth = (name) => ({ type: "input_value", name, check: "Boolean" });
+const VARIABLE = { type: "field_variable", name: "VAR", variable: words.variable };
+/** Places for blocks, the second one after a word. */
+const then = (first, second) => ({
+	message1: "%1", args1: [{ type: "input_statement", name: first }], ...(second && { message2: words.otherwise, args2: [{ type: "input_statement", name: second }] }),
+});
 
 export const DEFINITIONS = [
 	define("starlogo_start", "event", [], HAT),
 	define("starlogo_each", "event", [breed("BREED")], HAT),
-	define("starlogo_key", "event", [dropdown("KEY", options(words.keys)), dropdown("MODE", options(words.modes)), breed("BREED")], HAT),
+	define("starlogo_key", "event", [KEY, dropdown("MODE", options(words.modes)), breed("BREED")], HAT),
 	define("starlogo_timer", "event", [input("SECONDS"), breed("BREED")], HAT),
+	define("starlogo_click", "event", [anyone], HAT),
 	define("starlogo_collision", "collision", [breed("BREED"), breed("OTHER")], HAT),
 	define("starlogo_touch_start", "collision", [breed("BREED"), breed("OTHER")], HAT),
 	define("starlogo_touch_end", "collision", [breed("BREED"), breed("OTHER")], HAT),
@@ -48,37 +90,83 @@ export const DEFINITIONS = [
 	define("starlogo_create", "agent", [input("COUNT"), breed("BREED"), SHAPE], { ...STATEMENT, ...BODY }),
 	define("starlogo_hatch", "agent", [breed("BREED"), SHAPE], { ...STATEMENT, ...BODY }),
 	define("starlogo_delete", "agent", [WHO], STATEMENT),
-	define("starlogo_trait", "agent", [dropdown("TRAIT", options(words.traits))], { output: "Number" }),
+	define("starlogo_trait", "agent", [dropdown("TRAIT", options(words.traits))], NUMBER),
+	define("starlogo_ask", "agent", [AGENT], { ...STATEMENT, ...BODY }),
+	define("starlogo_become", "agent", [WHO, breed("BREED")], STATEMENT),
+	define("starlogo_agent", "agent", [ONE], { output: "Agent" }),
 	define("starlogo_size", "look", [input("SIZE")], STATEMENT),
-	define("starlogo_colour", "look", [WHO, { type: "input_value", name: "COLOUR", check: "Colour" }], STATEMENT),
+	define("starlogo_colour", "look", [WHO, COLOUR], STATEMENT),
+	define("starlogo_say", "look", [{ type: "input_value", name: "TEXT" }], STATEMENT),
 	define("starlogo_pick", "look", [dropdown("COLOUR", options(texts.colours))], { output: "Colour" }),
 	define("starlogo_any_colour", "look", [], { output: "Colour" }),
 	define("starlogo_colour_of", "look", [ONE], { output: "Colour" }),
+	define("starlogo_sweep", "collision", [WHO, ON], STATEMENT),
+	define("starlogo_bounce", "collision", [], STATEMENT),
+	define("starlogo_until", "movement", [input("STEPS"), dropdown("HOW", options(words.ways)), anyone], STATEMENT),
+	define("starlogo_face", "movement", [AGENT], STATEMENT),
+	define("starlogo_count", "sense", [anyone, input("DISTANCE")], NUMBER),
+	define("starlogo_number_of", "sense", [anyone, COLOUR], NUMBER),
+	define("starlogo_nearest", "sense", [anyone, input("DISTANCE")], { output: "Agent" }),
+	define("starlogo_distance", "sense", [AGENT], NUMBER),
+	define("starlogo_can_see", "sense", [AGENT], TRUTH),
+	define("starlogo_touching", "sense", [anyone], TRUTH),
+	define("starlogo_key_down", "sense", [KEY], TRUTH),
+	define("starlogo_mouse", "sense", [dropdown("MOUSE", options(words.mouse))], { output: null }),
+	define("starlogo_goal", "game", [text(words.someGoal)], STATEMENT),
+	define("starlogo_score_set", "game", [input("SCORE")], STATEMENT),
+	define("starlogo_score_change", "game", [input("SCORE")], STATEMENT),
+	define("starlogo_score", "game", [], NUMBER),
+	define("starlogo_clock", "game", [], NUMBER),
+	define("starlogo_end", "game", [dropdown("HOW", options(words.ends)), text(words.someEnd)], STATEMENT),
+	define("starlogo_wait", "logic", [input("SECONDS")], STATEMENT),
+	// those that Blockly has too, under its names
+	define("controls_if", "logic", [truth("IF0")], { ...STATEMENT, ...then("DO0"), mutator: "branches" }),
+	define("controls_ifelse", "logic", [truth("IF0")], { ...STATEMENT, ...then("DO0", "ELSE") }),
+	define("controls_repeat_ext", "logic", [input("TIMES")], { ...STATEMENT, ...BODY }),
+	define("controls_whileUntil", "logic", [dropdown("MODE", options(words.loopModes)), truth("BOOL")], { ...STATEMENT, ...BODY }),
+	define("logic_compare", "logic", [{ type: "input_value", name: "A" }, dropdown("OP", options(words.comparisons)), { type: "input_value", name: "B" }], TRUTH),
+	define("logic_operation", "logic", [truth("A"), dropdown("OP", options(words.operations)), truth("B")], TRUTH),
+	define("logic_negate", "logic", [truth("BOOL")], TRUTH),
+	define("logic_boolean", "logic", [dropdown("BOOL", options(words.truths))], TRUTH),
+	define("math_number", "math", [{ type: "field_number", name: "NUM", value: 0 }], NUMBER),
+	define("math_arithmetic", "math", [input("A"), dropdown("OP", options(words.arithmetic)), input("B")], NUMBER),
+	define("math_random_int", "math", [input("FROM"), input("TO")], NUMBER),
+	define("math_modulo", "math", [input("DIVIDEND"), input("DIVISOR")], NUMBER),
+	define("text", "text", [text("")], { output: "String" }),
+	define("variables_get", "variable", [VARIABLE], { output: null }),
+	define("variables_set", "variable", [VARIABLE, { type: "input_value", name: "VALUE" }], STATEMENT),
+	define("math_change", "variable", [VARIABLE, input("DELTA")], STATEMENT),
 ];
 
 const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
-const block = (type, inputs) => ({ kind: "block", type, ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, typeof value === "number" ? number(value) : { block: { type: value } }])) }) });
-const category = (name, style, ...contents) => ({ kind: "category", name: words.categories[name], categorystyle: style, contents });
+const shadow = (value) => (typeof value === "number" ? number(value) : value.startsWith("starlogo") ? { block: { type: value, ...(value === "starlogo_nearest" && { inputs: { DISTANCE: number(10) } }) } } : { shadow: { type: "text", fields: { TEXT: value } } });
+const block = (type, inputs) => ({ kind: "block", type, ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, shadow(value)])) }) });
+const category = (name, ...contents) => ({ kind: "category", name: words.categories[name], categorystyle: `${STYLE_OF[name] ?? name}_category`, cssconfig: { icon: `icon icon-${name}` }, contents });
+const STYLE_OF = { events: "event", collisions: "collision", senses: "sense", agents: "agent", looks: "look", control: "logic", maths: "math", variables: "variable" };
+const NEAREST = "starlogo_nearest";
 
 export const TOOLBOX = {
 	kind: "categoryToolbox",
 	contents: [
-		category("events", "event_category", block("starlogo_start"), block("starlogo_each"), block("starlogo_key"), block("starlogo_timer", { SECONDS: 1 })),
-		category("collisions", "collision_category", block("starlogo_collision"), block("starlogo_touch_start"), block("starlogo_touch_end"), block("starlogo_system"),
+		category("events", block("starlogo_start"), block("starlogo_each"), block("starlogo_key"), block("starlogo_timer", { SECONDS: 1 }), block("starlogo_click")),
+		category("collisions", block("starlogo_collision"), block("starlogo_touch_start"), block("starlogo_touch_end"), block("starlogo_bounce"), block("starlogo_sweep"), block("starlogo_system"),
 			block("starlogo_hierarchical"), block("starlogo_depth", { DEPTH: 5 }), block("starlogo_collide_as"), block("starlogo_show")),
-		category("movement", "movement_category", block("starlogo_forward", { STEPS: 1 }), block("starlogo_turn", { DEGREES: 15 }), block("starlogo_up", { STEPS: 1 }),
-			block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_scatter"), block("starlogo_back"), block("starlogo_heading", { HEADING: 90 })),
-		category("agents", "agent_category", block("starlogo_create", { COUNT: 1 }), block("starlogo_hatch"), block("starlogo_delete"), block("starlogo_trait")),
-		category("looks", "look_category", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 })),
-		category("control", "logic_category", block("controls_if"), block("controls_ifelse"), block("controls_repeat_ext", { TIMES: 4 }), block("controls_whileUntil"),
+		category("movement", block("starlogo_forward", { STEPS: 1 }), block("starlogo_until", { STEPS: 1 }), block("starlogo_turn", { DEGREES: 15 }), block("starlogo_face", { AGENT: NEAREST }),
+			block("starlogo_heading", { HEADING: 90 }), block("starlogo_up", { STEPS: 1 }), block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_scatter"), block("starlogo_back")),
+		category("senses", block("starlogo_count", { DISTANCE: 5 }), block("starlogo_number_of", { COLOUR: "starlogo_pick" }), block(NEAREST, { DISTANCE: 10 }), block("starlogo_distance", { AGENT: NEAREST }),
+			block("starlogo_can_see", { AGENT: NEAREST }), block("starlogo_touching"), block("starlogo_key_down"), block("starlogo_mouse")),
+		category("agents", block("starlogo_create", { COUNT: 1 }), block("starlogo_hatch"), block("starlogo_delete"), block("starlogo_ask", { AGENT: NEAREST }), block("starlogo_become"), block("starlogo_trait"), block("starlogo_agent")),
+		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello })),
+		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_end")),
+		category("control", block("controls_if"), block("controls_ifelse"), block("starlogo_wait", { SECONDS: 1 }), block("controls_repeat_ext", { TIMES: 4 }), block("controls_whileUntil"),
 			block("logic_compare"), block("logic_operation"), block("logic_negate"), block("logic_boolean")),
-		category("maths", "math_category", block("math_number"), block("math_arithmetic", { A: 1, B: 1 }), block("math_random_int", { FROM: 1, TO: 10 }), block("math_modulo", { DIVIDEND: 10, DIVISOR: 3 })),
-		{ kind: "category", name: words.categories.variables, categorystyle: "variable_category", custom: "VARIABLE" },
+		category("maths", block("math_number"), block("math_arithmetic", { A: 1, B: 1 }), block("math_random_int", { FROM: 1, TO: 10 }), block("math_modulo", { DIVIDEND: 10, DIVISOR: 3 })),
+		{ ...category("variables"), custom: "VARIABLE" },
 	],
 };
 
 /** The colours of the styles: for white words on all of them. */
-const COLOURS = { event: "#9a6200", collision: "#b3384a", movement: "#2c66c9", agent: "#2d7a46", look: "#7a4bb5", logic: "#3d6a80", loop: "#3d6a80", math: "#57606e", variable: "#8a4a2c" };
+const COLOURS = { event: "#9a6200", collision: "#b3384a", movement: "#2c66c9", sense: "#0b7285", agent: "#2d7a46", look: "#7a4bb5", game: "#a8326e", logic: "#3d6a80", loop: "#3d6a80", math: "#57606e", text: "#57606e", variable: "#8a4a2c" };
 
 export const BLOCK_STYLES = Object.fromEntries(Object.entries(COLOURS).map(([name, colour]) => [`${name}_blocks`, { colourPrimary: colour }]));
 export const CATEGORY_STYLES = Object.fromEntries(Object.entries(COLOURS).map(([name, colour]) => [`${name}_category`, { colour }]));

@@ -1,31 +1,106 @@
-/** Where programs are kept: in the browser, in files, in links. */
+/** Where programs are kept: in the browser, each under a name of its own, in files, in links. */
 
-const KEY = "starlogo-playground.program";
+const KEY = "starlogo-playground.programs";
+/** What the browser kept before programs had names: the last one. */
+const OLD_KEY = "starlogo-playground.program";
 
-/** The program kept in the browser, or null. */
-export function kept() {
-	try {
-		return JSON.parse(localStorage.getItem(KEY));
-	} catch {
-		return null;
+/**
+ * The programs of the browser's user, each {id, name, program, picture, changed}. Another tab may change them too: they are read anew before
+ * each change.
+ */
+export class Shelf {
+	/** Whether what was put here last is kept. */
+	isKept = true;
+
+	get all() {
+		return read(KEY) ?? this.#taken();
+	}
+
+	/** What an earlier release has kept. */
+	#taken() {
+		const old = read(OLD_KEY);
+		return old?.name === "own" && isProgram(old.program) ? [{ id: "own", name: "1", program: old.program, changed: 0 }] : [];
+	}
+
+	find(id) {
+		return this.all.find((each) => each.id === id) ?? null;
+	}
+
+	/** Puts one here, in place of that with the same id. */
+	put(entry) {
+		const { all } = this;
+		const at = all.findIndex(({ id }) => id === entry.id);
+		if (at < 0) all.push(entry);
+		else all[at] = { ...all[at], ...entry };
+		this.#write(all);
+	}
+
+	remove(id) {
+		this.#write(this.all.filter((each) => each.id !== id));
+	}
+
+	/** The id of the program that was open last. */
+	get last() {
+		return read(`${KEY}.last`);
+	}
+
+	set last(id) {
+		this.#keep(`${KEY}.last`, id);
+	}
+
+	#write(all) {
+		this.#keep(KEY, all);
+	}
+
+	#keep(key, value) {
+		try {
+			localStorage.setItem(key, JSON.stringify(value));
+			this.isKept = true;
+		} catch {
+			this.isKept = false;
+		}
+	}
+
+	/** Tells of changes by other tabs, until the function that it returns is called. */
+	watch(listener) {
+		const heard = ({ key }) => {
+			if (key === KEY) listener();
+		};
+		addEventListener("storage", heard);
+		return () => removeEventListener("storage", heard);
 	}
 }
 
-/** Keeps a program in the browser, where that is allowed. */
-export function keep(name, program) {
+function read(key) {
 	try {
-		localStorage.setItem(KEY, JSON.stringify({ name, program }));
+		return JSON.parse(localStorage.getItem(key));
 	} catch {
-		// a browser that keeps nothing: files and links are left
+		return null;
 	}
 }
 
 /** Whether something read from outside may be a program. */
 export const isProgram = (value) => Array.isArray(value?.blocks?.blocks);
 
+/** A program without what Blockly makes anew: names of blocks, places. */
+function bare(value, key) {
+	if (Array.isArray(value)) return value.map((each) => bare(each));
+	if (value === null || typeof value !== "object") return value;
+	const isBlock = "type" in value && key !== "variables";
+	return Object.fromEntries(Object.entries(value).filter(([name]) => !(isBlock && ["id", "x", "y"].includes(name)) && name !== "languageVersion")
+		.map(([name, each]) => [name, name === "variables" ? each : bare(each, name)]));
+}
+
+/** The words that links are full of, for the compressor to point to. */
+const WORDS = ["starlogo_", "\"inputs\":{", "\"fields\":{", "{\"block\":{\"type\":\"", "{\"shadow\":{\"type\":\"math_number\",\"fields\":{\"NUM\":", "\"next\":{\"block\":{\"type\":\"", "\"BREED\":\"", "\"WHO\":\"", "\"SHAPE\":\"", "\"COLOUR\":", "\"STEPS\":", "\"DO\":{\"block\":{\"type\":\"", "\"collapsed\":true", "\"DEGREES\":", "\"}},", "}}}"];
+const shorten = (text) => WORDS.reduce((all, word, i) => all.replaceAll(word, String.fromCharCode(1 + i)), text);
+const lengthen = (text) => WORDS.reduceRight((all, word, i) => all.replaceAll(String.fromCharCode(1 + i), word), text);
+
+const squeezed = async (text, stream) => new Uint8Array(await new Response(new Blob([text]).stream().pipeThrough(stream)).arrayBuffer());
+
 /** A program as text for an address. */
 export async function toLink(program) {
-	const bytes = new Uint8Array(await new Response(new Blob([JSON.stringify(program)]).stream().pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer());
+	const bytes = await squeezed(shorten(JSON.stringify(bare(program))), new CompressionStream("deflate-raw"));
 	const text = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
 	return text.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
@@ -33,7 +108,7 @@ export async function toLink(program) {
 /** The program in such a text; throws if there is none. */
 export async function fromLink(text) {
 	const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
-	const program = JSON.parse(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).text());
+	const program = JSON.parse(lengthen(new TextDecoder().decode(await squeezed(bytes, new DecompressionStream("deflate-raw")))));
 	if (!isProgram(program)) throw new Error("no program");
 	return program;
 }

@@ -1,91 +1,146 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
-import { Agent, CollisionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
-import { Rounds, breedOf, compile } from "./program.js";
-import { COLOURS } from "./colours.js";
+import { Agent, AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
+import { OWN_COLOURS } from "../shared/own.js";
+import { texts } from "../texts.js";
+import { History } from "./history.js";
+import { ProgramError, Rounds, Thread, breedOf, compile } from "./program.js";
 
 /** Half the width of the ground; who leaves it comes in on the other side. */
 export const HALF_WIDTH = 12;
 export const FRAMES_A_SECOND = 60;
 const MOST_AGENTS = 2000;
+/** How many meetings are listed. */
+const MOST_EVENTS = 60;
+/** How long what an agent says stays. */
+const SECONDS_SAID = 2;
 
 /** An agent of a game, with what blocks ask about it. */
-class Being extends Agent {
+export class Being extends Agent {
 	born = 0;
 	/** Where it was when the frame began: x, y, z, heading. */
 	before = [0, 0, 0, 0];
+	isAlive = true;
+	/** What it says, and until when. */
+	said = { text: "", until: 0 };
+	/** The frame in which it last touched another one, and that in which such a touch began. */
+	touched = -1;
+	hit = -1000;
+	color = OWN_COLOURS;
 }
 
 export class World {
 	rounds = new Rounds();
 	agents = [];
-	variables = {};
 	me = null;
 	collidee = null;
 	held = new Set();
-	frame = 0;
+	mouse = { x: 0, y: 0, isDown: false };
 	/** What the last frame's collision detection took, in milliseconds. */
 	collisionMs = 0;
 	#pressed = new Set();
+	#clicked = null;
 	#scripts = [];
-	#seed = 1;
-	#system = null;
+	#areSensesOld = true;
+	#now;
 
 	/**
 	 * @param {object} greatLand has every shape that programs name
 	 */
 	constructor(greatLand) {
+		this.greatLand = greatLand;
 		this.collisions = new CollisionBlocks(greatLand, this.agents);
 		this.traits = new TraitBlocks(this.agents);
 		this.structures = new StructureBlocks(this.collisions);
+		this.detection = new DetectionBlocks(this.collisions);
+		// of systems that have searched, contacts are those of that search
+		this.#now = new CollisionBlocks(greatLand, []);
+		this.history = new History(this);
+		this.#forget();
+	}
+
+	#forget() {
+		/** What History keeps of a frame, beside the agents. */
+		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ended: null, totals: new Map(), events: [], meetings: 0 };
+		this.agents.length = 0;
+		this.#pressed.clear();
+		this.#clicked = null;
+		this.#areSensesOld = true;
 	}
 
 	/** Makes the world the beginning of a program. */
 	begin(program) {
-		this.agents.length = 0;
+		this.#forget();
 		this.collisions.forgetScripts();
 		this.traits.forgetBreeds();
 		this.structures.showNone();
-		this.variables = {};
-		this.frame = 0;
-		this.#seed = 20150601;
-		this.#pressed.clear();
+		this.history.clear();
 		this.#scripts = [];
 		this.#scripts = compile(program, this);
-		for (const { event, fields, run } of this.#scripts) this.#listen(event, fields, run);
+		// all that touch, whoever has scripts
+		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => {
+			a.touched = b.touched = this.frame;
+		});
+		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => {
+			if (a.id < b.id) this.#meet(a, b, point);
+		});
+		for (const { event, fields, code } of this.#scripts) this.#listen(event, fields, code);
 		this.rounds.begin();
-		for (const { event, run } of this.#scripts) if (event === "start") this.#as(null, null, run);
+		for (const { event, code } of this.#scripts) if (event === "start") this.#start(code, null, null);
 	}
 
-	#listen(event, fields, run) {
+	#listen(event, fields, code) {
 		const add = { collision: "onCollision", touchStart: "whenTouchingStarts", touchEnd: "whenTouchingEnds" }[event];
 		if (!add) return;
-		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#as(collider, collidee, run));
+		this.collisions[add](breedOf(fields.BREED), breedOf(fields.OTHER), (collider, collidee) => this.#start(code, collider, collidee));
 	}
 
-	#as(me, collidee, run) {
-		this.me = me;
-		this.collidee = collidee;
-		try {
-			run();
-		} finally {
-			this.me = this.collidee = null;
-		}
+	/** Begins a script, unless it is still at it for the same agents. */
+	#start(code, me, collidee) {
+		if (this.threads.some((each) => each.code === code && each.me === me && each.collidee === collidee)) return;
+		this.#go(new Thread(code, me, collidee));
+	}
+
+	#go(thread) {
+		if (!thread.run(this)) this.threads.push(thread);
+	}
+
+	#meet(a, b, { x, y, z }) {
+		// what touches from the beginning has not been hit
+		if (this.frame > 1) a.hit = b.hit = this.frame;
+		const names = [a.breed, b.breed].sort().join("\n");
+		this.totals.set(names, (this.totals.get(names) ?? 0) + 1);
+		this.state.meetings++;
+		this.events.unshift({ frame: this.frame, a, b, names: [a.breed, b.breed], point: { x, y, z } });
+		this.events.length = Math.min(this.events.length, MOST_EVENTS);
 	}
 
 	/** One frame: scripts, then collisions. */
 	step() {
-		this.frame++;
+		this.history.goOn();
+		this.state.frame++;
 		this.rounds.begin();
+		this.#areSensesOld = true;
 		for (const agent of this.agents) {
 			agent.before[0] = agent.x;
 			agent.before[1] = agent.y;
 			agent.before[2] = agent.z;
 			agent.before[3] = agent.heading;
 		}
-		for (const { event, fields, seconds, run } of this.#scripts) {
-			if (this.#isDue(event, fields, seconds)) this.#forEach(fields.BREED, run);
+		const threads = this.threads;
+		this.state.threads = threads.filter(({ until }) => until > this.frame);
+		for (const thread of threads) if (thread.until <= this.frame && (thread.me?.isAlive ?? true)) this.#go(thread);
+		for (const { event, fields, seconds, code } of this.#scripts) {
+			if (this.#isDue(event, fields, seconds)) this.#forEach(fields.BREED, event, code);
 		}
 		this.#pressed.clear();
+		this.#clicked = null;
+		const listed = [...this.agents];
+		this.collide();
+		this.history.add(listed);
+	}
+
+	/** The end of a frame: who touches whom. */
+	collide() {
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = performance.now() - start;
@@ -93,14 +148,15 @@ export class World {
 
 	#isDue(event, fields, seconds) {
 		if (event === "each") return true;
+		if (event === "click") return this.#clicked !== null;
 		if (event === "key") return fields.MODE === "pressed" ? this.#pressed.has(fields.KEY) : this.held.has(fields.KEY);
 		return event === "timer" && this.frame % Math.max(1, Math.round(seconds() * FRAMES_A_SECOND)) === 0;
 	}
 
-	#forEach(breed, run) {
+	#forEach(breed, event, code) {
 		// who is created meanwhile begins with the next frame
-		for (const agent of this.agents.filter((each) => breed === "anyone" || each.breed === breed)) {
-			if (this.agents.includes(agent)) this.#as(agent, null, run);
+		for (const agent of event === "click" ? [this.#clicked] : [...this.agents]) {
+			if (agent.isAlive && (breed === "anyone" || agent.breed === breed)) this.#start(code, agent, null);
 		}
 	}
 
@@ -117,19 +173,22 @@ export class World {
 		this.held.clear();
 	}
 
+	click(agent) {
+		this.#clicked = agent;
+	}
+
 	/** Uses a system, by a block or by the user, who is told of blocks'. */
 	useSystem(name) {
-		if (this.#system === name) return;
+		if (this.collisions.systemName === name) return;
 		this.collisions.useCollisionSystem(name);
-		this.#system = name;
 		this.onSystem?.(name);
 	}
 
 	/** A new agent where its parent is, or in the middle; null if there are too many. */
 	add(shape, breed, parent) {
 		if (this.agents.length >= MOST_AGENTS) return null;
+		if (!this.greatLand.hasModel(shape)) throw new ProgramError(texts.play.noModel(shape));
 		const agent = new Being(shape, breed);
-		agent.color = COLOURS.grey;
 		agent.born = this.frame;
 		if (parent) {
 			agent.jumpTo(parent.x, parent.y, parent.z);
@@ -138,26 +197,63 @@ export class World {
 		agent.before = [agent.x, agent.y, agent.z, agent.heading];
 		this.agents.push(agent);
 		this.traits.welcome(agent);
+		this.#areSensesOld = true;
 		return agent;
 	}
 
 	remove(agent) {
 		const at = this.agents.indexOf(agent);
-		if (at >= 0) this.agents.splice(at, 1);
+		if (at < 0) return;
+		this.agents.splice(at, 1);
+		agent.isAlive = false;
+		this.#areSensesOld = true;
 	}
 
-	removeBreed(breed) {
-		for (let i = this.agents.length - 1; i >= 0; i--) if (this.agents[i].breed === breed) this.agents.splice(i, 1);
+	/** Whom a block is about: an agent, or all of a breed. */
+	subjects(whom) {
+		return typeof whom === "string" ? this.agents.filter(({ breed }) => breed === whom) : [whom];
+	}
+
+	become(agent, breed) {
+		agent.breed = breed;
+		this.traits.welcome(agent);
 	}
 
 	forward(agent, steps) {
 		const angle = (agent.heading * Math.PI) / 180;
-		const x = agent.x + steps * Math.cos(angle);
-		const y = agent.y + steps * Math.sin(angle);
+		this.#moveInside(agent, agent.x + steps * Math.cos(angle), agent.y + steps * Math.sin(angle));
+	}
+
+	#moveInside(agent, x, y) {
 		const wrappedX = wrapped(x);
 		const wrappedY = wrapped(y);
 		if (wrappedX === x && wrappedY === y) agent.moveTo(x, y, agent.z);
 		else agent.jumpTo(wrappedX, wrappedY, agent.z);
+	}
+
+	/** Forward, until it touches one of a breed, or along that. */
+	advance(agent, steps, breed, how) {
+		const angle = (agent.heading * Math.PI) / 180;
+		const filter = breed === Collision.ANY_BREED ? null : AgentFilter.ofBreeds(breed);
+		this.senses.queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
+		this.#moveInside(agent, agent.x, agent.y);
+	}
+
+	face(agent, other) {
+		if (other && (other.x !== agent.x || other.y !== agent.y)) agent.heading = degrees(other.x - agent.x, other.y - agent.y);
+	}
+
+	/** Turns an agent that moves into another one as light is mirrored. */
+	bounce(agent, other) {
+		const { normal } = this.#system.contactOf(agent, other);
+		const angle = (agent.heading * Math.PI) / 180;
+		const [x, y] = [Math.cos(angle), Math.sin(angle)];
+		const into = x * normal.x + y * normal.y;
+		if (into < 0) agent.heading = degrees(x - 2 * into * normal.x, y - 2 * into * normal.y);
+	}
+
+	get #system() {
+		return this.collisions.collision.collisionSystem;
 	}
 
 	scatter(agent) {
@@ -165,27 +261,80 @@ export class World {
 		agent.heading = this.random() * 360;
 	}
 
-	/** Undoes the frame's steps and turns: who touches nobody before never gets stuck. */
-	goBack(agent) {
-		const [x, y, z, heading] = agent.before;
-		agent.jumpTo(x, y, z);
+	/**
+	 * Undoes the frame's steps and turns. Who touched the other before as well, as after a change of the collision system, does not get
+	 * stuck: it may turn, and go where they overlap no deeper.
+	 */
+	goBack(agent, other) {
+		const { x, y, z, heading } = agent;
+		const deep = other ? this.#depth(agent, other) : 0;
+		agent.jumpTo(agent.before[0], agent.before[1], agent.before[2]);
+		agent.heading = agent.before[3];
+		if (!other || this.#depth(agent, other) === 0) return;
 		agent.heading = heading;
+		if (deep <= this.#depth(agent, other)) agent.jumpTo(x, y, z);
+	}
+
+	/** How deep two overlap as they are now; 0 if they do not touch. */
+	#depth(agent, other) {
+		if (!this.#system.areColliding(agent, other)) return 0;
+		return Math.max(Number.MIN_VALUE, this.#now.systemNamed(this.collisions.systemName).contactOf(agent, other).depth);
 	}
 
 	/** Colours an agent, or all of a breed. */
 	paint(whom, colour) {
-		for (const agent of typeof whom === "string" ? this.agents.filter(({ breed }) => breed === whom) : [whom]) agent.color = colour;
+		for (const agent of this.subjects(whom)) agent.color = colour;
+	}
+
+	say(agent, text) {
+		agent.said = { text, until: this.frameIn(SECONDS_SAID) };
 	}
 
 	traitOf(agent, trait) {
 		return trait === "age" ? (this.frame - agent.born) / FRAMES_A_SECOND : agent[trait];
 	}
 
+	/** What agents know of others: as these were when the frame began, or when one came or went. */
+	get senses() {
+		if (this.#areSensesOld) {
+			this.detection.update();
+			this.#areSensesOld = false;
+		}
+		return this.detection;
+	}
+
+	/** The frame that is so many seconds on, at least one. */
+	frameIn(seconds) {
+		return this.frame + Math.max(1, Math.round(seconds * FRAMES_A_SECOND));
+	}
+
+	get seconds() {
+		return this.frame / FRAMES_A_SECOND;
+	}
+
 	/** The same games for the same programs: a generator of Park and Miller. */
 	random() {
-		this.#seed = (this.#seed * 48271) % 2147483647;
-		return this.#seed / 2147483647;
+		this.state.seed = (this.state.seed * 48271) % 2147483647;
+		return this.state.seed / 2147483647;
 	}
 }
 
-const wrapped = (coordinate) => (coordinate > HALF_WIDTH ? coordinate - 2 * HALF_WIDTH : coordinate < -HALF_WIDTH ? coordinate + 2 * HALF_WIDTH : coordinate);
+for (const name of ["frame", "variables", "threads", "score", "goal", "ended", "totals", "events"]) {
+	Object.defineProperty(World.prototype, name, {
+		get() {
+			return this.state[name];
+		},
+		set(value) {
+			this.state[name] = value;
+		},
+	});
+}
+
+const degrees = (x, y) => (Math.atan2(y, x) * 180) / Math.PI;
+
+/** The place on the ground that a coordinate beyond its border means. */
+function wrapped(coordinate) {
+	if (Math.abs(coordinate) <= HALF_WIDTH) return coordinate;
+	const width = 2 * HALF_WIDTH;
+	return ((((coordinate + HALF_WIDTH) % width) + width) % width) - HALF_WIDTH;
+}

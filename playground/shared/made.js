@@ -12,6 +12,11 @@ export function turtle() {
 	return mesh;
 }
 
+/** Of one ball. */
+const TRIANGLES = 2 * 12 * 5;
+const [SHELL, SKIN] = ["#1f6b3a", "#5d7f1e"];
+turtle.colours = [[TRIANGLES, SHELL], [6 * TRIANGLES, SKIN]];
+
 /** A wall along y: a plate. */
 export function wall() {
 	const vertices = [];
@@ -22,6 +27,8 @@ export function wall() {
 
 const ROUND = 12;
 const RINGS = 6;
+
+wall.colours = [[12, "#a4553d"]];
 
 /** Adds a ball stretched along the axes. */
 function addBall({ vertices, triangles }, x, y, z, a, b, c) {

@@ -1,11 +1,11 @@
 /** A world drawn with three.js: z up, orbited and zoomed, drawn when something has changed. Without WebGL it says so, and draws nothing. */
-import {
-	AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, Mesh,
-	MeshLambertMaterial, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, Plane,
-} from "three";
-import { ThreeAgentBinding, ThreeWireframe } from "starlogo-collision/three";
+import { AmbientLight, Color, DirectionalLight, GridHelper, Group, Matrix4, PerspectiveCamera, Plane, Raycaster, Scene, TOUCH, Vector2, Vector3, WebGLRenderer } from "three";
+import { ThreeWireframe } from "starlogo-collision/three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h, isDark, onThemeChange } from "./dom.js";
+import { LANDS, Land } from "./land.js";
+import { Marks } from "./marks.js";
+import { Agents } from "./paint.js";
 import { texts } from "../texts.js";
 
 const THEMES = {
@@ -14,47 +14,48 @@ const THEMES = {
 };
 
 export class Stage {
-	#geometries = new Map();
-	#materials = new Map();
-	#bindings = new Map();
-	#lines = new Map();
+	#wireframes = new Map();
 	#wanted = 0;
 	#grid = null;
+	#isTouched = false;
 
 	/**
 	 * @param {HTMLElement} host what it fills
-	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number}} view what it is called, where it is seen from,
-	 *     how wide the ground is and its cells are
+	 * @param {{label: string, eye: number[], target?: number[], ground?: number, cell?: number, isLand?: boolean}} view what it is called, where it is
+	 *     seen from, how wide the ground is and its cells are, and whether that is a land beneath a sky; seen from so far that it fits
 	 */
-	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1 }) {
+	constructor(host, { label, eye, target = [0, 0, 0], ground = 0, cell = 1, isLand = false }) {
 		this.host = host;
 		this.ground = ground;
 		this.cell = cell;
 		try {
-			this.renderer = new WebGLRenderer({ antialias: true, powerPreference: "low-power" });
+			this.renderer = new WebGLRenderer({ antialias: true, powerPreference: isLand ? "high-performance" : "low-power" });
 		} catch {
 			this.renderer = null;
 			host.append(h("p.notice", { role: "status" }, texts.noWebGL));
 			return;
 		}
 		this.scene = new Scene();
-		this.camera = new PerspectiveCamera(40, 1, 0.05, 500);
+		this.camera = new PerspectiveCamera(40, 1, 0.05, 1000);
 		this.camera.up.set(0, 0, 1);
 		this.camera.position.set(...eye);
 		this.canvas = this.renderer.domElement;
 		this.canvas.setAttribute("role", "img");
 		this.canvas.setAttribute("aria-label", label);
 		host.append(this.canvas);
+		sayIfLost(this);
 		this.controls = new OrbitControls(this.camera, this.canvas);
 		this.controls.target.set(...target);
 		this.controls.maxPolarAngle = Math.PI * 0.55;
 		this.controls.addEventListener("change", () => this.redraw());
-		this.controls.update();
 		this.ambient = new AmbientLight(0xffffff, 1);
 		this.sun = new DirectionalLight(0xffffff, 1);
 		this.sun.position.set(4, -6, 9);
 		this.actors = new Group();
+		this.agents = new Agents(this.actors);
 		this.scene.add(this.ambient, this.sun, this.actors);
+		if (isLand) this.#makeLand();
+		this.controls.update();
 		this.observer = new ResizeObserver(() => this.#fit());
 		this.observer.observe(host);
 		this.forgetTheme = onThemeChange(() => this.#dress());
@@ -62,11 +63,42 @@ export class Stage {
 		this.#fit();
 	}
 
+	#makeLand() {
+		const { controls } = this;
+		this.land = new Land(this.scene, this.ground, this.cell);
+		this.marks = new Marks(this.scene);
+		this.home = { from: this.camera.position.clone().sub(controls.target), target: controls.target.clone() };
+		// neither through the ground, nor so far that nothing is left to see
+		controls.maxPolarAngle = Math.PI * 0.485;
+		controls.minDistance = 1.5;
+		controls.maxDistance = 3 * this.ground;
+		controls.addEventListener("start", () => {
+			this.#isTouched = true;
+		});
+		controls.addEventListener("change", () => {
+			const half = this.ground / 2;
+			const { target } = controls;
+			const kept = target.clone().clamp(new Vector3(-half, -half, 0), new Vector3(half, half, 6));
+			if (kept.equals(target)) return;
+			this.camera.position.add(kept).sub(target);
+			target.copy(kept);
+		});
+		// one finger up and down scrolls the page, sideways it turns the world
+		controls.touches.ONE = TOUCH.ROTATE;
+		this.canvas.style.touchAction = "pan-y";
+	}
+
 	#dress() {
-		const theme = isDark() ? THEMES.dark : THEMES.light;
-		this.scene.background = new Color(theme.sky);
+		const name = isDark() ? "dark" : "light";
+		const theme = this.land ? LANDS[name] : THEMES[name];
 		this.ambient.intensity = theme.ambient;
 		this.sun.intensity = theme.sun;
+		if (this.land) {
+			this.land.dress(theme);
+			this.redraw();
+			return;
+		}
+		this.scene.background = new Color(theme.sky);
 		if (this.#grid) {
 			this.scene.remove(this.#grid);
 			this.#grid.dispose();
@@ -85,8 +117,9 @@ export class Stage {
 		this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
 		this.renderer.setSize(width, height);
 		this.camera.aspect = width / height;
-		this.camera.fov = width < height ? 55 : 40;
+		this.camera.fov = this.land || width < height ? 55 : 40;
 		this.camera.updateProjectionMatrix();
+		if (this.land && !this.#isTouched) this.showAll();
 		this.draw();
 	}
 
@@ -101,6 +134,78 @@ export class Stage {
 		cancelAnimationFrame(this.#wanted);
 		this.#wanted = 0;
 		this.renderer.render(this.scene, this.camera);
+		this.onDrawn?.();
+	}
+
+	/**
+	 * Sees all of the ground, or of a part of it, from the side where it was seen first.
+	 *
+	 * @param {number[]|null} part the least and the largest x, y and z; the ground if null; left out, the same as before
+	 */
+	showAll(part = this.home?.part ?? null) {
+		if (!this.renderer) return;
+		this.#isTouched = false;
+		this.home.part = part;
+		const half = this.ground / 2;
+		const [x, y, z, endX, endY, endZ] = part ?? [-half, -half, 0, half, half, 1.5];
+		const target = part ? new Vector3((x + endX) / 2, (y + endY) / 2, (z + endZ) / 2) : this.home.target;
+		// into a window that is high rather than wide, and on what is flat, more from above
+		const isSteep = this.camera.aspect < 1 || (part !== null && 2 * (endZ - z) < endX - x);
+		const from = this.home.from.clone().multiply(new Vector3(1, 1, isSteep ? 2.2 : 1));
+		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
+		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
+		this.controls.target.copy(target);
+		let [near, far] = [2, this.controls.maxDistance];
+		for (let i = 0; i < 16; i++) {
+			const distance = (near + far) / 2;
+			this.camera.position.copy(from.setLength(distance)).add(target);
+			this.camera.lookAt(target);
+			this.camera.updateMatrixWorld();
+			const isSeen = corners.every((corner) => {
+				const { x, y } = this.#seen(corner);
+				return Math.abs(x) < 0.98 && Math.abs(y) < 0.96;
+			});
+			if (isSeen) far = distance;
+			else near = distance;
+		}
+		this.controls.update();
+		this.redraw();
+	}
+
+	#seen(place) {
+		return new Vector3(...place).project(this.camera);
+	}
+
+	/** Where a place is drawn, in pixels from the host's corner, and whether it is in sight. */
+	pixelOf(x, y, z) {
+		const { x: across, y: up, z: depth } = this.#seen([x, y, z]);
+		const { clientWidth, clientHeight } = this.host;
+		return { x: ((across + 1) / 2) * clientWidth, y: ((1 - up) / 2) * clientHeight, isSeen: depth < 1 && Math.abs(across) < 1 && Math.abs(up) < 1.05 };
+	}
+
+	/** Looks over an agent's shoulder, or through its eyes. */
+	follow(agent, height, isThroughEyes) {
+		if (!this.renderer) return;
+		this.#isTouched = true;
+		const angle = (agent.heading * Math.PI) / 180;
+		const ahead = new Vector3(Math.cos(angle), Math.sin(angle), 0);
+		const at = new Vector3(agent.x, agent.y, agent.z);
+		const { target } = this.controls;
+		if (isThroughEyes) {
+			this.camera.position.copy(at).addScaledVector(ahead, 0.55 * agent.size).setZ(agent.z + 0.85 * height);
+			target.copy(this.camera.position).addScaledVector(ahead, 4).setZ(agent.z + 0.55 * height);
+		} else {
+			const back = Math.max(2.2, 2.6 * Math.max(height, agent.size));
+			this.camera.position.copy(at).addScaledVector(ahead, -back).setZ(agent.z + 0.4 * height + 0.55 * back);
+			target.copy(at).addScaledVector(ahead, back).setZ(agent.z + 0.35 * height);
+		}
+		this.camera.lookAt(target);
+		this.redraw();
+	}
+
+	/** The ray from the eye through the pointer. */
+	rayAt(event) {
+		return this.#ray(event).ray;
 	}
 
 	/** Moves the eye along its line of sight, so that a ball around the target fits. */
@@ -116,6 +221,7 @@ export class Stage {
 	/** Turns the eye about the target, or moves it: for keys. */
 	orbit(around, up, zoom) {
 		if (!this.renderer) return;
+		this.#isTouched = true;
 		const { target } = this.controls;
 		const from = this.camera.position.clone().sub(target).multiplyScalar(zoom);
 		const distance = from.length();
@@ -126,48 +232,52 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** Shows exactly these agents, each in its colour. */
-	showAgents(agents, models) {
+	/** Shows exactly these agents, each in its colour; glow says of an agent how bright its flash is, from 0 to 1. */
+	showAgents(agents, models, glow = () => 0) {
 		if (!this.renderer) return;
-		const left = new Map(this.#bindings);
-		for (const agent of agents) {
-			let binding = left.get(agent);
-			left.delete(agent);
-			if (!binding) {
-				binding = new ThreeAgentBinding(agent, new Mesh(), null, { up: "z" });
-				binding.object.userData.agent = agent;
-				this.#bindings.set(agent, binding);
-				this.actors.add(binding.object);
-			}
-			binding.object.geometry = this.#geometryOf(models.get(agent.shape));
-			binding.object.material = this.#materialOf(agent.color);
-			binding.updateObject();
-		}
-		for (const [agent, { object }] of left) {
-			this.actors.remove(object);
-			this.#bindings.delete(agent);
-		}
+		this.agents.show(agents, models, glow);
+		this.land?.showShadows(agents, models);
 		this.redraw();
 	}
 
-	/** Shows lines under a name, in place of those that it had: x, y, z of one end, then of the other. */
-	showLines(name, numbers, color) {
+	/** Shows where agents met: places with an age from 0 to 1 and a colour. */
+	showMarks(hits, solids) {
 		if (!this.renderer) return;
-		let wireframe = this.#lines.get(name);
-		if (!wireframe) {
-			wireframe = new ThreeWireframe({ up: "z" });
-			this.#lines.set(name, wireframe);
-			this.scene.add(wireframe);
+		for (const { point, age, color } of hits) this.marks.addHit(point, age, color, this.camera.quaternion);
+		for (const { agent, structures, color } of solids) {
+			// a sphere of the world has no agent
+			const world = agent ? placement.fromArray(agent.transform.rawData) : placement.identity();
+			for (const structure of structures) this.marks.addSolid(structure, world, color);
 		}
+		this.marks.finish();
+		this.redraw();
+	}
+
+	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. */
+	wireframe(name, { color, opacity = 1, isOnTop = false }) {
+		if (!this.#wireframes.has(name)) {
+			const made = new ThreeWireframe({ up: "z" });
+			// what comes later is over what is there
+			made.renderOrder = isOnTop ? 1 : 0;
+			this.#wireframes.set(name, made);
+			this.scene?.add(made);
+		}
+		const wireframe = this.#wireframes.get(name);
 		wireframe.material.color.set(color);
-		wireframe.clearLines().showLines(numbers);
+		Object.assign(wireframe.material, { opacity, transparent: opacity < 1, depthTest: !isOnTop });
+		this.redraw();
+		return wireframe.clearLines();
+	}
+
+	/** Leaves nothing in the wireframes of some names. */
+	clearLines(...names) {
+		for (const name of names) this.#wireframes.get(name)?.clearLines();
 		this.redraw();
 	}
 
 	/** Whom of the agents shown the pointer is on, or null. */
 	agentAt(event) {
-		if (!this.renderer) return null;
-		return this.#ray(event).intersectObjects(this.actors.children, false)[0]?.object.userData.agent ?? null;
+		return this.renderer ? this.agents.meets(this.#ray(event)) : null;
 	}
 
 	/** Where the pointer's ray meets a level plane, or null. */
@@ -182,21 +292,15 @@ export class Stage {
 		return caster;
 	}
 
-	#geometryOf(model) {
-		if (!this.#geometries.has(model)) {
-			const indexed = new BufferGeometry();
-			indexed.setAttribute("position", new BufferAttribute(Float32Array.from(model.vertices), 3));
-			if (model.triangles) indexed.setIndex(new BufferAttribute(Uint32Array.from(model.triangles), 1));
-			const flat = indexed.toNonIndexed();
-			flat.computeVertexNormals();
-			this.#geometries.set(model, flat);
-		}
-		return this.#geometries.get(model);
-	}
-
-	#materialOf(color) {
-		if (!this.#materials.has(color)) this.#materials.set(color, new MeshLambertMaterial({ color, side: DoubleSide }));
-		return this.#materials.get(color);
+	/** A small picture of what is seen, as an address; null where nothing is drawn. */
+	picture(width, height) {
+		if (!this.renderer) return null;
+		this.draw();
+		const canvas = h("canvas", { width, height });
+		const { width: wide, height: high } = this.canvas;
+		const part = Math.min(wide / width, high / height);
+		canvas.getContext("2d").drawImage(this.canvas, (wide - part * width) / 2, (high - part * height) / 2, part * width, part * height, 0, 0, width, height);
+		return canvas.toDataURL("image/jpeg", 0.75);
 	}
 
 	close() {
@@ -205,13 +309,30 @@ export class Stage {
 		this.observer.disconnect();
 		this.forgetTheme();
 		this.controls.dispose();
-		for (const geometry of this.#geometries.values()) geometry.dispose();
-		for (const material of this.#materials.values()) material.dispose();
-		for (const wireframe of this.#lines.values()) wireframe.dispose();
+		this.agents.dispose();
+		this.land?.dispose();
+		this.marks?.dispose();
+		for (const wireframe of this.#wireframes.values()) wireframe.dispose();
 		this.renderer.dispose();
 		this.canvas.remove();
 	}
 }
+
+/** Says so, and draws again, when the browser takes the graphics card away and gives it back. */
+function sayIfLost(stage) {
+	const note = h("p.notice.lost", { role: "alert" }, texts.lostWebGL);
+	stage.canvas.addEventListener("webglcontextlost", (event) => {
+		// else it is not given back
+		event.preventDefault();
+		stage.host.append(note);
+	});
+	stage.canvas.addEventListener("webglcontextrestored", () => {
+		note.remove();
+		stage.redraw();
+	});
+}
+
+const placement = new Matrix4();
 
 /** Lets keys turn and zoom a stage whose host has the focus. */
 export function orbitByKeys(stage, host) {

@@ -2,7 +2,6 @@ package starlogo
 {
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.FitStore;
@@ -11,8 +10,10 @@ package starlogo
     import starlogo.libraries.ShapeEntry;
     import starlogo.libraries.ShapeTable;
     import starlogo.libraries.StructuresBuild;
-    import starlogo.models.FitsReceiver;
+    import starlogo.models.ModelReceiver;
+    import starlogo.models.cooked.argumentsFingerprint;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -30,7 +31,7 @@ package starlogo
      * collides with nothing until then. If two models of a name are added, the one that is there last replaces the other:
      * one that <code>addModel()</code> adds while another is loading serves until then.</p>
      */
-    public class GreatLand implements FitsReceiver
+    public class GreatLand implements ModelReceiver
     {
         /** Whether a model's tightest fitting structure is computed: the TightestFitCollider needs it. */
         public var loadTightestFit:Boolean = true;
@@ -47,7 +48,7 @@ package starlogo
          */
         public var fitStore:FitStore = null;
 
-        // the libraries have the same
+        // shared with the libraries
         private var _shapes:ShapeTable = new ShapeTable();
         private var _boundingStructures:BoundingStructuresLibrary = new BoundingStructuresLibrary();
         private var _hierarchies:HierarchiesLibrary = new HierarchiesLibrary();
@@ -169,21 +170,7 @@ package starlogo
          */
         public function receive(model:Model):Steps
         {
-            return receiveWithFits(model, null);
-        }
-
-        /**
-         * Does what <code>receive()</code> does, but uses what a baked file has in place of computing it: what is damaged, of another
-         * model or of other settings is computed. The answers are the same in any case.
-         *
-         * @param model has the name that agents have as their shape; not to be changed meanwhile
-         * @param baked what <code>bake()</code> made, or anything else; null for nothing
-         * @throws ArgumentError as receive does
-         * @throws RangeError as receive does
-         */
-        public function receiveWithFits(model:Model, baked:ByteArray):Steps
-        {
-            var build:ModelBuild = newBuild(model, baked, fitStore);
+            var build:ModelBuild = newBuild(model, fitStore);
             return new StepSequence().add(build).call(function():void
                 {
                     // null where there is none: what the name had before is another model's
@@ -195,19 +182,22 @@ package starlogo
         }
 
         /**
-         * Computes what the flags ask for of a model, and what exact colliders need besides, and writes it down: the bytes of a .fits file.
-         * The model is not added. <code>./antw bake</code> does this for every file in assets/ when the game is built, so
-         * that no player's machine ever has to (thesis §7.9).
+         * Computes what the flags ask for of a model, and what exact colliders need besides, and writes it down with the model: the bytes of a
+         * cooked file, of which <code>CookedModel.fromBytes()</code> or a ModelLoader makes the model again. The model is not
+         * added. <code>./antw bake</code> does this for every file in assets/ when the game is built, so that no player's machine ever
+         * has to (thesis §7.9).
          *
-         * @param model the model, as it will be read from its file
+         * @param model the model, as it is read from its file
+         * @param upAxis what <code>load()</code> will be given: "x", "y", "z" or a ModelTransform
+         * @param usesTransforms whether the loader will ask for transform files beside models
          * @throws ArgumentError as addModel does
          * @throws RangeError as addModel does
          */
-        public function bake(model:Model):ByteArray
+        public function bake(model:Model, upAxis:Object = "z", usesTransforms:Boolean = false):ByteArray
         {
-            var build:ModelBuild = newBuild(model, null, null);
+            var build:ModelBuild = newBuild(model, null);
             finish(build);
-            return build.toFits();
+            return build.toCooked(argumentsFingerprint(upAxis, model.source.scaling, usesTransforms));
         }
 
         /** @inheritDoc */
@@ -254,21 +244,13 @@ package starlogo
             return true;
         }
 
-        /**
-         * Another number whenever something that was known of a model has been replaced or removed: what was made of it is void.
-         *
-         * @private
-         */
+        /** @private Increased whenever what is known of any model is replaced or removed: what was made of it is out of date. */
         engine function get revision():int
         {
             return _shapes.revision;
         }
 
-        /**
-         * The same of one name alone.
-         *
-         * @private
-         */
+        /** @private The revision of one model alone. */
         engine function revisionOf(name:String):int
         {
             return _shapes.of(name).revision;
@@ -287,12 +269,14 @@ package starlogo
             return _boundingStructures.ofKind(name, kind, _shapes.of(name).model.vertices);
         }
 
-        /**
-         * What finds for a model what the flags ask for; not begun, and nothing of it is added.
-         *
-         * @private
-         */
-        engine function newBuild(model:Model, baked:ByteArray, fitStore:FitStore):ModelBuild
+        /** @private The model of a name; null if there is none. */
+        engine function modelOf(name:String):Model
+        {
+            return _shapes.of(name).model;
+        }
+
+        /** @private The work that computes what the flags ask for of a model; not begun. What it finds is not added. */
+        engine function newBuild(model:Model, fitStore:FitStore):ModelBuild
         {
             if (model == null)
             {
@@ -301,7 +285,7 @@ package starlogo
             var settings:FitSettings = new FitSettings(loadTightestFit ? _boundingStructures : null, loadHierarchies ? _hierarchies : null);
             var hierarchy:SolidHierarchyBuilder = loadHierarchies ? _hierarchies.newBuilderOf(model) : null;
             var structures:StructuresBuild = loadTightestFit ? _boundingStructures.newBuild(model.name, model.vertices) : null;
-            return new ModelBuild(model, structures, hierarchy, settings, baked, fitStore);
+            return new ModelBuild(model, structures, hierarchy, settings, fitStore);
         }
     }
 }

@@ -150,6 +150,22 @@ export function $listen(target, type, listener, { once = false, capture = false,
 	signal?.addEventListener("abort", () => target.removeEventListener(type, listener, capture), { once: true });
 }
 
+/** `loader.loadAsync(name, url, { upAxis, scaling, signal })`. */
+export function $loadAsync(loader, name, url, { upAxis = "z", scaling = "footprint", signal = null }) {
+	return new Promise((resolve, reject) => {
+		signal?.throwIfAborted();
+		loader.load(name, url, upAxis, scaling);
+		const load = loader._queue.at(-1);
+		const stop = () => loader.drop(load);
+		signal?.addEventListener("abort", stop);
+		load.whenOver = (model, problem) => {
+			signal?.removeEventListener("abort", stop);
+			if (model !== null) resolve(model);
+			else reject(problem ?? (signal?.aborted ? signal.reason : new DOMException(`the load of ${name} was cancelled`, "AbortError")));
+		};
+	});
+}
+
 /** What an object is like, for tools: its public fields, what can be set, and what is no object. Inner things begin with _ or $. */
 function $stateOf(object) {
 	const state = {};

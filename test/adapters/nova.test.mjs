@@ -8,7 +8,7 @@ import vm from "node:vm";
 import { BuiltInModel, Model, ModelTransform, ObjModel, TightestFitCollider, GreatLand, Agent } from "../../bin/module/starlogo-collision.js";
 import { serve } from "../headless/server.mjs";
 import { asset, randomNumbers } from "../module/games.mjs";
-import { installInto } from "../../bin/module/nova/index.js";
+import { addBlocks, addButton, installInto } from "../../bin/module/nova/index.js";
 import { alive, bruteCollisions, hatch, makeWindow, pairKeys, playGame, within } from "./nova-client.mjs";
 
 /** Checks that answers are equal, and counts those that say something. */
@@ -252,10 +252,156 @@ test("models and structures may be given: a cube is as wide as a box, and its co
 	}
 });
 
+/** Gives a window a flat view seen from above, one pixel a patch; `strokes` has what was drawn last: ends of lines by colour. */
+function giveView(window) {
+	const strokes = new Map();
+	let path = [];
+	const context = {
+		save() {},
+		restore() {},
+		beginPath: () => void (path = []),
+		moveTo: (x, y) => void path.push([x, y]),
+		lineTo: (x, y) => void path.push([x, y]),
+		stroke: () => void strokes.set(context.strokeStyle, path),
+	};
+	const drawScene = () => strokes.clear();
+	window.viewport = { context, drawScene, needsUpdate: false, camera: { nearDist: 0.1, projectPoint: (x, y, z) => [x, y, 100 - z] } };
+	return { strokes, drawScene };
+}
+
+test("the overlay shows what collides where it collides, red what does, as long as it is on", () => {
+	const cube = new Model("block", BuiltInModel.cube().vertices, BuiltInModel.cube().triangles);
+	const game = two({ shapes: { Fisch: cube } }, { x: 0, shape: "Fisch" }, { x: 0.9, shape: "Fisch" }, { x: 9, y: 4, size: 3, shape: "Fisch", heading: 30 });
+	const { installation, window } = game;
+	assert.throws(() => installation.showOverlay(), /no view/);
+	assert.throws(() => installInto(window, { overlay: true }), /no view/);
+	assert.ok(installation.isInstalled && !installation.options.overlay);
+	const { strokes, drawScene } = giveView(window);
+	const { viewport } = window;
+	installation.showOverlay();
+	assert.ok(viewport.needsUpdate && viewport.drawScene !== drawScene);
+	assert.equal(game.pairs(), 1);
+	viewport.drawScene();
+	const far = ([x, y], { state }) => Math.hypot(x - state.x, y - state.y);
+	const [first, second, third] = game.agents;
+	const [red, yellow] = ["#ff2020", "#ffcc00"].map((color) => strokes.get(color));
+	assert.ok(red.length === yellow.length * 2 && yellow.length > 60);
+	// of a sphere's three circles from above, one is the rim
+	for (const end of red) assert.ok(Math.min(far(end, first), far(end, second)) < 0.5 + 1e-8);
+	for (const end of yellow) assert.ok(far(end, third) < 1.5 + 1e-8);
+	assert.ok(yellow.filter((end) => far(end, third) > 1.5 - 1e-8).length >= 60);
+
+	// corners of cubes, turned with their agents; edges of boxes and of triangles, which have diagonals too
+	const corners = ({ state: { x, y, size, heading } }) => [45, 135, 225, 315].map((turn) => (turn + heading) * Math.PI / 180)
+		.map((angle) => [x + Math.SQRT1_2 * size * Math.cos(angle), y + Math.SQRT1_2 * size * Math.sin(angle)]);
+	for (const [options, lines] of [[{ system: "tightest" }, 12], [{ system: "hierarchical", depth: 1 }, 12], [{ system: "hierarchical", exact: true }, 18]]) {
+		installation.exchange(options);
+		assert.equal(game.pairs(), 1);
+		viewport.drawScene();
+		const ends = strokes.get("#ffcc00");
+		// the cube's faces have corners of their own
+		assert.ok(options.exact ? ends.length >= 2 * lines : ends.length === 2 * lines, `${ends.length}`);
+		for (const end of ends) assert.ok(corners(third).some((corner) => Math.hypot(end[0] - corner[0], end[1] - corner[1]) < 1e-9));
+		assert.equal(strokes.get("#ff2020").length, 2 * ends.length);
+	}
+
+	third.isDead = true;
+	second.state.x = 5;
+	game.Collisions.update(second);
+	assert.equal(game.pairs(), 0);
+	viewport.drawScene();
+	assert.equal(strokes.get("#ff2020").length, 0);
+	assert.ok(strokes.get("#ffcc00").every((end) => far(end, third) > 2));
+	installation.showOverlay(false);
+	assert.equal(viewport.drawScene, drawScene);
+	installation.exchange({ overlay: true });
+	installation.uninstall();
+	assert.equal(viewport.drawScene, drawScene);
+	installation.showOverlay();
+	assert.equal(viewport.drawScene, drawScene);
+});
+
+test("blocks in the drawer set an agent's traits, which those that it makes have too, and do nothing while nothing is installed", () => {
+	const game = two({ system: "tightest", shapes: { Fisch: new Model("block", BuiltInModel.cube().vertices, BuiltInModel.cube().triangles) } }, { shape: "Fisch" }, { shape: "Fisch", x: 0.95, y: 0.95 });
+	const { window, agents, installation } = game;
+	assert.throws(() => addBlocks(window), /no editor/);
+	assert.throws(() => addButton(window), /no StarLogo Nova client with a toolbar/);
+	const named = (name) => ({ spec: { name }, getName: () => name });
+	const drawer = (...blocks) => ({
+		blocks,
+		getChildBlocks: () => [...blocks],
+		getColor: () => "#999999",
+		addBlock: (block) => void blocks.push(block),
+		removeBlock: (block) => void blocks.splice(blocks.indexOf(block), 1),
+	});
+	const drawers = [drawer(named("agt-create")), drawer(named("collision"), named("count"))];
+	const genusMap = {};
+	window.sb = {
+		Block: class {
+			constructor(spec) {
+				Object.assign(this, named(spec.name), { spec });
+			}
+		},
+		WebLogoDemo: { workspace: { getDrawers: () => drawers } },
+		ScriptBlocksJSON: { genusMap },
+	};
+	window.Compilation = { BlockTable: { table: new Map([["collision", Object]]) } };
+	window.DataStructures = {
+		ASTNode: class {
+			constructor(count) {
+				this.args = { data: new Array(count) };
+			}
+		},
+	};
+	const added = addBlocks(window);
+	addBlocks(window).remove();
+	const names = drawers[1].blocks.slice(2).map((block) => block.getName());
+	assert.deepEqual(names.map((name) => name.replace("starlogo-collision-", "")), ["hierarchical", "depth", "sweeps", "structure"]);
+	assert.deepEqual(Object.keys(genusMap), names);
+	const value = (text) => ({ to_js_no_yield: () => text, to_js_setup: () => "", to_js_final: () => text });
+	const run = (agent, trait, text, yields = false) => {
+		const node = new (window.Compilation.BlockTable.table.get(`starlogo-collision-${trait}`))();
+		node.args.data[0] = value(text);
+		const code = yields ? `${node.to_js_setup()} ${node.to_js_final()}` : node.to_js_no_yield();
+		new Function("Execution", "__wl_agt", code)(window.Execution, agent);
+	};
+
+	assert.equal(game.pairs(), 1);
+	agents[1].state.x = 1.01;
+	assert.equal(game.pairs(), 0);
+	run(agents[0], "structure", '"sphere"');
+	run(agents[1], "structure", '"sphere"', true);
+	assert.equal(game.pairs(), 1);
+	run(agents[0], "depth", "\"3.4\"");
+	run(agents[0], "depth", '"none"');
+	run(agents[0], "hierarchical", '"true"');
+	assert.equal(game.pairs(), 1);
+	for (const agent of agents) run(agent, "structure", '"box"');
+	assert.equal(game.pairs(), 0);
+	for (const agent of agents) run(agent, "structure", '"sphere"');
+	// what it makes is a sphere too; one that nobody made is not
+	const child = hatch(window, "Fish", { shape: "Fisch", x: 2.51, y: 0.95 });
+	child.parent = agents[1];
+	game.Collisions.add(child);
+	assert.equal(game.pairs(), 2);
+	const other = hatch(window, "Fish", { shape: "Fisch", x: 4.01, y: 0.95 });
+	game.Collisions.add(other);
+	assert.equal(game.pairs(), 2);
+	run(other, "sweeps", '"true"');
+	Object.assign(other.state, { x: -9, y: 0.5 });
+	other.prevState.x = 4.01;
+	game.Collisions.update(other);
+	assert.equal(game.pairs(), 5);
+	installation.uninstall();
+	run(agents[0], "structure", '"box"');
+	added.remove();
+	assert.equal(drawers[1].blocks.length, 2);
+});
+
 test("what the types declare is what is there", async () => {
 	const declared = readFileSync(new URL("../../bin/module/nova/index.d.ts", import.meta.url), "utf8");
 	const exported = await import("../../bin/module/nova/index.js");
-	assert.deepEqual([...declared.matchAll(/^export function (\w+)/gm)].map(([, name]) => name), Object.keys(exported));
+	assert.deepEqual([...declared.matchAll(/^export function (\w+)/gm)].map(([, name]) => name).sort(), Object.keys(exported).sort());
 	const [, members] = /^export interface NovaInstallation \{([^]*?)\n\}$/m.exec(declared);
 	const names = [...members.matchAll(/^ {4}(?:readonly )?(\w+)[:(]/gm)].map(([, name]) => name);
 	assert.deepEqual(names.sort(), Object.getOwnPropertyNames(Object.getPrototypeOf(installInto(makeWindow()))).filter((name) => name !== "constructor").sort());
@@ -267,7 +413,7 @@ test("what the types declare is what is there", async () => {
 test("nova.js is a classic script, with one global that does the same", () => {
 	const context = vm.createContext({ console, performance, setTimeout, clearTimeout, queueMicrotask });
 	vm.runInContext(readFileSync(new URL("../../bin/module/nova.js", import.meta.url), "utf8"), context);
-	assert.deepEqual(Object.keys(context.StarLogoCollision), ["installInto"]);
+	assert.deepEqual(Object.keys(context.StarLogoCollision).sort(), ["addBlocks", "addButton", "installInto", "toggle"]);
 	const window = makeWindow();
 	context.StarLogoCollision.installInto(window);
 	const { check, seen } = checker();

@@ -143,13 +143,14 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var time:Number = _swept.hierarchiesTouch(a, first[i], DEPTH, b, second[i], DEPTH, exact, motions[i]);
+                    _swept.setPair(a, first[i], DEPTH, b, b.root.bounds, second[i], DEPTH, exact);
+                    var time:Number = _swept.impactTime(motions[i]);
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _swept.findContact(a, first[i], DEPTH, b, second[i], DEPTH, exact, motions[i], time, contact);
+                            _swept.findContact(motions[i], time, contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -165,13 +166,14 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var time:Number = _swept.structureTouches(a, first[i], DEPTH, structures[i], second[i], motions[i]);
+                    _swept.setPair(a, first[i], DEPTH, null, structures[i], second[i], DEPTH, false);
+                    var time:Number = _swept.impactTime(motions[i]);
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _swept.findStructureContact(a, first[i], DEPTH, structures[i], second[i], motions[i], time, contact);
+                            _swept.findContact(motions[i], time, contact);
                             writeContact(contact, answers);
                         }
                     }

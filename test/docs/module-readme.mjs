@@ -11,6 +11,7 @@ const THREE = createRequire(new URL('../../module/package.json', import.meta.url
 export const mesh = new THREE.Mesh(new THREE.BoxGeometry(2, 4, 2));
 mesh.position.set(1, 2, 3);
 export const bearText = read('bear.obj').toString();
+export const signal = new AbortController().signal;
 export const file = new Blob([read('dragon.dae')]);
 
 let finish;
@@ -32,5 +33,7 @@ export async function check({ bear, ball, collision, greatLand, teapot }) {
 	await isComplete;
 	globalThis.fetch = fetch;
 	server.close();
-	assert.ok(greatLand.hasModel('bear') && greatLand.hasModel('dragon'));
+	assert.ok(['bear', 'dragon', 'tree'].every((name) => greatLand.hasModel(name)));
+	// the system that takes the bins' place knows the shapes of the agents that are there
+	collision.update([bear, ball]);
 }

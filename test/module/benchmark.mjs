@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings,
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings,
  *                                                  snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
@@ -19,7 +19,7 @@ import { makeBvh, rayModels } from "./rays.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
-const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
+const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, CookedModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
 
@@ -138,16 +138,10 @@ function cold() {
 }
 
 /** The same pairs of dragons for the exact test and for three-mesh-bvh. */
-async function exact() {
-	const three = await import(pathToFileURL(tools.resolve("three")));
-	const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
+function exact() {
 	const dragon = new ColladaModel("dragon", asset("dragon.dae"));
 	greatLand.addModel(dragon);
-	const geometry = new three.BufferGeometry();
-	geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(dragon.vertices), 3));
-	geometry.setIndex(new three.BufferAttribute(new Uint32Array(dragon.triangles), 1));
-	const bvh = new MeshBVH(geometry);
-	geometry.boundsTree = bvh;
+	const { three, geometry, bvh } = makeBvh(dragon);
 	const random = randomNumbers(7);
 	const collider = new HierarchicalCollider(greatLand);
 	collider.exact = true;
@@ -198,18 +192,12 @@ function askCannon(cannon, agents) {
 }
 
 /** How far dragons are apart, and bears: by the engine, all of a question, and by three-mesh-bvh. */
-async function distances() {
-	const three = await import(pathToFileURL(tools.resolve("three")));
-	const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
-	const { AgentQueries, Vector3D } = engine;
+function distances() {
+	const { Vector3D } = engine;
 	const models = [new ObjModel("bear", asset("bear.obj")), new ColladaModel("dragon", asset("dragon.dae"))];
 	const rows = models.flatMap((model) => [1.5, 20].map((spread) => {
 		greatLand.addModel(model);
-		const geometry = new three.BufferGeometry();
-		geometry.setAttribute("position", new three.BufferAttribute(new Float32Array(model.vertices), 3));
-		geometry.setIndex(new three.BufferAttribute(new Uint32Array(model.triangles), 1));
-		const bvh = new MeshBVH(geometry);
-		geometry.boundsTree = bvh;
+		const { three, geometry, bvh } = makeBvh(model);
 		const exactly = new HierarchicalCollider(greatLand);
 		exactly.exact = true;
 		const random = randomNumbers(11);
@@ -239,13 +227,13 @@ async function distances() {
 }
 
 /** First hits of rays at one model, and what is kept for them. */
-async function rays() {
+function rays() {
 	const rows = [];
 	for (const model of rayModels(1000, 200)) {
 		const land = new GreatLand();
 		land.loadTightestFit = false;
 		land.addModel(model);
-		const { three, bvh, ms } = await makeBvh(model);
+		const { three, bvh, ms } = makeBvh(model, Float64Array);
 		const agent = new Agent(model.name);
 		const collider = new HierarchicalCollider(land);
 		collider.exact = true;
@@ -373,21 +361,22 @@ async function queries() {
 	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
 }
 
-/** The twelve models of the thesis's table, taken in with their fits known and with all to compute. */
-function fits() {
+/** The twelve models of the thesis's table: cooked, and read and computed. */
+function cooked() {
 	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
 	const read = (file) => (file.endsWith(".obj") ? new ObjModel(file, asset(file)) : new ColladaModel(file, asset(file)));
-	const models = [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
-	const baked = models.map((model) => greatLand.bake(model));
+	const readAll = () => [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(), ...files.map(read)];
+	const cooked = readAll().map((model) => [model.name, greatLand.bake(model)]);
 	const rows = [false, true].map((isExact) => {
 		const land = new GreatLand();
 		land.prepareExact = isExact;
-		const take = (fitsOf) => ({ run: () => models.forEach((model, i) => engine.finish(land.receiveWithFits(model, fitsOf(i)))) });
-		const [known, computed] = measure([take((i) => baked[i]), take(() => null)], 40);
+		const [known, computed] = measure([
+			{ run: () => cooked.forEach(([name, bytes]) => land.addModel(CookedModel.fromBytes(name, bytes))) },
+			{ run: () => readAll().forEach((model) => land.addModel(model)) },
+		], 40);
 		return [isExact ? "all of it" : "until they are there", known, computed, computed / known];
 	});
-	const [files12] = measure([{ run: () => files.forEach(read) }], 20);
-	print("Twelve models, ms", ["", "fits known", "computed", "times"], [...rows, ["reading nine of their files", files12, "", ""]]);
+	print("Twelve models, ms", ["", "cooked", "read and computed", "times"], rows);
 }
 
 /** Agents bound to three.js's objects: each frame what moves them, untimed, and then the bindings. */
@@ -409,19 +398,25 @@ async function bindings() {
 	});
 	const kinds = { objects: bind((agent) => new ThreeAgentBinding(agent, new three.Object3D(), model)), instances: bind((agent, i) => bindInstance(agent, mesh, i, model)) };
 	const taken = [];
+	// what moves the agents, and what moves the objects
 	const motions = {
-		"none moving": () => {},
-		"all moving": ({ agent, object }, round) => {
-			agent.moveTo(round % 40, agent.y, agent.z);
-			if (object !== mesh) object.position.x = -round % 40;
-		},
-		"all moving and turning": ({ agent, object }, round) => {
-			agent.moveTo(round % 40, agent.y, agent.z);
-			agent.heading = round % 360;
-			// as it is after the frame of a collider
-			agent.getQuaternion(taken);
-			if (object !== mesh) object.rotation.y = 1 + (round % 360) / 100;
-		},
+		"none moving": [() => {}, () => {}],
+		"all moving": [
+			({ agent }, round) => agent.moveTo(round % 40, agent.y, agent.z),
+			({ object }, round) => { object.position.x = -round % 40; },
+		],
+		"all moving and turning": [
+			({ agent }, round) => {
+				agent.moveTo(round % 40, agent.y, agent.z);
+				agent.heading = round % 360;
+				// as it is after the frame of a collider
+				agent.getQuaternion(taken);
+			},
+			({ object }, round) => {
+				object.position.x = -round % 40;
+				object.rotation.y = 1 + (round % 360) / 100;
+			},
+		],
 	};
 	// what no binding can do without
 	const alone = Array.from({ length: 1000 }, () => new three.Object3D());
@@ -433,14 +428,20 @@ async function bindings() {
 		object.scale.set(2, 2, 2);
 		if (name === "all moving and turning") object.quaternion.copy(turns[count % 360]);
 	};
-	const rows = Object.entries(motions).map(([name, move]) => {
-		const task = (all, update) => ({ prepare: (round) => all.forEach((binding) => move(binding, round)), run: () => all.forEach(update) });
-		const times = measure([{ run: () => alone.forEach((object) => place(object, name)) }, task(kinds.objects, (each) => each.updateObject()), task(kinds.objects, (each) => each.updateAgent()), task(kinds.instances, (each) => each.updateObject())], 200);
+	const rows = Object.entries(motions).map(([name, [moveAgent, moveObject]]) => {
+		const task = (all, move, update) => ({ prepare: (round) => all.forEach((binding) => move(binding, round)), run: () => all.forEach(update) });
+		const times = measure([
+			{ run: () => alone.forEach((object) => place(object, name)) },
+			task(kinds.objects, moveAgent, (each) => each.updateObject()),
+			task(kinds.objects, moveObject, (each) => each.updateAgent()),
+			task(kinds.instances, moveAgent, (each) => each.updateObject()),
+		], 200);
 		return [name, ...times];
 	});
 	print(`1,000 agents bound to three.js ${three.REVISION}, ms a frame`, ["", "three.js alone", "updateObject", "updateAgent", "updateObject of instances"], rows);
 }
 
+/** What a snapshot of a game takes, and going back to it. */
 function snapshots() {
 	const { agents, walk } = scatter(10000, ["sphere"]);
 	const rows = [false, true].map((hasEnds) => {
@@ -460,4 +461,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, fits, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings]) if (parts.length === 0 || parts.includes(part.name)) await part();

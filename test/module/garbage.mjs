@@ -3,15 +3,12 @@
  *
  *   node --expose-gc --min-semi-space-size=64 --max-semi-space-size=64 test/module/garbage.mjs
  */
-import v8 from "node:v8";
+import { garbageOf as garbage } from "./bytes.mjs";
 import * as engine from "../../bin/module/starlogo-collision.min.js";
 
 const { Agent, BinCollider, BuiltInModel, Collision, GreatLand, TightestFitCollider } = engine;
 
 const COUNT = 10000;
-const WARM = 100;
-const FRAMES = 50;
-const ROUNDS = 5;
 
 const greatLand = new GreatLand();
 greatLand.addModel(BuiltInModel.sphere());
@@ -37,19 +34,6 @@ function move() {
 		const agent = agents[i];
 		agent.moveTo(agent.x + step * motionX[i], agent.y + step * motionY[i], agent.z);
 	}
-}
-
-/** Bytes a frame: the middle one of some rounds. */
-function garbage(frame) {
-	for (let i = 0; i < WARM; i++) frame();
-	const rounds = [];
-	for (let round = 0; round < ROUNDS; round++) {
-		globalThis.gc();
-		const before = v8.getHeapStatistics().used_heap_size;
-		for (let i = 0; i < FRAMES; i++) frame();
-		rounds.push((v8.getHeapStatistics().used_heap_size - before) / FRAMES);
-	}
-	return Math.round(rounds.sort((a, b) => a - b)[ROUNDS >> 1]);
 }
 
 const kept = new Array(COUNT).fill(null);

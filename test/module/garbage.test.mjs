@@ -1,17 +1,12 @@
-/** What a frame leaves behind for the garbage collector in Node: nothing to speak of, once it is warm. */
+/** What a frame, and questions, leave behind for the garbage collector in Node: nothing to speak of, once it is warm. */
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import path from "node:path";
 import { test } from "node:test";
-import { fileURLToPath } from "node:url";
-
-const game = path.join(path.dirname(fileURLToPath(import.meta.url)), "garbage.mjs");
+import { measure } from "./bytes.mjs";
 
 // Bytes a frame: less than one an agent. A Number an agent would make 160,000.
 const MOST = 8 * 1024;
 
-/** Measures in a process of its own, whose young generation holds all that the frames make: no collection comes in between. */
-const measured = JSON.parse(execFileSync(process.execPath, ["--expose-gc", "--min-semi-space-size=64", "--max-semi-space-size=64", game], { encoding: "utf8" }));
+const measured = measure("garbage.mjs");
 
 test("the measure sees an object an agent", () => {
 	assert.ok(measured.objects > 100000, `${measured.objects} bytes`);
@@ -26,4 +21,23 @@ for (const [name, bytes] of Object.entries(measured.frames)) {
 		assert.ok(measured.pairs[name] > 10000, `${measured.pairs[name]} pairs: something happens`);
 		assert.ok(bytes < MOST, `${bytes} bytes a frame`);
 	});
+}
+
+// Bytes in 10,000 questions: an object for each would be 160,000. What is left of the first kinds is the compiler's.
+const MOST_OF_QUESTIONS = 24 * 1024;
+
+// How boxes overlap is found with Numbers that are passed from function to function.
+const MORE = {
+	bins: { moveUntilTouch: 6e5, slide: 6e5 },
+	"tightest fit": { distance: 2e5, "distance, points": 2e5, moveUntilTouch: 12e6, slide: 12e6 },
+};
+
+for (const [system, more] of Object.entries(MORE)) {
+	const { bytes, answers } = measure("questions.mjs", system);
+	for (const [name, left] of Object.entries(bytes)) {
+		test(`${name} makes no garbage: ${system}`, () => {
+			assert.ok(answers[name] > 50, `${answers[name]} answers: something is found`);
+			assert.ok(left < (more[name] ?? MOST_OF_QUESTIONS), `${left} bytes in 10,000 questions`);
+		});
+	}
 }

@@ -88,7 +88,7 @@ test("what is true or false is a Boolean", () => {
 		[new HierarchicalCollider(land), ["exact"]],
 		[land, ["loadTightestFit", "loadHierarchies", "loadAllBoundingStructures", "prepareExact"]],
 		[land.hierarchies, ["splitByMean"]],
-		[new ModelLoader(land), ["usesBakedFits"]],
+		[new ModelLoader(land), ["usesTransforms"]],
 	];
 	for (const [object, names] of cases) {
 		for (const name of names) {
@@ -325,6 +325,36 @@ test("a listener may listen once, and until a signal", () => {
 	loader.addEventListener("complete", first, { once: true });
 	loader.removeEventListener("complete", first);
 	assert.equal(fire(), "");
+});
+
+test("a load may be awaited, and aborted alone", async () => {
+	const land = new GreatLand();
+	const loader = new ModelLoader(land);
+	const url = `data:text/plain,${encodeURIComponent("v 0 0 0\nv 2 0 0\nv 0 1 3\nf 1 2 3\n")}`;
+	const model = await loader.loadAsync("z", url);
+	assert.ok(model instanceof Model && model.name === "z" && land.hasModel("z"));
+	const turned = await loader.loadAsync("y", url, { upAxis: "y", scaling: Model.AS_GIVEN });
+	assert.deepEqual([model.vertices[8], turned.vertices[8]], [1.5, 1]);
+	// nothing but the promise hears of these, and of what is aborted none at all
+	await assert.rejects(loader.loadAsync("broken", "data:text/plain,v 1 2"), { name: "ModelError", message: /^model "broken", line 1/ });
+	await assert.rejects(loader.loadAsync("number", 7), /url must be a string/);
+	const texts = [];
+	loader.addEventListener("error", (event) => texts.push(event.text));
+	await assert.rejects(loader.loadAsync("damaged", "data:text/plain,v 1 2"), { name: "ModelError" });
+	assert.match(texts.join("\n"), /^model "damaged", line 1[^\n]*$/);
+	const abort = new AbortController();
+	const first = loader.loadAsync("same", url, { signal: abort.signal });
+	const second = loader.loadAsync("same", url);
+	abort.abort(new Error("enough"));
+	await assert.rejects(first, /^Error: enough$/);
+	await assert.rejects(loader.loadAsync("late", url, { signal: abort.signal }), /^Error: enough$/);
+	assert.equal(loader.pendingCount, 1);
+	assert.equal((await second).name, "same");
+	const cancelled = loader.loadAsync("cancelled", url, { signal: new AbortController().signal });
+	loader.cancel();
+	await assert.rejects(cancelled, { name: "AbortError" });
+	assert.ok(!land.isLoading("late") && !land.isLoading("cancelled") && !land.hasModel("cancelled"));
+	assert.equal(texts.length, 1);
 });
 
 test("no number of a Flash player's error is in a text", async () => {

@@ -1,4 +1,4 @@
-/** What the test and the benchmark of rays share: models, and three-mesh-bvh around them. */
+/** What tests and benchmarks of triangles share: models, and three-mesh-bvh around them. */
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { asset, engine } from "./games.mjs";
@@ -6,6 +6,8 @@ import { asset, engine } from "./games.mjs";
 const { ColladaModel, Model, ObjModel } = engine;
 
 const tools = createRequire(new URL("../../module/package.json", import.meta.url));
+const three = await import(pathToFileURL(tools.resolve("three")));
+const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
 
 /** A torus of 2 rings sides triangles. */
 export function torus(rings, sides) {
@@ -28,14 +30,12 @@ export function rayModels(rings = 100, sides = 40) {
 	return [new ColladaModel("dragon", asset("dragon.dae")), new ObjModel("bear", asset("bear.obj")), torus(rings, sides)];
 }
 
-/** three.js, three-mesh-bvh's tree around a model, and how many milliseconds that took. */
-export async function makeBvh(model) {
-	const three = await import(pathToFileURL(tools.resolve("three")));
-	const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
+/** three.js, a model's geometry with three-mesh-bvh's tree around it, and how many milliseconds that took; positions are of single precision as three.js's own. */
+export function makeBvh(model, Numbers = Float32Array) {
 	const geometry = new three.BufferGeometry();
-	geometry.setAttribute("position", new three.BufferAttribute(new Float64Array(model.vertices), 3));
+	geometry.setAttribute("position", new three.BufferAttribute(new Numbers(model.vertices), 3));
 	geometry.setIndex(new three.BufferAttribute(new Uint32Array(model.triangles), 1));
 	const start = performance.now();
-	const bvh = new MeshBVH(geometry);
-	return { three, bvh, ms: performance.now() - start };
+	const bvh = geometry.boundsTree = new MeshBVH(geometry);
+	return { three, geometry, bvh, ms: performance.now() - start };
 }

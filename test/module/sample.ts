@@ -26,6 +26,7 @@ import {
 	Collider,
 	Collision,
 	CollisionBlocks,
+	CollisionLines,
 	CollisionRecorder,
 	CollisionStatistics,
 	CollisionSystem,
@@ -33,6 +34,7 @@ import {
 	Contact,
 	ContactSystem,
 	ConvexHull,
+	CookedModel,
 	Cylinder,
 	CylinderFitter,
 	DetectionBlocks,
@@ -43,7 +45,6 @@ import {
 	Fit,
 	FitSession,
 	FitSettings,
-	FitsReceiver,
 	FitStorage,
 	FitStore,
 	Fitter,
@@ -193,6 +194,7 @@ function useBlocks(greatLand: GreatLand, agents: Agent[]): void {
 	const structures = new StructureBlocks(collisions);
 	new TraitBlocks(agents).collideAs("bears", Agent.BOX);
 	structures.show("bears", true);
+	log.push(`${new CollisionLines(greatLand).linesOf(agents[0], new BinCollider(greatLand), []).length / 6} lines of a sphere`);
 	collisions.whenTouchingStarts("bears", "paintballs", () => log.push(`${structures.lines().length / 6} lines`));
 	collisions.collision.update(agents);
 	try {
@@ -266,7 +268,7 @@ export function testPairs(): boolean[] {
 	matrix.appendRotation(45, Vector3D.Z_AXIS);
 	moved.rotate(matrix);
 	const cylinder: AxialStructure = new Cylinder(new Vector3D(0, 0, 0), new Vector3D(0, 0, 1), 0.5);
-	log.push(`${Wireframes.ofStructure(box).length / 6} lines`);
+	log.push(`${Wireframes.ofStructure(box).length / 6} lines, ${Wireframes.ofTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]).length / 6}`);
 	log.push(`${cylinder.volume} about ${cylinder.radius}, ${Tolerances.TOUCHING}, ${new Placement().size}`);
 	return [
 		sphereSphere(sphere, sphere), sphereCapsule(sphere, capsule), sphereBox(sphere, box), capsuleCapsule(capsule, capsule),
@@ -307,8 +309,8 @@ export function keep(): string[] {
 	greatLand.fitStore = new FitStore(100000, storage);
 	greatLand.addModel(model);
 	const fits: ModelFits | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
-	const receiver: FitsReceiver = new GreatLand();
-	finish(receiver.receiveWithFits(model, greatLand.bake(model)));
+	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.bake(model, "z"));
+	finish(new GreatLand().receive(cooked));
 	// there is none in Node
 	const here: FitStorage = new SharedFitStorage();
 	return [String(greatLand.bake(model).length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];

@@ -1,6 +1,6 @@
-/** Tests of stored and baked fits where browsers keep things: the package bin/module in headless Chromium, its local storage, and several tabs. */
+/** Tests of stored fits and cooked models where browsers keep things: the package bin/module in headless Chromium, its local storage, and several tabs. */
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -38,10 +38,10 @@ window.kept = (models) => {
 	const store = new engine.FitStore();
 	return models.filter((model) => store.read(model, settings) !== null).length;
 };
-window.load = (files, usesBakedFits) => new Promise((resolve) => {
+window.load = (files, manifest) => new Promise((resolve) => {
 	const greatLand = new engine.GreatLand();
 	const loader = new engine.ModelLoader(greatLand, 8);
-	loader.usesBakedFits = usesBakedFits;
+	loader.manifest = manifest;
 	const problems = [];
 	loader.addEventListener("error", (event) => problems.push(event.text));
 	loader.addEventListener("complete", () => resolve({ problems, volumes: files.map((file) => greatLand.boundingStructures.tightestFit(file).volume) }));
@@ -174,14 +174,18 @@ test("games work where storage is full, or off, or holds something else", async 
 	await context.close();
 });
 
-test("a ModelLoader takes what was baked, and computes where it is damaged or gone", async () => {
+test("a ModelLoader takes what was cooked and nothing else, and reads the source where it is damaged or gone", async () => {
 	const context = await browser.newContext();
 	const page = await open(context);
-	const computed = await page.evaluate((files) => load(files, false), FILES);
-	const baked = await page.evaluate((files) => load(files, true), FILES);
+	const asked = [];
+	page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+	const computed = await page.evaluate((files) => load(files, null), FILES);
+	assert.deepEqual(asked.splice(0).sort(), FILES.map((file) => `/models/${file}`).sort());
+	const baked = await page.evaluate((files) => load(files, "/models/manifest.json"), FILES);
+	assert.deepEqual(asked.splice(0).sort(), ["/models/manifest.json", ...FILES.map((file) => `/models/${file}.cooked`)].sort());
 	assert.deepEqual(baked, computed);
 	assert.deepEqual(baked.problems, []);
-	const names = readdirSync(path.join(work, "models")).filter((file) => file.endsWith(".fits"));
+	const names = readdirSync(path.join(work, "models")).filter((file) => file.endsWith(".cooked"));
 	assert.equal(names.length, FILES.length);
 	for (const name of names) {
 		const bytes = readFileSync(path.join(work, "models", name));
@@ -189,18 +193,31 @@ test("a ModelLoader takes what was baked, and computes where it is damaged or go
 		writeFileSync(path.join(work, "models", name), bytes);
 	}
 	rmSync(path.join(work, "models", names[0]));
-	const damaged = await page.evaluate((files) => load(files, true), FILES);
+	const damaged = await page.evaluate((files) => load(files, "/models/manifest.json"), FILES);
 	assert.deepEqual(damaged, computed);
 	assert.deepEqual(page.problems.filter((text) => !/404/.test(text)), []);
 	await context.close();
 });
 
-test("the baker says what is no model", () => {
-	writeFileSync(path.join(work, "plain/broken.obj"), "v 1 2\n");
-	assert.throws(() => execFileSync(process.execPath, [path.join(folder, "bake.mjs"), path.join(work, "plain"), "--out", path.join(work, "again")], { stdio: "pipe" }), (error) => {
-		assert.equal(error.status, 1);
-		assert.match(String(error.stderr), /broken\.obj: model "broken", line 1/);
-		assert.match(String(error.stdout), /4 baked, 1 that are no models/);
-		return true;
-	});
+test("the baker leaves what is there, cooks what has changed, and says what is wrong", () => {
+	const run = (...args) => spawnSync(process.execPath, [path.join(folder, "bake.mjs"), ...args], { encoding: "utf8" });
+	const plain = path.join(work, "plain");
+	const again = path.join(work, "again");
+	assert.match(run(plain, "--out", again).stdout, /^4 cooked$/m);
+	assert.match(run(plain, "--out", again).stdout, /^0 cooked, 4 as they were$/m);
+	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^4 cooked$/m);
+	writeFileSync(path.join(plain, "kelp.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+	assert.match(run(plain, "--out", again, "--up", "y").stdout, /^1 cooked, 3 as they were$/m);
+	writeFileSync(path.join(plain, "broken.obj"), "v 1 2\n");
+	const broken = run(plain, "--out", again, "--up", "y");
+	assert.equal(broken.status, 1);
+	assert.match(broken.stderr, /broken\.obj: model "broken", line 1/);
+	assert.match(broken.stdout, /^0 cooked, 4 as they were, 1 that are no models$/m);
+	assert.match(run("--help").stdout, /--min-vertices N/);
+	for (const [args, problem] of [[[], /needs a folder/], [["nowhere"], /nowhere is no folder/], [[plain, "--up", "w"], /--up is x, y or z, not w/],
+		[[plain, "--depth", "0"], /--depth is a whole number/], [[plain, "--bad"], /--bad/], [[plain, "--increment", "x"], /--increment is/]]) {
+		const refused = run(...args);
+		assert.equal(refused.status, 2);
+		assert.match(refused.stderr, problem);
+	}
 });

@@ -1,6 +1,7 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
-	Agent, AgentFilter, BinCollider, BuiltInModel, Collision, Contact, ErrorEvent, Event, GreatLand, HierarchicalCollider, Model, ModelEvent, ModelLoader, ObjModel, RayHit, TightestFitCollider,
+	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, ErrorEvent, Event, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
+	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider,
 } from "starlogo-collision";
 import type { CollisionSystem, ModelLoaderEvents, Numbers } from "starlogo-collision";
 
@@ -66,6 +67,12 @@ is<Same<typeof Agent.CAPSULE, "capsule">>();
 new ObjModel("x", "v 0 0 0", "y");
 // @ts-expect-error no such axis
 new ObjModel("x", "v 0 0 0", "Y");
+ObjModel.fromBytes("x", new Uint8Array(9), new ModelTransform(), Model.AS_GIVEN);
+GltfModel.fromBytes("x", new ArrayBuffer(9), "y", "volume", { "x.bin": new ByteArray() });
+// @ts-expect-error no such axis
+GltfModel.fromBytes("x", new ArrayBuffer(9), 3);
+// @ts-expect-error no such scaling
+new Model("x", [0, 0, 0], null, "large");
 const numbers: Numbers = [0, 0, 0, 1, 0, 0, 0, 1, 0] as const;
 new Model("triangle", numbers, new Uint16Array([0, 1, 2]));
 new Model("triangle", new Float32Array(9), null);
@@ -85,6 +92,10 @@ loader.addEventListener(ErrorEvent.ERROR, (event) => event.text.trim());
 loader.addEventListener("progress", (event) => event.bytesLoaded / event.bytesTotal);
 loader.addEventListener(Event.COMPLETE, () => {});
 is<Same<ModelLoaderEvents["error"], ErrorEvent>>();
+const awaited: Promise<Model> = loader.loadAsync("x", "x.obj", { upAxis: "y", scaling: Model.VOLUME, signal: abort.signal });
+awaited.then((model) => model.name.trim());
+// @ts-expect-error there is no such axis
+loader.loadAsync("x", "x.obj", { upAxis: "w" });
 // @ts-expect-error that event has no model
 loader.addEventListener("complete", (event) => event.model);
 // @ts-expect-error a Blob is no bytes
@@ -99,6 +110,17 @@ hit.agent.id;
 const filter = new AgentFilter();
 filter.breeds = ["a"];
 filter.breeds = null;
+filter.accepts = (agent) => agent.size > 1;
+filter.accepts = (hero: Hero) => hero.life > 1;
+filter.accepts = null;
+// @ts-expect-error it says whether
+filter.accepts = (agent) => agent.breed;
+const nearest = new AgentQueries(collision).nearest(agent, 3, filter);
+is<Same<typeof nearest, Hero | null>>();
+new AgentQueries(new BinCollider());
+// @ts-expect-error neither a Collision nor a collision system
+new AgentQueries(land);
+is<Same<typeof CollisionBlocks.systemNames, string[]>>();
 land.fitStore = null;
 // @ts-expect-error null is no model
 land.addModel(null);

@@ -11,10 +11,10 @@ const folder = path.join(root, 'bin/playground');
 const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-dev-shm-usage',
 	'--disable-background-networking', '--no-first-run'];
 
-/** The sizes that everything is tried at. */
+/** The sizes that everything is tried at. The processor draws: of each two by two pixels one is enough. */
 export const SIZES = {
-	desktop: { viewport: { width: 1366, height: 820 } },
-	phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+	desktop: { viewport: { width: 1366, height: 820 }, deviceScaleFactor: 0.5 },
+	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, isMobile: true },
 };
 
 /** Begins: a server below a path of its own, and a browser. */

@@ -35,6 +35,13 @@ async function openProgram(page, text) {
 	await page.waitForTimeout(300);
 }
 
+const choose = (page, name) => page.getByLabel('Program', { exact: true }).selectOption(name);
+/** The names of the user's own programs. */
+const own = (page) => page.locator('optgroup[label="Your programs"] option').allTextContents();
+const blocks = (page) => page.evaluate(() => globalThis.playground.editor.workspace.getAllBlocks().length);
+/** Waits for what Blockly tells after a change. */
+const settle = (page) => page.waitForTimeout(150);
+
 for (const [name, size] of Object.entries(SIZES)) {
 	test(`keys move the bear, and a thrown ball colours a turtle (${name})`, async () => {
 		const { page, context, said } = await open(site, 'play', size);
@@ -182,12 +189,366 @@ test('an endless loop is stopped and named, and so is a mistake in a block', asy
 	await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', endless)));
 	await press(page, 'Run');
 	await page.waitForSelector('.game .status.problem');
-	assert.match(await say(page), /^The program stopped: the loop “repeat while” never comes to an end/);
+	assert.match(await say(page), /^The program stopped: the loop “repeat while” never comes to an end. Its condition has to become false/);
+	const marked = await page.evaluate(() => {
+		const path = document.querySelector('.failed > .blocklyPath');
+		return { stroke: getComputedStyle(path).stroke, fill: path.getAttribute('fill') };
+	});
+	assert.deepEqual(marked, { stroke: 'rgb(208, 2, 27)', fill: '#3d6a80' }, 'its words are as readable as before');
 	await openProgram(page, program(start({ type: 'starlogo_collide_as', fields: { WHO: 'me', AS: 'box' } })));
 	assert.match(await say(page), /the block “collide as” is about an agent, but there is none here|is about an agent/);
 	const depth = { type: 'starlogo_depth', fields: { WHO: 'turtles' }, inputs: { DEPTH: number(1.5) } };
 	await openProgram(page, program(start(depth)));
 	assert.match(await say(page), /The block "set collision depth" needs a whole number/);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a student\'s own program is never lost: not by examples, links, nor broken ones', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await openProgram(page, program(start(create('walls', 'wall'))));
+	assert.deepEqual(await own(page), ['program']);
+	await choose(page, 'wing');
+	await page.evaluate(() => {
+		location.hash = 'play/nonsense';
+	});
+	await page.waitForSelector('.status.problem');
+	await choose(page, 'paintball');
+	await page.reload();
+	await ready(page, 'play');
+	assert.equal((await agents(page, 'turtles')).length, 10, 'what was open last is open');
+	await choose(page, (await page.locator('optgroup[label="Your programs"] option').first().getAttribute('value')));
+	assert.equal((await agents(page, 'walls')).length, 1);
+	// what replaced it is taken back
+	await choose(page, 'helmet');
+	await press(page, 'Undo');
+	assert.equal((await agents(page, 'walls')).length, 1);
+	assert.equal((await agents(page, 'turtles')).length, 0);
+	// an example that is changed becomes one more
+	await choose(page, 'helmet');
+	await page.evaluate(() => globalThis.playground.editor.workspace.getTopBlocks()[0].dispose());
+	await page.waitForFunction(() => document.querySelectorAll('optgroup[label="Your programs"] option').length === 2);
+	assert.deepEqual(await own(page), ['program', 'The fireman\'s helmet (mine)']);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('undo in the blocks after an example leaves the example', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await openProgram(page, program(start(create('walls', 'wall'))));
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
+	await settle(page);
+	await choose(page, 'helmet');
+	await settle(page);
+	const count = await blocks(page);
+	for (let i = 0; i < 3; i++) {
+		await page.evaluate(() => globalThis.playground.editor.workspace.undo(false));
+	}
+	await settle(page);
+	assert.equal(await blocks(page), count);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('the figures have all that touched since the last look, whoever has scripts', async () => {
+	const { page, context, said } = await open(site, 'play');
+	const scatter = { type: 'starlogo_scatter' };
+	const crowd = (breed, shape, count) => ({ ...create(breed, shape, scatter), inputs: { COUNT: number(count), DO: { block: scatter } } });
+	await openProgram(page, program(start({ ...crowd('turtles', 'turtle', 14), next: { block: crowd('walls', 'wall', 14) } }), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.3) } })));
+	await press(page, 'Run');
+	const look = () => Number([...document.querySelectorAll('.figures div')].find((each) => each.textContent.endsWith('touching')).querySelector('dd').textContent);
+	await page.waitForFunction(look);
+	const looks = [];
+	for (let i = 0; i < 8; i++) {
+		looks.push(await page.evaluate(look));
+		await page.waitForTimeout(250);
+	}
+	await press(page, 'Stop');
+	assert.ok(looks.every((each) => each > 0), looks.join());
+	const met = await page.locator('.met li').allTextContents();
+	assert.match(met[0], /^\d+\.\d s (walls|turtles) \d+ met (walls|turtles) \d+$/);
+	assert.match((await page.locator('.totals li').allTextContents()).join(), /turtles × walls \d+/);
+	// rewound, the list is what it was
+	const frames = await page.evaluate(() => globalThis.playground.world.frame);
+	await page.getByLabel('Rewind').fill('-20');
+	assert.equal(await page.evaluate(() => globalThis.playground.world.frame), frames - 20);
+	assert.equal(await say(page), `Frame ${frames - 20}`);
+	await step(page, 1);
+	assert.equal(await page.evaluate(() => globalThis.playground.world.frame), frames - 19);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('after a choice of system the arrow keys play, and at a wall the bear is not stuck', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await page.getByLabel('Collision system').selectOption('exact');
+	await page.evaluate(() => {
+		const { world } = globalThis.playground;
+		const [bear, wall] = ['bears', 'walls'].map((breed) => world.agents.find((agent) => agent.breed === breed));
+		for (const agent of world.agents) agent.jumpTo(agent.x, 11, agent.z);
+		bear.jumpTo(-3, -8, 0);
+		bear.heading = 45;
+		wall.heading = 0;
+		wall.size = 9;
+		wall.jumpTo(-1, -8, 0);
+	});
+	const bear = async () => (await agents(page, 'bears'))[0];
+	const hold = async (key, frames) => {
+		await page.evaluate((name) => globalThis.playground.world.press(name), key);
+		await step(page, frames);
+		await page.evaluate((name) => globalThis.playground.world.release(name), key);
+	};
+	await hold('up', 8);
+	await page.getByLabel('Collision system').selectOption('tightest fits');
+	await step(page, 1);
+	assert.ok(await page.evaluate(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').touched > 0), 'as boxes they overlap');
+	const at = await bear();
+	await hold('left', 3);
+	assert.equal((await bear()).heading, 54);
+	await hold('down', 3);
+	assert.ok((await bear()).x < at.x - 0.05, `${(await bear()).x} after ${at.x}`);
+	// the same by the keys themselves, while it runs
+	await press(page, 'Run');
+	await page.getByLabel('Collision system').selectOption('unit spheres');
+	await page.keyboard.press('ArrowLeft', { delay: 300 });
+	await page.waitForFunction(() => globalThis.playground.world.agents.find(({ breed }) => breed === 'bears').heading > 54);
+	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('changes while the game runs are announced, and count when it starts anew', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(0) } })));
+	await press(page, 'Run');
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_up')[0].getInputTargetBlock('STEPS').setFieldValue(2, 'NUM'));
+	await page.waitForFunction(() => /^You have changed the program/.test(document.querySelector('.game .status').textContent));
+	assert.equal((await agents(page, 'walls'))[0].z, 0);
+	await press(page, 'Start anew');
+	await page.waitForFunction(() => globalThis.playground.world.agents[0].z > 3);
+	assert.equal(await say(page), 'Running');
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('blocks are reached and changed by keys; what is deleted comes back', async () => {
+	const { page, context, said } = await open(site, 'play');
+	const count = await blocks(page);
+	await press(page, 'Copy a link');
+	const block = () => page.evaluate(() => (document.activeElement.closest('.blocklyFlyout') ? null : document.activeElement.closest('.blocklyDraggable')?.dataset.id ?? null));
+	// past the toolbox, and what it offers
+	for (let i = 0; i < 6 && !(await block()); i++) {
+		await page.keyboard.press('Tab');
+	}
+	await page.keyboard.press('Delete');
+	await page.waitForFunction(() => /^A block is deleted/.test(document.querySelector('.game .status').textContent));
+	assert.ok(await blocks(page) < count, 'the block is gone');
+	await page.locator('.status').getByRole('button', { name: 'Undo' }).focus();
+	await page.keyboard.press('Enter');
+	await page.waitForFunction((before) => globalThis.playground.editor.workspace.getAllBlocks().length === before, count);
+	await page.locator('.fullscreen').focus();
+	for (let i = 0; i < 12 && !(await block()); i++) {
+		await page.keyboard.press('Shift+Tab');
+	}
+	const seen = new Set([await block()]);
+	for (let i = 0; i < 6; i++) {
+		await page.keyboard.press('ArrowDown');
+		seen.add(await block());
+	}
+	assert.ok(seen.size >= 5 && !seen.has(null), [...seen].join());
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('on a phone fingers scroll the page over the world, and Run is in sight beside the blocks', async () => {
+	const { page, context, said } = await open(site, 'play', SIZES.phone);
+	const client = await context.newCDPSession(page);
+	const touch = (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+	const swipe = async (selector) => {
+		const box = await page.locator(selector).boundingBox();
+		const x = box.x + box.width / 2;
+		const y = box.y + box.height / 2;
+		await touch('touchStart', { x, y });
+		for (let i = 1; i <= 10; i++) {
+			await touch('touchMove', { x, y: y - 20 * i });
+			await page.waitForTimeout(20);
+		}
+		await touch('touchEnd');
+	};
+	const isRunSeen = () => page.evaluate(() => {
+		const { top, bottom } = document.querySelector('.primary').getBoundingClientRect();
+		return top >= 0 && bottom <= innerHeight;
+	});
+	assert.ok(await isRunSeen());
+	await swipe('.world');
+	await page.waitForFunction(() => scrollY > 50);
+	assert.ok(await isRunSeen());
+	await press(page, 'Blocks');
+	assert.ok(await isRunSeen());
+	await swipe('.blocks');
+	await page.waitForFunction(() => globalThis.playground.editor.workspace.scrollY < -40);
+	assert.ok(await isRunSeen());
+	await press(page, 'Run');
+	assert.ok(await page.locator('.world').isVisible());
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('neither zoom nor a moved view loses the world, and all of it is one choice away', async () => {
+	const { page, context, said } = await open(site, 'play');
+	const inSight = () => page.evaluate(() => {
+		const { stage } = globalThis.playground;
+		return [[0, 0], [-12, -12], [12, 12]].map(([x, y]) => stage.pixelOf(x, y, 0)).filter(({ isSeen }) => isSeen).length;
+	});
+	assert.equal(await inSight(), 3);
+	const { x, y, width, height } = await page.locator('.world').boundingBox();
+	await page.mouse.move(x + width / 2, y + height / 2);
+	for (let i = 0; i < 40; i++) {
+		await page.mouse.wheel(0, 1000);
+	}
+	await page.mouse.down({ button: 'right' });
+	await page.mouse.move(x + 5, y + 5, { steps: 3 });
+	await page.mouse.up({ button: 'right' });
+	await settle(page);
+	const view = await page.evaluate(() => {
+		const { camera, controls } = globalThis.playground.stage;
+		return { distance: camera.position.distanceTo(controls.target), x: controls.target.x, y: controls.target.y };
+	});
+	assert.ok(view.distance <= 73 && Math.abs(view.x) <= 12 && Math.abs(view.y) <= 12, JSON.stringify(view));
+	await page.getByLabel('Camera').selectOption('eyes');
+	await page.getByLabel('Camera').selectOption('all');
+	assert.equal(await inSight(), 3);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a crowd in ever new colours is drawn at once', async () => {
+	const { page, context, said } = await open(site, 'play');
+	const paint = { type: 'starlogo_colour', fields: { WHO: 'me' }, inputs: { COLOUR: { block: { type: 'math_random_int', inputs: { FROM: number(1), TO: number(16777215) } } } } };
+	await openProgram(page, program(start({ ...create('turtles', 'cube', { type: 'starlogo_scatter' }), inputs: { COUNT: number(1900), DO: { block: { type: 'starlogo_scatter' } } } }), each('turtles', paint)));
+	await step(page, 2);
+	const { colours, calls, ms } = await page.evaluate(() => {
+		const { world, stage } = globalThis.playground;
+		const begin = performance.now();
+		for (let i = 0; i < 5; i++) stage.showAgents(world.agents, globalThis.playground.models);
+		return { colours: new Set(world.agents.map(({ color }) => color)).size, calls: stage.renderer.info.render.calls, ms: (performance.now() - begin) / 5 };
+	});
+	console.log(`${colours} colours: ${calls} draw calls, ${ms.toFixed(1)} ms to prepare them`);
+	assert.ok(colours > 1800 && calls < 20, `${colours} colours, ${calls} calls`);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('refused storage, another tab, and dropped files are said in words', async () => {
+	const { page, context, said } = await open(site, 'play');
+	const drop = async (name, text) => {
+		const data = await page.evaluateHandle(([file, content]) => {
+			const transfer = new DataTransfer();
+			transfer.items.add(new File([content], file));
+			return transfer;
+		}, [name, text]);
+		await page.dispatchEvent('header', 'drop', { dataTransfer: data });
+		await settle(page);
+	};
+	await drop('mine.json', program(start(create('walls', 'wall'))));
+	assert.deepEqual(await own(page), ['mine']);
+	await drop('picture.png', 'x');
+	assert.match(await say(page), /^picture\.png is neither a program/);
+	const other = await context.newPage();
+	await other.goto(`${site.url}#play`);
+	await ready(other, 'play');
+	await other.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
+	await page.waitForFunction(() => /^“mine” was changed in another tab/.test(document.querySelector('.game .status').textContent));
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('bears', 'BREED'));
+	await settle(page);
+	assert.deepEqual(await own(page), ['mine', 'mine (mine)']);
+	await other.close();
+	await page.evaluate(() => {
+		Storage.prototype.setItem = () => {
+			throw new DOMException('full', 'QuotaExceededError');
+		};
+		globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('turtles', 'BREED');
+	});
+	await page.waitForSelector('.game .status.problem');
+	assert.match(await say(page), /^This browser keeps no programs/);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('at first sight: what this is, the goal, the keys, Run, and words of 14 pixels', async () => {
+	const { page, context, said } = await open(site, 'play', { viewport: { width: 1366, height: 768 } });
+	for (const [width, height] of [[1366, 768], [1920, 1080], [390, 844]]) {
+		await page.setViewportSize({ width, height });
+		await settle(page);
+		for (const selector of ['.intro', '.goal', '.keys', '.primary', '.world']) {
+			const box = await page.locator(selector).boundingBox();
+			assert.ok(box && box.y >= 0 && box.y + Math.min(box.height, 200) <= height && box.x >= 0 && box.x + box.width <= width, `${selector} at ${width} x ${height}: ${JSON.stringify(box)}`);
+		}
+	}
+	const heights = await page.evaluate(() => [...document.querySelectorAll('.blocklyBlockCanvas .blocklyText')].map((text) => parseFloat(getComputedStyle(text).fontSize) * globalThis.playground.editor.workspace.scale));
+	assert.ok(heights.length > 10 && heights.every((size) => size >= 14), `${Math.min(...heights)} pixels`);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a click on an agent tells of it, what the engine sees is shown, and a won game begins again', async () => {
+	const { page, context, said } = await open(site, 'play');
+	const at = await page.evaluate(() => {
+		const { world, stage } = globalThis.playground;
+		const bear = world.agents.find(({ breed }) => breed === 'bears');
+		const { x, y } = stage.pixelOf(bear.x, bear.y, 1.2);
+		const box = stage.host.getBoundingClientRect();
+		return { x: box.left + x, y: box.top + y, id: bear.id };
+	});
+	await page.mouse.click(at.x, at.y);
+	assert.match(await page.textContent('.inspector'), new RegExp(`^bears ${at.id}a bear, seen by tightest fits`));
+	await page.getByLabel('What the engine sees').check();
+	const solids = () => page.evaluate(() => globalThis.playground.stage.marks.boxes.mesh.count);
+	const few = await solids();
+	assert.ok(few > 5 && few <= 22, `${few} boxes`);
+	await page.getByLabel('Collision system').selectOption('hierarchies');
+	assert.ok(await solids() > 5 * few, 'trees of boxes');
+	await page.evaluate(() => {
+		for (const agent of globalThis.playground.world.agents) if (agent.breed === 'turtles') agent.color = 0xff0000;
+	});
+	await press(page, 'Run');
+	await page.waitForSelector('.end');
+	assert.match(await page.textContent('.end'), /You have won!.*after \d+\.\d seconds/s);
+	assert.equal(await page.textContent('.score'), 'Score 10');
+	await press(page, 'Play again');
+	await page.waitForFunction(() => document.querySelector('.score').textContent === 'Score 0');
+	assert.ok(!(await page.locator('.end').isVisible()));
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a lesson is opened, done and left for the next; the gallery has all programs, and takes names', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await press(page, 'Lessons');
+	await press(page, 'Next');
+	assert.match(await page.textContent('.lesson'), /^Lesson 2 of 10Why is the helmet missed\?/);
+	await step(page, 2);
+	assert.equal(await page.textContent('.lesson .done'), '');
+	await page.getByLabel('Collision system').selectOption('tightest fits');
+	await step(page, 2);
+	assert.equal(await page.textContent('.lesson .done'), 'Done!');
+	// what is made of its program is the student's, and in the lesson
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_size')[0].getInputTargetBlock('SIZE').setFieldValue(2, 'NUM'));
+	await page.waitForFunction(() => document.querySelectorAll('optgroup[label="Your programs"] option').length === 1);
+	assert.match(await page.textContent('.lesson'), /^Lesson 2/);
+	await press(page, 'Gallery');
+	assert.equal(await page.locator('.gallery img').count(), 15);
+	assert.deepEqual(await page.locator('.gallery .open', { hasText: '✓' }).allTextContents(), ['Why is the helmet missed? ✓']);
+	await page.getByLabel('Rename Why is the helmet missed? (mine)').fill('Smaller');
+	await page.keyboard.press('Enter');
+	assert.deepEqual(await own(page), ['Smaller']);
+	await page.locator('.gallery').getByRole('button', { name: 'Delete Why' }).click();
+	assert.deepEqual(await own(page), []);
+	await page.locator('.status').getByRole('button', { name: 'Undo' }).click();
+	assert.deepEqual(await own(page), ['Smaller']);
+	assert.equal((await agents(page, 'turtles'))[0].size, 2);
+	await press(page, 'Close');
+	assert.equal((await agents(page, 'turtles')).length, 10);
 	assert.deepEqual(said, []);
 	await context.close();
 });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { SIZES, begin, open, root } from './browser.mjs';
+import { SIZES, begin, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare'];
 const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
@@ -15,103 +15,124 @@ before(async () => {
 });
 after(() => site.close());
 
-for (const [name, size] of Object.entries(SIZES)) {
-	for (const view of VIEWS) {
-		test(`${view}, ${name}: nothing on the console, nothing from elsewhere, nothing that axe-core calls serious`, async () => {
-			const { page, context, said } = await open(site, view, size);
-			const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-			assert.ok(wide <= 0, `the page is ${wide} pixels too wide`);
-			const cut = await page.evaluate(() => Math.max(0, ...[...document.querySelectorAll('.table')].map((table) => table.scrollWidth - table.clientWidth)));
-			assert.equal(cut, 0, 'pixels that a table is wider than its place');
-			const jumps = await page.evaluate(() => new Promise((resolve) => {
-				new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
-				setTimeout(() => resolve(0), 300);
-			}));
-			assert.ok(jumps < 0.05, `what was there moved: ${jumps}`);
-			// page.evaluate is not bound by the page's policy
-			await page.evaluate(axe);
-			for (const colorScheme of ['light', 'dark']) {
-				await page.emulateMedia({ colorScheme });
-				await page.waitForTimeout(300);
-				assert.deepEqual(await seriousFaults(page), [], colorScheme);
-			}
-			assert.deepEqual(said, []);
-			await context.close();
+const pages = {};
+
+/** The page that tests of a view share, at the size of a small laptop. */
+async function shared(view) {
+	pages[view] ??= await open(site, view, { viewport: { width: 1366, height: 768 } });
+	return pages[view];
+}
+
+/** A page of a view, in which nothing may be said on the console and nothing comes from elsewhere, whatever is tried there. */
+for (const view of VIEWS) {
+	test(`${view} on a desktop`, async (t) => {
+		const { page, context, said } = await open(site, view);
+		await t.test('what is there stays where it is', () => staysInPlace(page));
+		await t.test('Blockly comes with Play alone', async () => {
+			const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
+			const withBlockly = files.filter((file) => file.endsWith('.js')).map((file) => path.join(root, 'bin/playground', file.replace('/any/where/', '')))
+				.filter((file) => readFileSync(file, 'utf8').includes('blocklyMainBackground'));
+			assert.equal(withBlockly.length, view === 'play' ? 1 : 0);
 		});
-	}
-}
-
-async function seriousFaults(page) {
-	const { violations, passes } = await page.evaluate(() => globalThis.axe.run());
-	assert.ok(passes.length > 15, 'axe-core has looked');
-	return violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
-		.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join('; ')}`);
-}
-
-for (const width of [360, 2560]) {
-	test(`every view fits a window ${width} pixels wide`, async () => {
-		for (const view of VIEWS) {
-			const { page, context, said } = await open(site, view, { viewport: { width, height: 800 } });
-			assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), view);
-			assert.deepEqual(said, []);
-			await context.close();
+		await t.test('axe-core finds no fault, in light and dark', async () => {
+			await faultless(page, 'light');
+			await faultless(page, 'dark');
+		});
+		await t.test('every control is reached by the tab key, and shows it', () => reachesAll(page));
+		if (view === 'inspect') {
+			await t.test('so is every control of its questions, which the keyboard opens', async () => {
+				await page.getByLabel('Structures', { exact: true }).focus();
+				await page.keyboard.press('ArrowRight');
+				await page.waitForSelector('.answers:visible');
+				await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
+				await reachesAll(page);
+				await faultless(page, 'light');
+			});
 		}
+		await t.test('it fits narrow and wide windows', async () => {
+			for (const width of [360, 700, 1000, 2560]) {
+				await page.setViewportSize({ width, height: 500 });
+				await page.waitForTimeout(100);
+				assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, `${width} pixels`);
+			}
+		});
+		assert.deepEqual(said, []);
+		await context.close();
+	});
+
+	test(`${view} on a phone`, async () => {
+		const { page, context, said } = await open(site, view, SIZES.phone);
+		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
+		await staysInPlace(page);
+		await faultless(page, 'light');
+		assert.deepEqual(said, []);
+		await context.close();
 	});
 }
 
-test('every control is reached by the tab key', async () => {
-	for (const view of VIEWS) {
-		const { page, context } = await open(site, view);
-		const wanted = await page.evaluate(() => {
-			const groups = new Set();
-			const controls = [...document.querySelectorAll('a[href], button, select, summary, input:not([tabindex="-1"]), .world[tabindex]')]
-				// of radio buttons of one name, one is reached, and arrows do the rest; what is folded is not there
-				.filter((each) => each.checkVisibility() && !each.closest('.blocks') && !(each.type === 'radio' && (groups.has(each.name) || !groups.add(each.name))));
-			controls.forEach((each, i) => {
-				each.dataset.control = each.type === 'radio' ? each.name : i;
-			});
-			for (const each of document.querySelectorAll('input[type=radio]')) {
-				each.dataset.control = each.name;
-			}
-			return [...new Set(controls.map((each) => each.dataset.control))];
-		});
-		const reached = new Set();
-		for (let i = 0; i < wanted.length + 60 && reached.size < wanted.length; i++) {
-			await page.keyboard.press('Tab');
-			const control = await page.evaluate(() => document.activeElement.dataset.control);
-			if (control !== undefined) {
-				reached.add(control);
-			}
-		}
-		const missing = wanted.filter((each) => !reached.has(each));
-		const names = await page.evaluate((all) => all.map((each) => document.querySelector(`[data-control="${each}"]`).outerHTML.slice(0, 80)), missing);
-		assert.deepEqual(names, [], view);
-		assert.ok(wanted.length > 8);
-		await context.close();
-	}
-});
+/** By how many pixels the page is too wide, and tables for their places. */
+function overflow() {
+	return {
+		page: Math.max(0, document.documentElement.scrollWidth - innerWidth),
+		tables: Math.max(0, ...[...document.querySelectorAll('.table')].map((table) => table.scrollWidth - table.clientWidth)),
+	};
+}
 
-test('Inspect does not load Blockly; Play does', async () => {
-	const sizes = {};
-	for (const view of VIEWS) {
-		const { page, context } = await open(site, view);
-		const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
-		sizes[view] = files.filter((file) => file.endsWith('.js')).map((file) => path.join(root, 'bin/playground', file.replace('/any/where/', '')))
-			.filter((file) => readFileSync(file, 'utf8').includes('blocklyMainBackground'));
-		await context.close();
-	}
-	assert.equal(sizes.inspect.length, 0);
-	assert.equal(sizes.compare.length, 0);
-	assert.equal(sizes.play.length, 1);
-});
-
-test('something is to be seen within a second', async () => {
-	const { page, context } = await open(site, 'inspect');
-	const paint = await page.evaluate(() => performance.getEntriesByType('paint').find(({ name }) => name === 'first-contentful-paint').startTime);
+async function staysInPlace(page) {
+	const jumps = await page.evaluate(() => new Promise((resolve) => {
+		new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
+		setTimeout(() => resolve(0), 300);
+	}));
+	// a time, which says nothing on a busy machine
+	const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
 	console.log(`first paint after ${Math.round(paint)} ms`);
-	assert.ok(paint < 1000, `${paint} ms`);
-	await context.close();
-});
+	assert.ok(jumps < 0.05, `what was there moved: ${jumps}`);
+}
+
+/** Fails for what axe-core has to say, of whatever weight; of Blockly's workspace, which is Blockly's, for what is serious. */
+async function faultless(page, colorScheme) {
+	await page.emulateMedia({ colorScheme });
+	await page.waitForTimeout(300);
+	// page.evaluate is not bound by the page's policy
+	if (!await page.evaluate(() => 'axe' in globalThis)) {
+		await page.evaluate(axe);
+	}
+	const { violations, passes } = await page.evaluate(() => globalThis.axe.run());
+	assert.ok(passes.length > 15, 'axe-core has looked');
+	const faults = violations.flatMap(({ id, impact, nodes }) => nodes.filter(({ target }) => /serious|critical/.test(impact) || !/blockly/i.test(target.join(' ')))
+		.map(({ html }) => `${id}: ${html.slice(0, 120)}`));
+	assert.deepEqual(faults, [], colorScheme);
+}
+
+async function reachesAll(page) {
+	const wanted = await page.evaluate(() => {
+		const groups = new Set();
+		const controls = [...document.querySelectorAll('a[href], button, select, summary, input:not([tabindex="-1"]), .world[tabindex]')]
+			// of radio buttons of one name, one is reached, and arrows do the rest; what is folded is not there
+			.filter((each) => each.checkVisibility() && !each.closest('.blocks') && !(each.type === 'radio' && (groups.has(each.name) || !groups.add(each.name))));
+		controls.forEach((each, i) => {
+			each.dataset.control = each.type === 'radio' ? each.name : i;
+		});
+		for (const each of document.querySelectorAll('input[type=radio]')) {
+			each.dataset.control = each.name;
+		}
+		return [...new Set(controls.map((each) => each.dataset.control))];
+	});
+	const missing = new Set(wanted);
+	for (let i = 0; i < wanted.length + 60 && missing.size > 0; i++) {
+		await page.keyboard.press('Tab');
+		const { control, isShown, html } = await page.evaluate(() => {
+			const { activeElement: element } = document;
+			return { control: element.dataset.control, isShown: getComputedStyle(element).outlineStyle !== 'none', html: element.outerHTML.slice(0, 80) };
+		});
+		if (missing.delete(control)) {
+			assert.ok(isShown, `it is seen that this has the focus: ${html}`);
+		}
+	}
+	const names = await page.evaluate((all) => all.map((each) => document.querySelector(`[data-control="${each}"]`).outerHTML.slice(0, 80)), [...missing]);
+	assert.deepEqual(names, []);
+	assert.ok(wanted.length > 8);
+}
 
 /** Drops a file on the page, as the system does. */
 async function drop(page, name, content) {
@@ -125,32 +146,35 @@ async function drop(page, name, content) {
 
 const status = (page) => page.textContent('.status');
 
+/** Waits until a model is measured, of which the status line says what matches. */
+const measured = (page, expected) => page.waitForFunction(([source]) => new RegExp(source).test(document.querySelector('.status').textContent) && !document.querySelector('[aria-busy]'),
+	[expected.source], { timeout: 15000 });
+
 test('Inspect: models by their names and by dropped files, with their volumes', async () => {
-	const { page, context, said } = await open(site, 'inspect');
+	const { page, said } = await shared('inspect');
 	await page.getByLabel('Model', { exact: true }).selectOption('cube');
-	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('24 vertices'));
+	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('Cube: 24 vertices'));
 	const rows = await page.locator('tbody tr').allTextContents();
 	assert.equal(rows.length, 11);
 	assert.match(rows.find((row) => row.startsWith('Oriented box')), /^Oriented box(tightest)?1\.001\.00/);
 	assert.match(rows.find((row) => row.startsWith('Naive sphere')), /^Naive sphere2\.722\.72/);
 	await drop(page, 'bear.obj', readFileSync(path.join(root, 'assets/bear.obj')));
-	await page.waitForFunction(() => document.querySelector('.status').textContent.startsWith('547 vertices'));
+	await measured(page, /^bear\.obj: 547 vertices/);
 	await drop(page, 'broken.obj', Buffer.from('v 1 2 x\n'));
 	await page.waitForSelector('.status.problem');
-	assert.match(await status(page), /^This file cannot be shown\. model "broken\.obj", line 1/);
+	assert.match(await status(page), /^broken\.obj cannot be shown\. model "broken\.obj", line 1/);
 	await drop(page, 'broken.dae', Buffer.from('<COLLADA><'));
-	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status').textContent));
+	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status.problem')?.textContent));
 	assert.match(await status(page), /not well-formed XML/);
 	await drop(page, 'picture.png', Buffer.from('x'));
-	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status').textContent));
-	assert.equal(await status(page), 'picture.png is no .obj, .dae, .zae, .glb, .gltf or .stl file.');
+	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status.problem')?.textContent));
+	assert.match(await status(page), /^picture\.png cannot be shown\. .*OBJ, DAE, ZAE, GLB, glTF and STL files can be/);
 	assert.equal(await page.locator('tbody tr').count(), 11, 'what was there is there');
-	assert.deepEqual(said, []);
-	await context.close();
+	assert.deepEqual(said.splice(0), []);
 });
 
 test('Inspect: settings change what is found', async () => {
-	const { page, context, said } = await open(site, 'inspect');
+	const { page, said } = await shared('inspect');
 	const nodes = () => page.textContent('.results .card:last-child .note');
 	const before = await nodes();
 	await page.getByLabel('Fewest vertices to split').fill('200');
@@ -163,27 +187,72 @@ test('Inspect: settings change what is found', async () => {
 	await page.getByRole('button', { name: 'Measure again' }).click();
 	await page.waitForSelector('.status.problem');
 	assert.match(await status(page), /^That number is not possible: /);
-	assert.deepEqual(said, []);
-	await context.close();
+	await page.getByLabel('Fewest vertices to split').fill('5');
+	await page.getByLabel('Tolerance for cheaper tests').fill('1');
+	await page.getByRole('button', { name: 'Measure again' }).click();
+	await measured(page, /vertices/);
+	assert.deepEqual(said.splice(0), []);
 });
 
-test('Compare: the counts are those of the engine\'s own test', async () => {
-	const { page, context, said } = await open(site, 'compare');
-	const table = async () => Object.fromEntries(await page.locator('tr[data-system]').evaluateAll((rows) => rows.map((row) => [
-		row.dataset.system, [...row.querySelectorAll('td')].slice(0, 3).map((cell) => Number(cell.textContent)),
-	])));
-	for (const frame of counts.frames) {
-		const { touching, ...systems } = frame;
-		assert.match(await page.textContent('.scattered .note'), new RegExp(`; ${touching} pairs`));
-		assert.deepEqual(await table(), systems);
-		await page.getByRole('button', { name: 'A frame on' }).click();
-	}
-	assert.deepEqual(said, []);
-	await context.close();
+test('Inspect: rays, nearest agents, distances and contacts by the pointer', async () => {
+	const { page, said } = await shared('inspect');
+	await page.getByLabel('Model', { exact: true }).selectOption('cube');
+	await measured(page, /^Cube: /);
+	await page.getByLabel('Questions', { exact: true }).check();
+	const answer = (name) => page.textContent(`.answers .${name} dd`);
+	const numbers = async (name) => (await answer(name)).match(/-?\d+\.\d+/g).map(Number);
+	const near = (found, expected, room) => expected.forEach((each, i) => assert.ok(Math.abs(found[i] - each) <= room, `${found} for ${expected}`));
+	await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
+	await page.getByLabel('Seen by').selectOption('tightest fits');
+	// a ball of radius 0.3 beside an edge of the cube
+	const angle = -Math.PI / 6;
+	near(await numbers('meeting'), [Math.hypot(1.2 * Math.cos(angle) - 0.5, 1.2 * Math.sin(angle) + 0.5) - 0.3], 0.0006);
+	const pixel = (x, y, z) => page.evaluate((at) => {
+		const { camera, canvas } = globalThis.playground.stage;
+		const point = camera.position.clone().set(...at).project(camera);
+		const box = canvas.getBoundingClientRect();
+		return [box.left + ((point.x + 1) / 2) * box.width, box.top + ((1 - point.y) / 2) * box.height];
+	}, [x, y, z]);
+	await page.mouse.move(...await pixel(0.1, 0.2, 1));
+	assert.match(await answer('ray'), /^meets Cube after/);
+	const [, ...place] = await numbers('ray');
+	near(place, [0.1, 0.2, 1, 0, 0, 1], 0.02);
+	const eye = await page.evaluate(() => globalThis.playground.stage.camera.position.toArray());
+	near(await numbers('ray'), [Math.hypot(eye[0] - 0.1, eye[1] - 0.2, eye[2] - 1)], 0.02);
+	const [x, y] = [1.2 * Math.cos(angle), 1.2 * Math.sin(angle)];
+	await page.mouse.move(...await pixel(x, y - 0.7, 0));
+	assert.match(await answer('ray'), /^meets nothing$/);
+	assert.match(await answer('nearest'), /^Sphere 1, /);
+	near(await numbers('nearest'), [0.7, x, y - 0.7, 0], 0.02);
+	await page.mouse.move(...await pixel(x, y, 0.3));
+	assert.match(await answer('ray'), /^meets Sphere 1/);
+	await page.mouse.click(...await pixel(x, y, 0.3));
+	await page.mouse.move(...await pixel(x, y - 0.7, 0));
+	assert.match(await answer('ray'), /^meets Sphere 1.*\(kept\)$/, 'a click keeps it');
+	await page.mouse.click(...await pixel(x, y - 0.7, 0));
+	await page.mouse.move(...await pixel(x, y, 0));
+	await page.mouse.down();
+	await page.mouse.move(...await pixel(0.45, 0.1, 0), { steps: 3 });
+	await page.mouse.up();
+	assert.match(await answer('meeting'), /^Sphere 1, Cube: They touch at/);
+	const { agents: [, ball], drawn } = await page.evaluate(() => {
+		const { stage, questions: { sight: { agents } } } = globalThis.playground;
+		return { agents: agents.map((agent) => ({ x: agent.x, y: agent.y })), drawn: stage.scene.children.filter(({ isLineSegments, geometry }) => isLineSegments && geometry.drawRange.count === 8).length };
+	});
+	near([ball.x, ball.y], [0.45, 0.1], 0.03);
+	assert.equal(drawn, 1, 'the contact: a cross and its normal');
+	// the box's face that is nearest is that of x = 0.5
+	near((await numbers('meeting')).slice(3), [0.5 - ball.x + 0.3, 1, 0, 0], 0.02);
+	await page.locator('.world').focus();
+	await page.keyboard.press('Enter');
+	assert.match(await answer('ray'), /\(kept\)$/, 'the keyboard asks');
+	await page.getByLabel('Structures', { exact: true }).check();
+	assert.deepEqual(await page.evaluate(() => globalThis.playground.stage.actors.children.filter(({ visible }) => visible).map(({ count }) => count)), [1, 1], 'the cube and its outline');
+	assert.deepEqual(said.splice(0), []);
 });
 
 test('Compare: two agents are moved by sliders and by dragging', async () => {
-	const { page, context, said } = await open(site, 'compare');
+	const { page, said } = await shared('compare');
 	const verdicts = () => page.locator('.verdict strong').allTextContents();
 	assert.deepEqual(await verdicts(), ['false collision', 'false collision', 'do not', 'do not', 'do not']);
 	const z = page.locator('details[open] .slider', { hasText: /^z/ }).locator('input');
@@ -203,7 +272,250 @@ test('Compare: two agents are moved by sliders and by dragging', async () => {
 	await page.mouse.move(at.x + 120, at.y + 10, { steps: 4 });
 	await page.mouse.up();
 	assert.notEqual(await x.inputValue(), before);
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Compare: the counts are those of the engine\'s own test', async () => {
+	const { page, said } = await shared('compare');
+	const table = async () => Object.fromEntries(await page.locator('tr[data-system]').evaluateAll((rows) => rows.map((row) => [
+		row.dataset.system, [...row.querySelectorAll('td')].slice(0, 3).map((cell) => Number(cell.textContent)),
+	])));
+	await page.getByLabel('Beside').selectOption('exact');
+	await page.getByRole('button', { name: 'From the start' }).click();
+	for (const frame of counts.frames) {
+		const { touching, ...systems } = frame;
+		assert.match(await page.textContent('.scattered .note'), new RegExp(`; ${touching} pairs`));
+		assert.deepEqual(await table(), systems);
+		await page.getByRole('button', { name: 'A frame on' }).click();
+	}
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Compare: each pair of systems, with a line for each pair of agents', async () => {
+	const { page, said } = await shared('compare');
+	const { systems, only } = await page.evaluate(() => {
+		// all at once, so that nothing is drawn meanwhile
+		const [list] = document.querySelectorAll('.scattered select');
+		const [names, differences] = [[...list.options].map(({ value }) => value), {}];
+		for (const reference of names) {
+			list.value = reference;
+			list.dispatchEvent(new Event('change'));
+			for (const row of document.querySelectorAll('tr[data-system]')) {
+				row.querySelector('input').click();
+				const [found, wrong, missed] = [...row.querySelectorAll('td')].map(({ textContent }) => Number.parseFloat(textContent));
+				const lines = globalThis.playground.gameStage.scene.children.filter(({ isLineSegments, renderOrder }) => isLineSegments && renderOrder === 1);
+				differences[`${row.dataset.system} ${reference}`] = { said: [found - wrong, wrong, missed], drawn: lines.map(({ geometry }) => geometry.drawRange.count / 2) };
+			}
+		}
+		return { systems: names, only: differences };
+	});
+	assert.equal(Object.keys(only).length, 5 * 4);
+	for (const [pair, { said: numbers, drawn }] of Object.entries(only)) {
+		assert.deepEqual(drawn, numbers, pair);
+		only[pair] = numbers.slice(1);
+	}
+	for (const [pair, [wrong, missed]] of Object.entries(only)) {
+		const [a, b] = systems.filter((name) => pair.startsWith(name)).concat(systems.filter((name) => pair.endsWith(` ${name}`)));
+		assert.deepEqual(only[`${b} ${a}`], [missed, wrong], pair);
+	}
+	assert.ok(Object.values(only).filter(([wrong, missed]) => wrong + missed > 0).length > 12, 'they are not alike');
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('a view that comes late is not written over the one chosen since', async () => {
+	const { page, context, said } = await open(site, 'inspect');
+	let release;
+	const held = new Promise((resolve) => {
+		release = resolve;
+	});
+	await page.route('**/models/*.dae', async (route) => {
+		await held;
+		await route.continue();
+	});
+	const asked = page.waitForRequest('**/models/person.dae');
+	await page.getByRole('link', { name: 'Compare' }).click();
+	await asked;
+	await page.getByRole('link', { name: 'Inspect' }).click();
+	await ready(page, 'inspect');
+	const came = page.waitForResponse('**/models/person.dae');
+	release();
+	await came;
+	await page.waitForTimeout(1500);
+	assert.equal(await page.locator('.facts').count(), 1, 'Inspect is there');
+	assert.equal(await page.locator('.pair').count(), 0, 'and Compare is not');
+	assert.equal(await page.evaluate(() => 'found' in globalThis.playground), true, 'the console has the view that is shown');
 	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('Inspect: a model that is missing is said to be, and works when it is there again', async () => {
+	const { page, said } = await shared('inspect');
+	await page.getByLabel('Model', { exact: true }).selectOption('bear');
+	await measured(page, /^Bear: /);
+	await page.route('**/models/dragon.dae', (route) => route.fulfill({ status: 404, body: 'no' }));
+	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
+	await page.waitForSelector('.status.problem', { timeout: 5000 });
+	assert.match(await status(page), /^Dragon cannot be shown\. .*dragon\.dae.*404/);
+	assert.equal(await page.getByLabel('Model', { exact: true }).inputValue(), 'bear', 'what is shown is chosen');
+	assert.equal(await page.locator('[aria-busy]').count(), 0);
+	await page.unroute('**/models/dragon.dae');
+	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
+	await measured(page, /^Dragon: /);
+	assert.equal(await page.locator('tbody tr').count(), 11);
+	assert.equal(said.splice(0).length, 1, 'the browser says on the console that it was missing');
+});
+
+test('Inspect: files by their content, with their names, standing up, points as points, times of warm runs', async () => {
+	const { page, said } = await shared('inspect');
+	const model = page.getByLabel('Model', { exact: true });
+	const height = () => page.evaluate(() => Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 2)));
+	// a post of 1 by 4 by 1, y up
+	const post = [...Array(8).keys()].map((i) => `v ${i & 1} ${i & 2 ? 4 : 0} ${i & 4 ? 1 : 0}`).join('\n');
+	const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((each) => `f ${each}`).join('\n');
+	await drop(page, 'post.txt', Buffer.from(`${post}\n${faces}\n`));
+	await measured(page, /^post\.txt: 8 vertices, 12 triangles/);
+	assert.equal(await model.evaluate((list) => list.selectedOptions[0].textContent), 'post.txt');
+	assert.equal(await height(), 0.25, 'it lies');
+	await page.getByLabel('Up', { exact: true }).selectOption('y');
+	await page.waitForFunction(() => Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 2)) === 4);
+	await measured(page, /^post\.txt: 8/);
+	assert.ok(await page.evaluate(() => globalThis.playground.found.rows.every(({ runs }) => runs >= 3)), 'times of several runs');
+	await drop(page, 'cloud.obj', Buffer.from(`${post}\n`));
+	await measured(page, /^cloud\.obj: 8 vertices, 0 triangles/);
+	assert.equal(await page.getByLabel('Up', { exact: true }).inputValue(), 'z', 'the next one stands as it is');
+	const drawn = await page.evaluate(() => {
+		const { scene, actors } = globalThis.playground.stage;
+		return [scene.children.filter(({ isPoints }) => isPoints).length, actors.children.filter(({ visible }) => visible).length];
+	});
+	assert.deepEqual(drawn, [1, 0], 'points, and no mesh');
+	await model.selectOption({ label: 'post.txt' });
+	await measured(page, /^post\.txt: 8 vertices, 12/);
+	// two files of other kinds, under names that say nothing
+	const stl = Buffer.alloc(84 + 50);
+	stl.writeUInt32LE(1, 80);
+	[0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0].forEach((value, i) => stl.writeFloatLE(value, 84 + 4 * i));
+	await drop(page, 'part', stl);
+	await measured(page, /^part: 3 vertices, 1 triangles/);
+	const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 3, 0]).buffer).toString('base64');
+	await drop(page, 'scene', Buffer.from(JSON.stringify({
+		asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 3, 0] }],
+		bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${corners}` }],
+	})));
+	await measured(page, /^scene: 3 vertices, 1 triangles/);
+	assert.equal(await height(), 3, 'glTF is y up');
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Inspect: no column of its table is cut off', async () => {
+	const { page } = await shared('inspect');
+	for (const [name, text] of [['cube', 'Cube'], ['sphere', 'Sphere'], ['tree', 'Tree']]) {
+		await page.getByLabel('Model', { exact: true }).selectOption(name);
+		await measured(page, new RegExp(`^${text}: `));
+		for (const width of [390, 961, 1366]) {
+			await page.setViewportSize({ width, height: 768 });
+			assert.equal((await page.evaluate(overflow)).tables, 0, `${name}, ${width}`);
+		}
+	}
+	await page.setViewportSize({ width: 1366, height: 768 });
+});
+
+test('Compare: the verdicts are in sight while every slider moves', async () => {
+	const { page, said } = await shared('compare');
+	let moved = 0;
+	for (const agent of ['Agent A', 'Agent B']) {
+		await page.getByText(agent).click();
+		for (const slider of await page.locator('.pair input[type=range]:visible').all()) {
+			await slider.focus();
+			await page.keyboard.press('ArrowRight');
+			moved++;
+			const hidden = await page.evaluate(() => [...document.querySelectorAll('.verdict strong')].filter((each) => {
+				const box = each.getBoundingClientRect();
+				const at = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+				return !each.closest('.verdict').contains(at);
+			}).length);
+			assert.equal(hidden, 0, `${agent}, slider ${moved}`);
+		}
+	}
+	assert.ok(moved >= 14, `${moved} sliders`);
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Compare: of the exact system the triangles are drawn', async () => {
+	const { page } = await shared('compare');
+	await page.locator('.verdict', { hasText: 'Exact' }).click();
+	const { drawn, edges } = await page.evaluate(() => {
+		const { agents, models, stage } = globalThis.playground;
+		const lines = stage.scene.children.find(({ isLineSegments, geometry }) => isLineSegments && geometry.drawRange.count < Infinity);
+		const all = agents.map(({ shape }) => {
+			const { triangles } = models.get(shape);
+			const found = new Set();
+			for (let i = 0; i < triangles.length; i++) {
+				const [a, b] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]];
+				found.add(a < b ? `${a} ${b}` : `${b} ${a}`);
+			}
+			return found.size;
+		});
+		return { drawn: lines.geometry.drawRange.count / 2, edges: all[0] + all[1] };
+	});
+	assert.equal(drawn, edges);
+});
+
+test('a near miss that stands still is coloured as the chosen system sees it, and tests are counted', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await page.getByLabel('Program', { exact: true }).selectOption('wing');
+	await page.getByRole('button', { name: 'Step', exact: true }).click();
+	const seen = () => page.evaluate(() => {
+		const { world, panel: { figures } } = globalThis.playground;
+		return { isRed: world.agents.find(({ breed }) => breed === 'turtles').color === 0xe5484d, tests: Number(figures.tests.textContent) };
+	});
+	for (const [system, isRed] of [['hierarchies', false], ['tightest fits', true], ['exact', false], ['unit spheres', true]]) {
+		await page.getByLabel('Collision system').selectOption(system);
+		assert.deepEqual(await seen(), { isRed, tests: 1 }, system);
+	}
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
+	const { page, context } = await open(site, 'compare');
+	await drop(page, 'bear.obj', Buffer.from('v 1 2 3'));
+	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened: models are looked at in Inspect/);
+	await page.getByRole('link', { name: 'Inspect' }).click();
+	await ready(page, 'inspect');
+	assert.equal(await page.textContent('header [role=status]'), '');
+	await page.evaluate(() => {
+		globalThis.loss = globalThis.playground.stage.renderer.getContext().getExtension('WEBGL_lose_context');
+		globalThis.loss.loseContext();
+	});
+	await page.waitForSelector('.world .lost[role=alert]');
+	assert.match(await page.textContent('.lost'), /has stopped drawing 3D/);
+	assert.equal(await page.locator('tbody tr').count(), 11);
+	await page.evaluate(() => globalThis.loss.restoreContext());
+	await page.waitForSelector('.lost', { state: 'detached' });
+	const colours = await page.evaluate(() => {
+		const { stage } = globalThis.playground;
+		stage.draw();
+		const gl = stage.renderer.getContext();
+		const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+		gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+		return new Set(new Uint32Array(pixels.buffer)).size;
+	});
+	assert.ok(colours > 20, `${colours} colours are drawn again`);
+	await context.close();
+});
+
+test('forced colours leave what is chosen, wrong and meant to be seen', async () => {
+	const { page, context } = await open(site, 'compare', { ...SIZES.desktop, forcedColors: 'active' });
+	const style = (selector, pseudo) => page.evaluate(([which, part]) => {
+		const { outlineStyle, borderStyle, backgroundColor, borderTopColor } = getComputedStyle(document.querySelector(which), part);
+		return { outlineStyle, borderStyle, backgroundColor, borderTopColor };
+	}, [selector, pseudo]);
+	assert.notEqual((await style('.bar a[aria-current]')).outlineStyle, 'none', 'the view that is shown');
+	assert.equal((await style('.bar a:not([aria-current])')).outlineStyle, 'none');
+	assert.notEqual((await style('.verdict.wrong')).borderStyle, (await style('.verdict:not(.wrong)')).borderStyle, 'a verdict that is wrong');
+	const dots = await Promise.all(['right', 'wrong', 'missed', 'none'].map(async (name) => (await style(`.legend .${name}`, '::before')).backgroundColor));
+	assert.equal(new Set(dots).size, 4, 'the legend has the colours of the picture');
 	await context.close();
 });
 

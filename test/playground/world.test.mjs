@@ -1,10 +1,15 @@
 /** The worlds that programs of the playground move, without a page. */
 import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
+import { models } from '../../assets/generator/models/index.mjs';
+import { palette } from '../../assets/generator/palette.mjs';
+import { flatten } from '../../assets/generator/scene.mjs';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'playground/package.json'))('esbuild');
@@ -16,7 +21,7 @@ let greatLand;
 before(async () => {
 	const out = path.join(root, 'bin/generated/playground-world.mjs');
 	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'texts.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	buildSync({
 		stdin: { contents: [...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
 		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', alias: { 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
@@ -181,8 +186,26 @@ test('nested endless loops name the inner one', () => {
 	assert.throws(() => played(program(start(outer)), 0), { block: 'inner' });
 });
 
+/** A bear that keys move, and that goes back where it touches a wall. */
+const walker = (...walls) => program(
+	start(create(1, 'bears', 'bear'), ...walls),
+	...[['up', forward(0.12)], ['down', forward(-0.08)], ...['left', 'right'].map((DIRECTION) => [DIRECTION, { type: 'starlogo_turn', fields: { DIRECTION }, inputs: { DEGREES: number(3) } }])]
+		.map(([KEY, block]) => ({ type: 'starlogo_key', fields: { KEY, MODE: 'held', BREED: 'bears' }, inputs: inside(block) })),
+	{ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_back' }) },
+);
+const sized = (size) => ({ type: 'starlogo_size', inputs: { SIZE: number(size) } });
+const go = (x, y, z) => ({ type: 'starlogo_go', inputs: { X: number(x), Y: number(y), Z: number(z) } });
+const hold = (world, key, frames) => {
+	world.releaseAll();
+	world.press(key);
+	for (let i = 0; i < frames; i++) {
+		world.step();
+	}
+	world.releaseAll();
+};
+
 test('who goes back from a wall never gets stuck in it', () => {
-	const world = played(parts.EXAMPLES.paintball, 0);
+	const world = played(walker(create(5, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))), 0);
 	const bear = world.agents.find(({ breed }) => breed === 'bears');
 	const keys = ['up', 'left', 'up', 'down', 'right'];
 	let touched = 0;
@@ -196,4 +219,237 @@ test('who goes back from a wall never gets stuck in it', () => {
 	}
 	assert.ok(touched > 20, `walls were met in ${touched} frames`);
 	assert.ok(touched < 3000, `stuck for ${touched} frames`);
+});
+
+test('after a change of the collision system at a wall, the bear turns, backs off, and goes no deeper', () => {
+	const world = played(walker(create(1, 'walls', 'wall', sized(9), go(2.5, 1.5, 0))), 0, 'exact');
+	const [bear] = world.agents;
+	bear.size = 2;
+	bear.heading = 40;
+	hold(world, 'up', 60);
+	const at = bear.x;
+	assert.ok(at > 0.3 && at < 2.4, `the bear is at the wall: ${at}`);
+	world.useSystem('tightest fits');
+	world.step();
+	assert.ok(world.collisions.collision.statistics.collisions > 0, 'as boxes they overlap');
+	hold(world, 'up', 30);
+	assert.ok(bear.x <= at + 1e-9, 'it goes no deeper');
+	const { heading } = bear;
+	hold(world, 'left', 10);
+	assert.notEqual(bear.heading, heading);
+	hold(world, 'down', 40);
+	assert.ok(bear.x < at - 0.5, `it is free: ${bear.x}`);
+	assert.equal(world.collisions.collision.statistics.collisions, 0);
+});
+
+test('however far an agent goes, it stays on the ground', () => {
+	for (const steps of [100, -1000, 24 * 7 + 1]) {
+		const [{ x, y }] = played(program(start(create(1, 'bears', 'bear', forward(steps)))), 0).agents;
+		assert.ok(Math.abs(x) <= parts.HALF_WIDTH && y === 0, `${steps}: ${x}`);
+		assert.ok(Math.abs((((x - steps) % 24) + 24) % 24) < 1e-9 || Math.abs((((x - steps) % 24) + 24) % 24 - 24) < 1e-9, `${steps}: ${x}`);
+	}
+});
+
+test('all that touch are counted and listed, whoever has scripts', () => {
+	const walk = program(start(create(1, 'turtles', 'turtle', go(-2, 0, 0)), create(1, 'walls', 'wall', sized(3))), each('turtles', forward(0.1)));
+	const world = played(walk, 0);
+	let touching = 0;
+	for (let i = 0; i < 60; i++) {
+		world.step();
+		touching += world.collisions.collision.statistics.collisions;
+	}
+	assert.ok(touching > 5, `${touching}`);
+	assert.deepEqual([...world.totals], [['turtles\nwalls', 1]]);
+	assert.equal(world.events.length, 1);
+	const [{ frame, point, a, b }] = world.events;
+	assert.ok(frame > 5 && frame < 30 && Math.abs(point.x) < 0.5, `${frame} ${point.x}`);
+	assert.deepEqual([a.breed, b.breed].sort(), ['turtles', 'walls']);
+});
+
+const wait = (seconds) => ({ type: 'starlogo_wait', inputs: { SECONDS: number(seconds) } });
+
+test('scripts wait, in loops and for the agents that they make, and do not begin anew meanwhile', () => {
+	const world = played(program(
+		start(create(2, 'bears', 'bear', wait(0.5), sized(2)), create(1, 'walls', 'wall')),
+		each('walls', { type: 'controls_repeat_ext', inputs: { TIMES: number(3), ...inside(forward(1), wait(1)) } }),
+	), 0);
+	const seen = [];
+	for (let i = 0; i < 200; i++) {
+		world.step();
+		seen.push([...world.agents.filter(({ breed }) => breed === 'bears').map(({ size }) => size), world.agents.filter(({ breed }) => breed === 'walls').map(({ x }) => x)].join(' '));
+	}
+	// the second bear is made when the script of the first one goes on, the wall after that
+	assert.deepEqual([5, 40, 70, 125].map((i) => seen[i]), ['1 ', '2 1 ', '2 2 1', '2 2 2']);
+	assert.equal(world.agents.length, 3);
+	assert.deepEqual(world.agents.filter(({ breed }) => breed === 'bears').map(({ size }) => size), [2, 2]);
+	const wall = world.agents.find(({ breed }) => breed === 'walls');
+	assert.equal(wall.x, 3);
+});
+
+test('set back by frames, the game goes on as it did', () => {
+	const game = program(
+		start(create(20, 'turtles', 'turtle', { type: 'starlogo_scatter' }), create(8, 'walls', 'wall', { type: 'starlogo_scatter' }, sized(4))),
+		each('turtles', forward(0.1), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: value('math_random_int', {}, { FROM: number(-9), TO: number(9) }) } }),
+		{ type: 'starlogo_touch_start', fields: { BREED: 'turtles', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(1) } }, wait(0.3), sized(0.8), { type: 'starlogo_bounce' }) },
+		{ type: 'starlogo_touch_start', fields: { BREED: 'turtles', OTHER: 'turtles' }, inputs: inside({ type: 'starlogo_delete', fields: { WHO: 'me' } }) },
+	);
+	const places = (world) => JSON.stringify([world.score, world.frame, [...world.totals], world.agents.map(({ x, y, heading, size, breed }) => [x, y, heading, size, breed])]);
+	const world = played(game, 300);
+	const end = places(world);
+	assert.ok(world.score > 3 && world.agents.length < 28, `${world.score} met, ${world.agents.length} left`);
+	world.history.show(200);
+	assert.equal(world.frame, 100);
+	assert.notEqual(places(world), end);
+	world.history.show(10);
+	world.history.show(150);
+	for (let i = 0; i < 150; i++) {
+		world.step();
+	}
+	assert.equal(places(world), end);
+});
+
+test('what agents know of others, and how they move by it', () => {
+	const nearest = (BREED) => value('starlogo_nearest', { BREED }, { DISTANCE: number(50) });
+	const set = (name, block) => ({ type: 'variables_set', fields: { VAR: { id: name } }, inputs: { VALUE: block } });
+	const world = played(program(
+		start(create(1, 'bears', 'bear', sized(0.5)), create(1, 'walls', 'wall', sized(2), go(3, 0, 0)), create(2, 'turtles', 'turtle', go(6, 0, 0)), create(1, 'turtles', 'turtle', go(0, 5, 0))),
+		each('bears', set('count', value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5.5) })), set('far', value('starlogo_distance', {}, { AGENT: nearest('walls') })),
+			set('seen', value('starlogo_can_see', {}, { AGENT: nearest('turtles') })), set('touching', value('starlogo_touching', { BREED: 'walls' })),
+			set('unpainted', value('starlogo_number_of', { BREED: 'turtles' }, { COLOUR: value('starlogo_pick', { COLOUR: 'own' }) })),
+			{ type: 'starlogo_until', fields: { HOW: 'moveUntilTouch', BREED: 'walls' }, inputs: { STEPS: number(1) } }),
+		{ type: 'starlogo_key', fields: { KEY: 'w', MODE: 'pressed', BREED: 'bears' }, inputs: inside({ type: 'starlogo_face', inputs: { AGENT: nearest('turtles') } },
+			{ type: 'starlogo_ask', inputs: { AGENT: nearest('turtles'), ...inside({ type: 'starlogo_become', fields: { WHO: 'me', BREED: 'friends' } }, { type: 'starlogo_say', inputs: { TEXT: { shadow: { type: 'text', fields: { TEXT: 'Hi' } } } } }) } }) },
+	), 1);
+	const { count, far, seen, touching, unpainted } = world.variables;
+	assert.deepEqual([count, seen, touching, unpainted], [1, true, false, 3]);
+	assert.ok(far > 2 && far < 3, `${far}`);
+	for (let i = 0; i < 6; i++) {
+		world.step();
+	}
+	const [bear] = world.agents;
+	assert.ok(bear.x > 2 && bear.x < 2.9, `it stands at the wall: ${bear.x}`);
+	assert.equal(world.variables.touching, true);
+	world.press('w');
+	world.step();
+	assert.deepEqual(world.agents.filter(({ breed }) => breed === 'friends').map(({ said }) => said.text), ['Hi']);
+	assert.ok(Math.abs(bear.heading) < 1, `${bear.heading}`);
+});
+
+test('the paintball game is won by painting all turtles', () => {
+	const world = played(parts.EXAMPLES.paintball, 5);
+	assert.equal(world.score, 0);
+	assert.match(world.goal, /turtles/);
+	const turtles = world.agents.filter(({ breed }) => breed === 'turtles');
+	turtles.slice(1).forEach((turtle) => {
+		turtle.color = 0xff0000;
+	});
+	world.step();
+	assert.deepEqual([world.score, world.ended], [turtles.length - 1, null]);
+	turtles[0].color = 0xff0000;
+	world.step();
+	assert.deepEqual([world.score, world.ended.how], [turtles.length, 'won']);
+});
+
+test('links are a third of what they were, and bring the same program', async () => {
+	// the paintball game's link of the release before, with Blockly's names and places
+	let n = 0;
+	const named = JSON.parse(JSON.stringify(parts.EXAMPLES.paintball), (key, each) => (each !== null && typeof each === 'object' && 'type' in each
+		? { ...each, id: createHash('sha1').update(String(n++)).digest('base64').slice(0, 20), ...(['starlogo_start', 'starlogo_each'].includes(each.type) && { x: n * 10.5, y: n * 101.5 }) } : each));
+	const before = deflateRawSync(JSON.stringify(named)).toString('base64url').length;
+	const link = await parts.toLink(named);
+	console.log(`a link of ${link.length} characters, before ${before}`);
+	assert.ok(link.length * 3 <= before, `${link.length} of ${before}`);
+	assert.deepEqual((await parts.fromLink(link)).blocks.blocks, parts.EXAMPLES.paintball.blocks.blocks);
+	assert.deepEqual(await parts.fromLink(deflateRawSync(JSON.stringify(named)).toString('base64url')), named, 'links of before');
+});
+
+/** A program with something changed in it. */
+const changed = (state, change) => {
+	const copy = structuredClone(state);
+	change(copy.blocks.blocks);
+	return copy;
+};
+const script = (type, BREED, ...blocks) => ({ type, fields: { BREED }, inputs: inside(...blocks) });
+const nearestTurtle = value('starlogo_nearest', { BREED: 'turtles' }, { DISTANCE: number(50) });
+const say = (what) => ({ type: 'starlogo_say', inputs: { TEXT: what } });
+/** Puts blocks behind the last one of a script. */
+function append(scripts, type, ...blocks) {
+	let last = scripts.find((each) => each.type === type).inputs.DO.block;
+	while (last.next) {
+		last = last.next.block;
+	}
+	last.next = { block: chain(...blocks) };
+}
+
+/** What does each lesson: a change of its program, and the system that is chosen. */
+const SOLUTIONS = {
+	blocks: [(scripts) => append(scripts, 'starlogo_each', forward(0.05))],
+	helmet: [null, 'tightest fits'],
+	wing: [null, 'hierarchies'],
+	main: [(scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_hierarchical', fields: { WHO: 'turtles', ON: 'on' } })],
+	fast: [(scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_sweep', fields: { WHO: 'paintballs', ON: 'on' } })],
+	starts: [(scripts) => {
+		scripts.find(({ type }) => type === 'starlogo_collision').type = 'starlogo_touch_start';
+	}],
+	room: [(scripts) => scripts.push({ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_bounce' }) })],
+	near: [(scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) }))))],
+	see: [(scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: nearestTurtle }))))],
+	hunt: [(scripts) => {
+		scripts.find(({ type, fields }) => type === 'starlogo_each' && fields.BREED === 'bears').inputs = inside({ type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.15));
+	}],
+};
+
+test('each lesson is done by what it teaches, and not before', () => {
+	assert.deepEqual(Object.keys(SOLUTIONS), parts.LESSON_NAMES);
+	assert.equal(parts.LESSON_NAMES.length, 10);
+	for (const [name, [change, system]] of Object.entries(SOLUTIONS)) {
+		const { program: given, isDone } = parts.LESSONS[name];
+		for (const [state, chosen, done] of [[given, null, false], [change ? changed(given, change) : given, system, true]]) {
+			const world = played(state, 0);
+			if (chosen) {
+				world.useSystem(chosen);
+			}
+			const memory = {};
+			let frame = 0;
+			do {
+				world.step();
+				frame++;
+			} while (!isDone(world, memory) && frame < 1900);
+			assert.equal(frame < 1900, done, `${name}: ${done ? 'not done' : 'done without doing'} (${frame} frames)`);
+			assert.ok(parts.texts.lessons.list[name].challenge.length > 10);
+		}
+	}
+});
+
+test('models are drawn in the colours that their parts have', () => {
+	const colours = JSON.parse(readFileSync(path.join(root, 'bin/playground/models/colours.json'), 'utf8'));
+	const area = (a, b, c) => {
+		const [[ux, uy, uz], [vx, vy, vz]] = [b, c].map((corner) => corner.map((each, i) => each - a[i]));
+		return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+	};
+	for (const { name, format, build } of models) {
+		const reader = format === 'COLLADA' ? parts.ColladaModel : parts.ObjModel;
+		const { vertices, triangles } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(root, 'assets', `${name}.${format === 'COLLADA' ? 'dae' : 'obj'}`))));
+		const corner = (i) => [0, 1, 2].map((axis) => vertices[3 * triangles[i] + axis]);
+		const [drawn, wanted] = [{}, {}];
+		let at = 0;
+		for (const [count, colour] of colours[name]) {
+			for (let end = at + count; at < end; at++) {
+				drawn[colour] = (drawn[colour] ?? 0) + area(corner(3 * at), corner(3 * at + 1), corner(3 * at + 2));
+			}
+		}
+		assert.equal(3 * at, triangles.length, name);
+		for (const { colour, mesh: { points, faces } } of flatten(build())) {
+			for (const face of faces) {
+				for (let i = 2; i < face.length; i++) {
+					wanted[palette[colour]] = (wanted[palette[colour]] ?? 0) + area(points[face[0]], points[face[i - 1]], points[face[i]]);
+				}
+			}
+		}
+		const all = (areas) => Object.values(areas).reduce((sum, each) => sum + each);
+		for (const colour of Object.keys(wanted)) {
+			const [part, is] = [wanted[colour] / all(wanted), drawn[colour] / all(drawn)];
+			assert.ok(Math.abs(part - is) < 0.002 + 0.01 * part, `${name} ${colour}: ${is} of it, not ${part}`);
+		}
+	}
 });

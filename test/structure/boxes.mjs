@@ -51,7 +51,6 @@ export const ALLOWED = {
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.applyFilter': { count: 1, why: 'what a finally throws again' },
 	'starlogo.queries.Answers.keepAccepted': { count: 1, why: 'what a finally throws again' },
-	'starlogo.queries.RayQuestions.keepAccepted': { count: 1, why: 'what a finally throws again' },
 	'starlogo.handlers.HandlerCalls.callThrough': { count: 2, why: 'what a handler threw' },
 };
 

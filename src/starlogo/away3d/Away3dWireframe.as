@@ -72,11 +72,7 @@ package starlogo.away3d
             _binding.updateObject();
         }
 
-        /**
-         * A box: the sphere that a SegmentSet has leaves corners out, and is not drawn when they alone are in view.
-         *
-         * @private
-         */
+        /** @private A box: the sphere that a SegmentSet has leaves corners out, and is not drawn when they alone are in view. */
         override protected function getDefaultBoundingVolume():BoundingVolumeBase
         {
             return new AxisAlignedBoundingBox();

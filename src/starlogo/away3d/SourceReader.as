@@ -8,10 +8,9 @@ package starlogo.away3d
     import starlogo.geometry.PointTable;
     import starlogo.models.ModelError;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /** Reads what Away3dModel takes, in steps of about a millisecond. */
-    internal final class SourceReader implements Steps
+    internal final class SourceReader extends StepSequence
     {
         private static const INDICES_PER_STEP:int = 900;
 
@@ -19,7 +18,6 @@ package starlogo.away3d
         private var _source:Object;
         private var _parts:Vector.<GeometryPart> = new Vector.<GeometryPart>();
         private var _hasTriangles:Boolean = false;
-        private var _work:StepSequence = new StepSequence().call(collect).repeat(readSome);
         private var _points:PointTable;
         private var _triangles:Vector.<uint> = new Vector.<uint>();
 
@@ -39,6 +37,7 @@ package starlogo.away3d
         {
             _name = name;
             _source = source;
+            call(collect).repeat(readSome);
         }
 
         /** How much is read, from 0 to 1. */
@@ -61,15 +60,9 @@ package starlogo.away3d
             return _triangles;
         }
 
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
-        }
-
         private function collect():void
         {
-            add(_source);
+            addSource(_source);
             var most:int = 0;
             for each (var part:GeometryPart in _parts)
             {
@@ -79,7 +72,7 @@ package starlogo.away3d
             _points = new PointTable(most);
         }
 
-        private function add(source:Object):void
+        private function addSource(source:Object):void
         {
             if (source is ObjectContainer3D)
             {
@@ -97,7 +90,7 @@ package starlogo.away3d
             {
                 for each (var each:Object in source)
                 {
-                    add(each);
+                    addSource(each);
                 }
             }
             else

@@ -321,13 +321,14 @@ package starlogo.bounding
          */
         protected static function rounding(size:Number, at:Vector3D):Number
         {
-            var x:Number = at.x;
-            var y:Number = at.y;
-            var z:Number = at.z;
-            x = x < 0 ? -x : x;
-            y = y < 0 ? -y : y;
-            z = z < 0 ? -z : z;
-            return Tolerances.ROUNDING * (size + x + y + z);
+            return Tolerances.ROUNDING * (size + Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+        }
+
+        /** Writes one of the extents: that between two coordinates, in either order, wider by a length on both sides. */
+        protected static function writeExtent(from:Number, to:Number, reach:Number, out:Vector.<Number>, offset:int):void
+        {
+            out[offset] = Math.min(from, to) - reach;
+            out[int(offset + 1)] = Math.max(from, to) + reach;
         }
 
         private static function isNear(value:Number, expected:Number):Boolean

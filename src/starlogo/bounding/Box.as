@@ -14,8 +14,6 @@ package starlogo.bounding
      *
      * <p>The axes are unit vectors at right angles, of either handedness. The tests rely on it: code that changes an axis directly has to keep it
      * so.</p>
-     *
-     * <p>This file is long because a box has three axes to check, turn and place.</p>
      */
     public final class Box extends BoundingStructure
     {
@@ -185,44 +183,10 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var x:Number = center.x;
-            var y:Number = center.y;
-            var z:Number = center.z;
-            var sizeX:Number = halfX;
-            var sizeY:Number = halfY;
-            var sizeZ:Number = halfZ;
-            // each ternary goes into a local of its own: inside an expression the compiler boxes it
-            var distanceX:Number = x < 0 ? -x : x;
-            var distanceY:Number = y < 0 ? -y : y;
-            var distanceZ:Number = z < 0 ? -z : z;
-            var margin:Number = Tolerances.ROUNDING * (sizeX + sizeY + sizeZ + distanceX + distanceY + distanceZ);
-            var along:Number = axisX.x;
-            var reachX:Number = along < 0 ? -along : along;
-            along = axisY.x;
-            var reachY:Number = along < 0 ? -along : along;
-            along = axisZ.x;
-            var reachZ:Number = along < 0 ? -along : along;
-            var reach:Number = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
-            out[offset] = x - reach;
-            out[int(offset + 1)] = x + reach;
-            along = axisX.y;
-            reachX = along < 0 ? -along : along;
-            along = axisY.y;
-            reachY = along < 0 ? -along : along;
-            along = axisZ.y;
-            reachZ = along < 0 ? -along : along;
-            reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
-            out[int(offset + 2)] = y - reach;
-            out[int(offset + 3)] = y + reach;
-            along = axisX.z;
-            reachX = along < 0 ? -along : along;
-            along = axisY.z;
-            reachY = along < 0 ? -along : along;
-            along = axisZ.z;
-            reachZ = along < 0 ? -along : along;
-            reach = margin + sizeX * reachX + sizeY * reachY + sizeZ * reachZ;
-            out[int(offset + 4)] = z - reach;
-            out[int(offset + 5)] = z + reach;
+            var margin:Number = rounding(halfX + halfY + halfZ, center);
+            writeExtentOf(center.x, axisX.x, axisY.x, axisZ.x, margin, out, offset);
+            writeExtentOf(center.y, axisX.y, axisY.y, axisZ.y, margin, out, offset + 2);
+            writeExtentOf(center.z, axisX.z, axisY.z, axisZ.z, margin, out, offset + 4);
         }
 
         /**
@@ -309,13 +273,21 @@ package starlogo.bounding
             out[5] = reachZ + margin;
         }
 
+        // Along an axis of the space, in which the box's own axes have these components.
+        private function writeExtentOf(middle:Number, alongX:Number, alongY:Number, alongZ:Number, margin:Number, out:Vector.<Number>,
+                offset:int):void
+        {
+            var reach:Number = margin + halfX * Math.abs(alongX) + halfY * Math.abs(alongY) + halfZ * Math.abs(alongZ);
+            writeExtent(middle, middle, reach, out, offset);
+        }
+
         private static function isWithin(axis:Vector3D, x:Number, y:Number, z:Number, half:Number):Boolean
         {
             var along:Number = axis.x * x + axis.y * y + axis.z * z;
             return along <= half && along >= -half;
         }
 
-        /** Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt). */
+        // Makes the axes, which are almost so, unit vectors at right angles (Gram and Schmidt).
         private function straighten():void
         {
             normalise(axisX);

@@ -62,44 +62,11 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var startX:Number = start.x;
-            var startY:Number = start.y;
-            var startZ:Number = start.z;
-            var endX:Number = end.x;
-            var endY:Number = end.y;
-            var endZ:Number = end.z;
-            var minX:Number = startX;
-            var maxX:Number = endX;
-            if (startX > endX)
-            {
-                minX = endX;
-                maxX = startX;
-            }
-            var minY:Number = startY;
-            var maxY:Number = endY;
-            if (startY > endY)
-            {
-                minY = endY;
-                maxY = startY;
-            }
-            var minZ:Number = startZ;
-            var maxZ:Number = endZ;
-            if (startZ > endZ)
-            {
-                minZ = endZ;
-                maxZ = startZ;
-            }
-            // the farthest coordinates from 0, added up
-            var distanceX:Number = -minX > maxX ? -minX : maxX;
-            var distanceY:Number = -minY > maxY ? -minY : maxY;
-            var distanceZ:Number = -minZ > maxZ ? -minZ : maxZ;
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + distanceX + distanceY + distanceZ);
-            out[offset] = minX - reach;
-            out[int(offset + 1)] = maxX + reach;
-            out[int(offset + 2)] = minY - reach;
-            out[int(offset + 3)] = maxY + reach;
-            out[int(offset + 4)] = minZ - reach;
-            out[int(offset + 5)] = maxZ + reach;
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + Math.max(Math.abs(start.x), Math.abs(end.x))
+                    + Math.max(Math.abs(start.y), Math.abs(end.y)) + Math.max(Math.abs(start.z), Math.abs(end.z)));
+            writeExtent(start.x, end.x, reach, out, offset);
+            writeExtent(start.y, end.y, reach, out, offset + 2);
+            writeExtent(start.z, end.z, reach, out, offset + 4);
         }
 
         /**

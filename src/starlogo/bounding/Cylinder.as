@@ -78,13 +78,5 @@ package starlogo.bounding
             writeExtent(start.y, end.y, rim * Math.sqrt(axisX * axisX + axisZ * axisZ) + margin, out, offset + 2);
             writeExtent(start.z, end.z, rim * Math.sqrt(axisX * axisX + axisY * axisY) + margin, out, offset + 4);
         }
-
-        private static function writeExtent(from:Number, to:Number, reach:Number, out:Vector.<Number>, offset:int):void
-        {
-            var low:Number = from < to ? from : to;
-            var high:Number = from < to ? to : from;
-            out[offset] = low - reach;
-            out[int(offset + 1)] = high + reach;
-        }
     }
 }

@@ -4,7 +4,6 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -111,19 +110,10 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var x:Number = center.x;
-            var y:Number = center.y;
-            var z:Number = center.z;
-            var distanceX:Number = x < 0 ? -x : x;
-            var distanceY:Number = y < 0 ? -y : y;
-            var distanceZ:Number = z < 0 ? -z : z;
-            var reach:Number = radius + Tolerances.ROUNDING * (radius + distanceX + distanceY + distanceZ);
-            out[offset] = x - reach;
-            out[int(offset + 1)] = x + reach;
-            out[int(offset + 2)] = y - reach;
-            out[int(offset + 3)] = y + reach;
-            out[int(offset + 4)] = z - reach;
-            out[int(offset + 5)] = z + reach;
+            var reach:Number = radius + rounding(radius, center);
+            writeExtent(center.x, center.x, reach, out, offset);
+            writeExtent(center.y, center.y, reach, out, offset + 2);
+            writeExtent(center.z, center.z, reach, out, offset + 4);
         }
 
         /**

@@ -3,6 +3,9 @@ package starlogo.broadphase
     /**
      * The bins of the ground plane: finds the pairs of rows of a table whose circles on the ground overlap (thesis §3.7).
      *
+     * <p>The rows that a search is about are its members. A member has a number, its index in the list of rows, and a slot, its index in the
+     * order of the cells.</p>
+     *
      * <p>A member is in one cell, that of its middle, and cells are as wide as their members: so two that overlap are in one cell or
      * in two side by side. The members are put into the order of their cells by counting, with copies of what the search reads: what
      * is near on the ground is near in memory. Of each cell, the members meet those after them in it and in its right neighbour,
@@ -32,13 +35,13 @@ package starlogo.broadphase
         // A point at the origin would ask for no width at all.
         private static const MIN_WIDTH:Number = 1e-300;
 
-        /** By place: the number of the member, which is its index in the list of rows that was searched. */
+        /** By slot: the number of the member, which is its index in the list of rows that was searched. */
         public var memberAt:Vector.<int> = new Vector.<int>();
 
-        /** By place: the member's row. */
+        /** By slot: the member's row. */
         public var rowAt:Vector.<int> = new Vector.<int>();
 
-        /** By place: the middle of its extents. */
+        /** By slot: the middle of its extents. */
         public var x:Vector.<Number> = new Vector.<Number>();
 
         /** @copy #x */
@@ -47,7 +50,7 @@ package starlogo.broadphase
         /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        /** By place: the radius of its circle. */
+        /** By slot: the radius of its circle. */
         public var radius:Vector.<Number> = new Vector.<Number>();
 
         /** By how much pairs that are handed over may miss each other, at the time of the call: more than rounding comes to. */
@@ -69,11 +72,11 @@ package starlogo.broadphase
         // By member: the number of its cell's counter.
         private var _cells:Vector.<int> = new Vector.<int>();
 
-        // By counter: how many members, 0 between searches; and, one further on, the place after the cell's last member.
+        // By counter: how many members, 0 between searches; and, one further on, the slot after the cell's last member.
         private var _counts:Vector.<int> = new Vector.<int>();
         private var _ends:Vector.<int> = new Vector.<int>();
 
-        // The places of the candidates of the member at hand.
+        // The slots of the candidates of the member at hand.
         private var _candidates:Vector.<int> = new Vector.<int>();
 
         /** No bins yet. */
@@ -135,14 +138,14 @@ package starlogo.broadphase
             pairCount = 0;
             var counters:int = layOut(extents, rows, count);
             countCells(extents, rows, count);
-            var places:int = sumUp(counters);
-            if (places > rowAt.length)
+            var slots:int = sumUp(counters);
+            if (slots > rowAt.length)
             {
-                memberAt.length = rowAt.length = places;
-                x.length = y.length = z.length = radius.length = places;
+                memberAt.length = rowAt.length = slots;
+                x.length = y.length = z.length = radius.length = slots;
             }
             sortByCells(count);
-            gather(extents, rows, places);
+            gather(extents, rows, slots);
             for (var i:int = 0; i < _byWidth.length; i++)
             {
                 var level:BinLevel = _byWidth[i];
@@ -173,18 +176,18 @@ package starlogo.broadphase
             {
                 width *= 0.5;
             }
-            var place:int = 0;
-            while (place < _byWidth.length && _byWidth[place].width > width)
+            var index:int = 0;
+            while (index < _byWidth.length && _byWidth[index].width > width)
             {
-                place++;
+                index++;
             }
-            if (place == _byWidth.length || _byWidth[place].width != width)
+            if (index == _byWidth.length || _byWidth[index].width != width)
             {
                 var level:BinLevel = new BinLevel(_levels.length, width);
-                _byWidth.splice(place, 0, level);
+                _byWidth.splice(index, 0, level);
                 _levels.push(level);
             }
-            return _byWidth[place];
+            return _byWidth[index];
         }
 
         // How many members each level has, and where its counters are. Returns how many counters there are.
@@ -272,8 +275,8 @@ package starlogo.broadphase
             entryCount = entries;
         }
 
-        // Finds the places where the cells begin: one further on, those are where the cells end once they are filled. Returns how many
-        // places there are.
+        // Finds the slots where the cells begin: one further on, those are where the cells end once they are filled. Returns how many
+        // slots there are.
         private function sumUp(counters:int):int
         {
             var counts:Vector.<int> = _counts;
@@ -297,9 +300,9 @@ package starlogo.broadphase
             for (var i:int = 0; i < count; i++)
             {
                 var next:int = cells[i] + 1;
-                var place:int = ends[next];
-                members[place] = i;
-                ends[next] = place + 1;
+                var slot:int = ends[next];
+                members[slot] = i;
+                ends[next] = slot + 1;
             }
             for (i = 0; i < _byWidth.length; i++)
             {
@@ -319,14 +322,14 @@ package starlogo.broadphase
             {
                 _ends[copies + i] = to + _ends[level.base + i] - from;
             }
-            for (var place:int = to; place < _ends[copies + COPIED]; place++)
+            for (var slot:int = to; slot < _ends[copies + COPIED]; slot++)
             {
-                memberAt[place] = memberAt[from + place - to];
+                memberAt[slot] = memberAt[from + slot - to];
             }
         }
 
         // Reads what is far apart in memory and writes it side by side: the reverse takes longer.
-        private function gather(extents:Extents, rows:Vector.<int>, places:int):void
+        private function gather(extents:Extents, rows:Vector.<int>, slots:int):void
         {
             var fromX:Vector.<Number> = extents.x;
             var fromY:Vector.<Number> = extents.y;
@@ -338,14 +341,14 @@ package starlogo.broadphase
             var toY:Vector.<Number> = y;
             var toZ:Vector.<Number> = z;
             var toRadius:Vector.<Number> = radius;
-            for (var place:int = 0; place < places; place++)
+            for (var slot:int = 0; slot < slots; slot++)
             {
-                var row:int = rows[members[place]];
-                toRow[place] = row;
-                toX[place] = fromX[row];
-                toY[place] = fromY[row];
-                toZ[place] = fromZ[row];
-                toRadius[place] = fromRadius[row];
+                var row:int = rows[members[slot]];
+                toRow[slot] = row;
+                toX[slot] = fromX[row];
+                toY[slot] = fromY[row];
+                toZ[slot] = fromZ[row];
+                toRadius[slot] = fromRadius[row];
             }
         }
 
@@ -369,9 +372,9 @@ package starlogo.broadphase
             var end:int = ends[base];
             for (var cell:int = base; end < last; cell++)
             {
-                var place:int = end;
+                var slot:int = end;
                 end = ends[cell + 1];
-                if (place == end)
+                if (slot == end)
                 {
                     continue;
                 }
@@ -380,13 +383,13 @@ package starlogo.broadphase
                 var below:int = ((cell + toNextLine) & mask) + base;
                 var nextLine:int = ends[below];
                 var nextLineEnd:int = ends[below + 3];
-                for (; place < end; place++)
+                for (; slot < end; slot++)
                 {
-                    var middleX:Number = xs[place];
-                    var middleY:Number = ys[place];
-                    var ownReach:Number = radii[place] + margin;
+                    var middleX:Number = xs[slot];
+                    var middleY:Number = ys[slot];
+                    var ownReach:Number = radii[slot] + margin;
                     var candidateCount:int = 0;
-                    for (var other:int = place + 1; other < runEnd; other++)
+                    for (var other:int = slot + 1; other < runEnd; other++)
                     {
                         var distanceX:Number = xs[other] - middleX;
                         if (distanceX <= farthest)
@@ -414,7 +417,7 @@ package starlogo.broadphase
                     if (candidateCount > 0)
                     {
                         pairs += candidateCount;
-                        sink.onCandidates(place, candidates, candidateCount);
+                        sink.onCandidates(slot, candidates, candidateCount);
                     }
                 }
             }
@@ -437,11 +440,11 @@ package starlogo.broadphase
             var last:int = ends[level.base + level.mask + 1];
             var pairs:int = 0;
             slack = margin;
-            for (var place:int = ends[level.base]; place < last; place++)
+            for (var slot:int = ends[level.base]; slot < last; slot++)
             {
-                var middleX:Number = xs[place];
-                var middleY:Number = ys[place];
-                var ownReach:Number = radii[place] + margin;
+                var middleX:Number = xs[slot];
+                var middleY:Number = ys[slot];
+                var ownReach:Number = radii[slot] + margin;
                 var wide:Number = level.largestHalf + coarser.largestHalf + margin;
                 var column:int = (middleX - wide) * cellsPerPatch + BIAS;
                 var columns:int = int((middleX + wide) * cellsPerPatch + BIAS) - column + 1;
@@ -467,7 +470,7 @@ package starlogo.broadphase
                 if (candidateCount > 0)
                 {
                     pairs += candidateCount;
-                    sink.onCandidates(place, candidates, candidateCount);
+                    sink.onCandidates(slot, candidates, candidateCount);
                 }
             }
             pairCount += pairs;

@@ -19,11 +19,11 @@ package starlogo.broadphase
          * Takes the pairs of a member with others whose circles on the ground overlap its own. All at once: a call for each pair
          * would cost as much as its test.
          *
-         * @param place the member's place in the bins, see Bins.memberAt
-         * @param others the first of them are the places of the candidates; no pair comes twice, in either order
+         * @param slot the member's slot in the bins, see Bins.memberAt
+         * @param others the first of them are the slots of the candidates; no pair comes twice, in either order
          * @param count how many
          */
-        public function onCandidates(place:int, others:Vector.<int>, count:int):void
+        public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
             throw new IllegalOperationError(this + " does not implement onCandidates");
         }

@@ -12,11 +12,7 @@ package starlogo.collision
         /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = BreedPairs.ANY_BREED;
 
-        /**
-         * The same for searches and handlers.
-         *
-         * @private
-         */
+        /** @private The same for searches and handlers. */
         engine var breedPairs:BreedPairs = new BreedPairs();
 
         /** No pairs yet. */
@@ -50,14 +46,10 @@ package starlogo.collision
         /** Whether a pair of breeds is of interest, given by their numbers. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            return breedPairs.counts[index * breedCount + otherIndex];
+            return breedPairs.areOfInterest[index * breedCount + otherIndex];
         }
 
-        /**
-         * The collisions of interest that a collision system finds: all of them, if it is not selective.
-         *
-         * @private
-         */
+        /** @private The collisions of interest that a collision system finds: all of them, if it is not selective. */
         engine static function findIn(system:CollisionSystem, agents:Vector.<Agent>, interests:BreedInterests,
                 out:Vector.<Agent>):Vector.<Agent>
         {

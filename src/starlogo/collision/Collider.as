@@ -28,10 +28,10 @@ package starlogo.collision
      */
     public class Collider implements ContactSystem
     {
-        /** @private What questions need, to see agents as this collider does. */
+        /** @private Has the models, for questions too. */
         engine var greatLand:GreatLand;
 
-        /** @private Likewise. */
+        /** @private Finds the shapes of agents, for questions too. */
         engine var strategy:ShapeStrategy;
 
         private var _search:CollisionSearch;
@@ -68,7 +68,7 @@ package starlogo.collision
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return find(agents, null, out || new Vector.<Agent>(), null);
+            return find(agents, null, out || new Vector.<Agent>());
         }
 
         /** @inheritDoc */
@@ -78,7 +78,7 @@ package starlogo.collision
             {
                 throw new ArgumentError("out must not be null");
             }
-            return find(agents, interests == null ? null : interests.breedPairs, out, null);
+            return find(agents, interests == null ? null : interests.breedPairs, out);
         }
 
         /** @inheritDoc */
@@ -101,7 +101,9 @@ package starlogo.collision
          */
         internal function findPairsAmong(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
         {
-            find(agents, breeds, null, out, takePart);
+            var start:Number = getTimer();
+            _search.findPairs(agents, breeds, takePart, out);
+            _statistics.setCounts(_search.counts, getTimer() - start);
         }
 
         /** The search that the collider makes. */
@@ -110,23 +112,14 @@ package starlogo.collision
             return _search;
         }
 
-        // Puts the pairs into that one of the two outputs that is not null.
-        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>, pairs:FoundPairs,
-                takePart:Vector.<Boolean> = null):Vector.<Agent>
+        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):Vector.<Agent>
         {
             if (agents == null)
             {
                 throw new ArgumentError("agents must not be null");
             }
             var start:Number = getTimer();
-            if (pairs == null)
-            {
-                _search.find(agents, breeds, out);
-            }
-            else
-            {
-                _search.findPairs(agents, breeds, takePart, pairs);
-            }
+            _search.find(agents, breeds, out);
             _statistics.setCounts(_search.counts, getTimer() - start);
             return out;
         }

@@ -260,7 +260,7 @@ package starlogo.collision
             if (_searched != null)
             {
                 var search:CollisionSearch = _searched.search;
-                var places:Vector.<int> = search.recordPlaces(record);
+                var places:Vector.<int> = search.recordPositions(record);
                 var pairs:int = _calls.tracker.count;
                 record.beginPairs(pairs);
                 for (var i:int = 0; i < pairs; i++)
@@ -310,7 +310,7 @@ package starlogo.collision
                 throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
             }
             var collider:Collider = Collider(_collisionSystem);
-            collider.search.restorePlaces(agents, record);
+            collider.search.restorePositions(agents, record);
             _calls.tracker.clear(record.pairCount);
             for (var i:int = 0; i < record.pairCount; i++)
             {

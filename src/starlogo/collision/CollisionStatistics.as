@@ -87,11 +87,7 @@ package starlogo.collision
             copyFrom(ZERO);
         }
 
-        /**
-         * Copies what a search did.
-         *
-         * @private
-         */
+        /** @private Copies what a search did. */
         engine function setCounts(counts:SearchCounts, milliseconds:Number):void
         {
             handlerCalls = frameMs = 0;

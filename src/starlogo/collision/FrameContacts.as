@@ -59,17 +59,8 @@ package starlogo.collision
                 // its breeds have changed since the frame began
                 find(pair, first, second);
             }
-            return write(_contacts[pair], isBack, _given);
-        }
-
-        /** @inheritDoc */
-        public function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
-        {
-            return _whenAsked.of(this, pair, first, second, isBack);
-        }
-
-        private static function write(known:Contact, isBack:Boolean, given:Contact):Contact
-        {
+            var known:Contact = _contacts[pair];
+            var given:Contact = _given;
             given.time = known.time;
             given.depth = known.depth;
             given.point.copyFrom(known.point);
@@ -79,6 +70,12 @@ package starlogo.collision
                 given.normal.negate();
             }
             return given;
+        }
+
+        /** @inheritDoc */
+        public function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
+        {
+            return _whenAsked.of(this, pair, first, second, isBack);
         }
     }
 }

@@ -93,6 +93,15 @@ package starlogo.debug
             drawLine(x - a.x * half, y - a.y * half, z - a.z * half, x + a.x * half, y + a.y * half, z + a.z * half);
         }
 
+        /** A line, if it has a length. */
+        public function drawLine(fromX:Number, fromY:Number, fromZ:Number, x:Number, y:Number, z:Number):void
+        {
+            if (fromX != x || fromY != y || fromZ != z)
+            {
+                lines.push(fromX, fromY, fromZ, x, y, z);
+            }
+        }
+
         private function drawSide(start:Vector3D, end:Vector3D, across:Vector3D, distance:Number):void
         {
             var x:Number = across.x * distance;
@@ -119,14 +128,6 @@ package starlogo.debug
                 fromX = x;
                 fromY = y;
                 fromZ = z;
-            }
-        }
-
-        private function drawLine(fromX:Number, fromY:Number, fromZ:Number, x:Number, y:Number, z:Number):void
-        {
-            if (fromX != x || fromY != y || fromZ != z)
-            {
-                lines.push(fromX, fromY, fromZ, x, y, z);
             }
         }
     }

@@ -9,7 +9,7 @@ package starlogo.debug
     import starlogo.hierarchy.HierarchyNode;
 
     /**
-     * Structures and levels of hierarchies as lists of lines, to be drawn by a client.
+     * Structures, levels of hierarchies and triangles as lists of lines, to be drawn by a client.
      *
      * <p>A line is six numbers: x, y and z of one end, then of the other, in the structure's space. Ends lie on the
      * structure's surface. Lines without length are left out, so that a point has none.</p>
@@ -84,6 +84,32 @@ package starlogo.debug
                 return ofStructure(root.bounds, out);
             }
             return ofLevel(root.right, level - 1, ofLevel(root.left, level - 1, out));
+        }
+
+        /**
+         * The edges of triangles, each once.
+         *
+         * @param vertices x, y and z of each
+         * @param triangles three vertex indices each
+         * @param out the lines are added to it; made if null
+         * @return out
+         */
+        public static function ofTriangles(vertices:Vector.<Number>, triangles:Vector.<uint>, out:Vector.<Number> = null):Vector.<Number>
+        {
+            var pen:LinePen = new LinePen(out);
+            var drawn:Object = {};
+            for (var i:int = 0; i < triangles.length; i++)
+            {
+                var a:int = triangles[i];
+                var b:int = triangles[i % 3 == 2 ? i - 2 : i + 1];
+                var key:Number = Math.min(a, b) * (vertices.length / 3) + Math.max(a, b);
+                if (!drawn[key])
+                {
+                    drawn[key] = true;
+                    pen.drawLine(vertices[3 * a], vertices[3 * a + 1], vertices[3 * a + 2], vertices[3 * b], vertices[3 * b + 1], vertices[3 * b + 2]);
+                }
+            }
+            return pen.lines;
         }
 
         private static function drawSphere(pen:LinePen, sphere:Sphere):void

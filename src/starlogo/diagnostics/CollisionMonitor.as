@@ -170,11 +170,7 @@ package starlogo.diagnostics
             onFrame();
         }
 
-        /**
-         * Counts one frame.
-         *
-         * @private
-         */
+        /** @private Counts one frame. */
         engine function onFrame():void
         {
             var start:int = getTimer();
@@ -220,10 +216,10 @@ package starlogo.diagnostics
             _headline.text = mean.toFixed(1) + " ms";
             _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmost " + _mostMs + " ms";
             var did:CollisionStatistics = _collision.statistics;
-            _numbers.text = did.agents + "\n" + did.candidatePairs + "\n" + did.sphereSphereTests + "\n" + did.sphereCapsuleTests + "\n"
-                + did.sphereBoxTests + "\n" + did.capsuleCapsuleTests + "\n" + did.capsuleBoxTests + "\n" + did.boxBoxTests + "\n"
-                + did.hierarchyTests + "\n" + did.nodeVisits + "\n" + did.triangleTests + "\n" + did.collisions + "\n"
-                + did.handlerCalls + "\n" + (System.totalMemory / 1048576).toFixed(1) + " MB\n" + ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %";
+            _numbers.text = [did.agents, did.candidatePairs, did.sphereSphereTests, did.sphereCapsuleTests, did.sphereBoxTests,
+                    did.capsuleCapsuleTests, did.capsuleBoxTests, did.boxBoxTests, did.hierarchyTests, did.nodeVisits, did.triangleTests,
+                    did.collisions, did.handlerCalls, (System.totalMemory / 1048576).toFixed(1) + " MB",
+                    ownMsPerFrame.toFixed(2) + " ms, " + (100 * ownMsPerFrame / FRAME_MS).toFixed(1) + " %"].join("\n");
         }
 
         private function draw():void

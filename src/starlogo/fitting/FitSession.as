@@ -57,11 +57,7 @@ package starlogo.fitting
             return _hull;
         }
 
-        /**
-         * The fit of a fitter for these vertices: begun at the first call, and the same object at every other.
-         *
-         * @private
-         */
+        /** @private The fit of a fitter for these vertices: begun at the first call, and the same object at every other. */
         engine function fitOf(fitter:Fitter):Fit
         {
             var i:int = _fitters.indexOf(fitter);

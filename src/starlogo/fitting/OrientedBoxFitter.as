@@ -21,20 +21,7 @@ package starlogo.fitting
          */
         public function OrientedBoxFitter(degIncrement:Number = 10)
         {
-            super(degIncrement);
-        }
-
-        /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "oriented box " + degIncrement;
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            var search:RotationSearch = new RotationSearch(session, degIncrement, degIncrement, degIncrement);
-            return new Fit(session, search.smallestBox, search);
+            super("oriented box", true, degIncrement);
         }
     }
 }

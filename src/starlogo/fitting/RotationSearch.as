@@ -1,12 +1,14 @@
 package starlogo.fitting
 {
     import starlogo.bounding.Box;
+    import starlogo.engine;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
+
+    use namespace engine;
 
     /**
      * The brute-force search of thesis §3.4.2: turns a hull by every rotation of a discrete set, and keeps the one whose
@@ -21,12 +23,11 @@ package starlogo.fitting
      * not measured if the extreme corners of earlier ones alone fill a box that is too large already. And the search ends
      * if a box is as small as the hull itself.</p>
      */
-    internal class RotationSearch implements Steps
+    internal class RotationSearch extends StepSequence
     {
         private static const MANY:int = 50;
         private static const RARELY:Number = 0.2;
 
-        private var _work:StepSequence = new StepSequence();
         private var _session:FitSession;
         private var _hull:ConvexHull;
         private var _turned:Vector.<Number>;
@@ -67,13 +68,7 @@ package starlogo.fitting
             _stepX = stepX;
             _stepY = stepY;
             _stepZ = stepZ;
-            _work.call(prepare).repeat(tryNext);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return _work.step();
+            call(prepare).repeat(tryNext);
         }
 
         // All rotations about z that follow the next one about x and y; false if there are no more.
@@ -150,32 +145,29 @@ package starlogo.fitting
             return _aboutX < 90;
         }
 
-        // Turns the hull about x, then about y: what was along x has no part along y.
+        // Turns the hull about x, then about y.
         private function turn(aboutX:Number, aboutY:Number):void
         {
-            var rotation:Placement = _rotation;
-            rotation.setRotation(0, aboutY, aboutX);
-            var r00:Number = rotation.r00;
-            var r01:Number = rotation.r01;
-            var r02:Number = rotation.r02;
-            var r11:Number = rotation.r11;
-            var r12:Number = rotation.r12;
-            var r20:Number = rotation.r20;
-            var r21:Number = rotation.r21;
-            var r22:Number = rotation.r22;
+            _rotation.setRotation(0, aboutY, aboutX);
+            var xx:Number = _rotation.r00;
+            var xy:Number = _rotation.r01;
+            var xz:Number = _rotation.r02;
+            var yy:Number = _rotation.r11;
+            var yz:Number = _rotation.r12;
+            var zx:Number = _rotation.r20;
+            var zy:Number = _rotation.r21;
+            var zz:Number = _rotation.r22;
             var points:Vector.<Number> = _hull.points;
             var turned:Vector.<Number> = _turned;
             var end:int = points.length;
-            var i:int = 0;
-            while (i < end)
+            for (var i:int = 0; i < end; i += 3)
             {
                 var x:Number = points[i];
                 var y:Number = points[i + 1];
                 var z:Number = points[i + 2];
-                turned[i] = r00 * x + r01 * y + r02 * z;
-                turned[i + 1] = r11 * y + r12 * z;
-                turned[i + 2] = r20 * x + r21 * y + r22 * z;
-                i += 3;
+                turned[i] = xx * x + xy * y + xz * z;
+                turned[i + 1] = yy * y + yz * z;
+                turned[i + 2] = zx * x + zy * y + zz * z;
             }
         }
 

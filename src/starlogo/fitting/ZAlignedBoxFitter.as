@@ -17,20 +17,7 @@ package starlogo.fitting
          */
         public function ZAlignedBoxFitter(degIncrement:Number = 10)
         {
-            super(degIncrement);
-        }
-
-        /** @inheritDoc */
-        override public function get signature():String
-        {
-            return "z-aligned box " + degIncrement;
-        }
-
-        /** @inheritDoc */
-        override public function begin(session:FitSession):Fit
-        {
-            var search:RotationSearch = new RotationSearch(session, 90, 90, degIncrement);
-            return new Fit(session, search.smallestBox, search);
+            super("z-aligned box", false, degIncrement);
         }
     }
 }

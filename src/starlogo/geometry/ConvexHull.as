@@ -25,13 +25,9 @@ package starlogo.geometry
     public final class ConvexHull implements Steps
     {
         private var _vertices:Vector.<Number>;
-        private var _indices:Vector.<int>;
-        private var _points:Vector.<Number>;
+        private var _mesh:HullMesh;
         private var _convexPoints:Vector.<Number>;
         private var _grid:HullGrid = null;
-        private var _triangles:Vector.<int>;
-        private var _firstNeighbor:Vector.<int>;
-        private var _neighbors:Vector.<int>;
         private var _volume:Number = NaN;
 
         // the work under way
@@ -39,7 +35,6 @@ package starlogo.geometry
         private var _simplex:InitialSimplex;
         private var _planarHull:PlanarHull;
         private var _quickHull:QuickHull;
-        private var _mesh:HullMesh;
 
         /**
          * Computes the hull.
@@ -54,7 +49,7 @@ package starlogo.geometry
         {
             _vertices = vertices;
             _simplex = new InitialSimplex(vertices);
-            _work.add(_simplex).begin(newGrid).begin(newHull).begin(newMesh).call(keepMesh);
+            _work.add(_simplex).begin(newGrid).begin(newHull).begin(newMesh);
             if (atOnce)
             {
                 finish(this);
@@ -101,13 +96,13 @@ package starlogo.geometry
         /** The hull's corners in ascending order, as positions in <code>vertices</code> (0 is the first vertex). */
         public function get indices():Vector.<int>
         {
-            return _indices;
+            return _mesh.indices;
         }
 
         /** The hull's corners, x, y, z each, in the same order as <code>indices</code>. */
         public function get points():Vector.<Number>
         {
-            return _points;
+            return _mesh.points;
         }
 
         /**
@@ -119,7 +114,7 @@ package starlogo.geometry
         {
             if (_convexPoints == null)
             {
-                _convexPoints = _grid == null ? _points : placeOnGrid();
+                _convexPoints = _grid == null ? points : placeOnGrid();
             }
             return _convexPoints;
         }
@@ -130,7 +125,7 @@ package starlogo.geometry
          */
         public function get triangles():Vector.<int>
         {
-            return _triangles;
+            return _mesh.triangles;
         }
 
         /**
@@ -139,13 +134,13 @@ package starlogo.geometry
          */
         public function get firstNeighbor():Vector.<int>
         {
-            return _firstNeighbor;
+            return _mesh.firstNeighbor;
         }
 
         /** The corners that an edge of the hull joins to each corner, as positions in <code>indices</code>. */
         public function get neighbors():Vector.<int>
         {
-            return _neighbors;
+            return _mesh.neighbors;
         }
 
         /** What the hull encloses, in cubic units: no convex shape around the vertices is smaller. 0 without triangles. */
@@ -171,9 +166,9 @@ package starlogo.geometry
          */
         public function support(x:Number, y:Number, z:Number, from:int = 0, points:Vector.<Number> = null):int
         {
-            var places:Vector.<Number> = points || _points;
-            var first:Vector.<int> = _firstNeighbor;
-            var joined:Vector.<int> = _neighbors;
+            var places:Vector.<Number> = points || _mesh.points;
+            var first:Vector.<int> = _mesh.firstNeighbor;
+            var joined:Vector.<int> = _mesh.neighbors;
             var corner:int = from;
             var at:int = 3 * corner;
             var best:Number = places[at] * x + places[at + 1] * y + places[at + 2] * z;
@@ -230,48 +225,40 @@ package starlogo.geometry
                     corners = _simplex.corners.slice(0, dimension + 1);
             }
             _mesh = new HullMesh(_vertices, corners, dimension == 3);
-            return _mesh;
-        }
-
-        private function keepMesh():void
-        {
-            _indices = _mesh.indices;
-            _points = _mesh.points;
-            _triangles = _mesh.triangles;
-            _firstNeighbor = _mesh.firstNeighbor;
-            _neighbors = _mesh.neighbors;
             _planarHull = null;
             _quickHull = null;
-            _mesh = null;
+            return _mesh;
         }
 
         private function placeOnGrid():Vector.<Number>
         {
             // the points of a plane have the same place along its normal
-            var height:Number = dimension == 2 ? _points[0] * axes[6] + _points[1] * axes[7] + _points[2] * axes[8] : 0;
-            return _grid.placesOf(_indices, height * axes[6], height * axes[7], height * axes[8]);
+            var height:Number = dimension == 2 ? points[0] * axes[6] + points[1] * axes[7] + points[2] * axes[8] : 0;
+            return _grid.placesOf(indices, height * axes[6], height * axes[7], height * axes[8]);
         }
 
         // The sum of the tetrahedra from the first corner to each triangle.
         private function measure():Number
         {
-            var fromX:Number = _points[0];
-            var fromY:Number = _points[1];
-            var fromZ:Number = _points[2];
+            var places:Vector.<Number> = points;
+            var corners:Vector.<int> = triangles;
+            var fromX:Number = places[0];
+            var fromY:Number = places[1];
+            var fromZ:Number = places[2];
             var sum:Number = 0;
-            for (var i:int = 0; i < _triangles.length; i += 3)
+            for (var i:int = 0; i < corners.length; i += 3)
             {
-                var a:int = 3 * _triangles[i];
-                var b:int = 3 * _triangles[i + 1];
-                var c:int = 3 * _triangles[i + 2];
-                var bX:Number = _points[b] - fromX;
-                var bY:Number = _points[b + 1] - fromY;
-                var bZ:Number = _points[b + 2] - fromZ;
-                var cX:Number = _points[c] - fromX;
-                var cY:Number = _points[c + 1] - fromY;
-                var cZ:Number = _points[c + 2] - fromZ;
-                sum += (_points[a] - fromX) * (bY * cZ - bZ * cY) + (_points[a + 1] - fromY) * (bZ * cX - bX * cZ)
-                    + (_points[a + 2] - fromZ) * (bX * cY - bY * cX);
+                var a:int = 3 * corners[i];
+                var b:int = 3 * corners[i + 1];
+                var c:int = 3 * corners[i + 2];
+                var bX:Number = places[b] - fromX;
+                var bY:Number = places[b + 1] - fromY;
+                var bZ:Number = places[b + 2] - fromZ;
+                var cX:Number = places[c] - fromX;
+                var cY:Number = places[c + 1] - fromY;
+                var cZ:Number = places[c + 2] - fromZ;
+                sum += (places[a] - fromX) * (bY * cZ - bZ * cY) + (places[a + 1] - fromY) * (bZ * cX - bX * cZ)
+                    + (places[a + 2] - fromZ) * (bX * cY - bY * cX);
             }
             return sum / 6;
         }

@@ -1,6 +1,9 @@
 package starlogo.geometry
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Where a model stands in the world: scaled by <code>size</code>, rotated, then moved to (x, y, z), all about the
@@ -267,7 +270,7 @@ package starlogo.geometry
         }
 
         /** Writes the rotation, row by row, from an index on. */
-        public function writeRotation(out:Vector.<Number>, at:int):void
+        engine function writeRotation(out:Vector.<Number>, at:int):void
         {
             out[at] = r00;
             out[int(at + 1)] = r01;
@@ -281,7 +284,7 @@ package starlogo.geometry
         }
 
         /** Takes over a rotation that was written so. */
-        public function readRotation(from:Vector.<Number>, at:int):void
+        engine function readRotation(from:Vector.<Number>, at:int):void
         {
             r00 = from[at];
             r01 = from[int(at + 1)];

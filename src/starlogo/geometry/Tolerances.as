@@ -238,6 +238,12 @@ package starlogo.geometry
          */
         public static const SEPARATION:Number = 1e-9;
 
+        /**
+         * The sine of the angle by which a place may be outside of a cone's border and still be in the cone. Below 1e-15: rounding decides about places
+         * at the border. Larger: cones are wider by as much.
+         */
+        public static const CONE:Number = 2e-14;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

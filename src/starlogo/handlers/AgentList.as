@@ -47,7 +47,7 @@ package starlogo.handlers
             if (!_isKnown)
             {
                 _places.clear();
-                look();
+                readPlaces();
                 _isKnown = true;
             }
             return _places.valueOf(agent.id);
@@ -77,13 +77,13 @@ package starlogo.handlers
             }
             if (_cost >= _agents.length)
             {
-                look();
+                readPlaces();
             }
             return true;
         }
 
         // Reads the places of all agents, except those that were added after the first reading.
-        private function look():void
+        private function readPlaces():void
         {
             _cost = 0;
             for (var i:int = 0; i < _agents.length; i++)

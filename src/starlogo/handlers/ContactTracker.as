@@ -39,7 +39,7 @@ package starlogo.handlers
          *
          * @return null if there is none. A contact of other breeds, or one that has not begun in both directions, counts as ended
          */
-        public function goOn(a:Agent, b:Agent):ContactPair
+        public function renew(a:Agent, b:Agent):ContactPair
         {
             var pair:ContactPair = _table[placeOf(a, b)];
             if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breed || pair.secondBreed != pair.second.breed)

@@ -121,7 +121,7 @@ package starlogo.handlers
                 {
                     _contacts.find(i >> 1, first, second);
                 }
-                _contactPairs[i >> 1] = handlers.ofStart == null ? null : _tracker.goOn(first, second);
+                _contactPairs[i >> 1] = handlers.ofStart == null ? null : _tracker.renew(first, second);
             }
             _tracker.separateEnded();
         }

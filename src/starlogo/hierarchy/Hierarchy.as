@@ -11,46 +11,22 @@ package starlogo.hierarchy
      */
     public class Hierarchy
     {
-        /**
-         * The node around the whole model.
-         *
-         * @private
-         */
+        /** @private The node around the whole model. */
         engine var root:HierarchyNode;
 
-        /**
-         * Which structure each node has: one of BoundingStructure's constants.
-         *
-         * @private
-         */
+        /** @private Which structure each node has: one of BoundingStructure's constants. */
         engine var boundsKind:int;
 
-        /**
-         * Whether the items are triangles; otherwise they are vertices.
-         *
-         * @private
-         */
+        /** @private Whether the items are triangles; otherwise they are vertices. */
         engine var hasTriangles:Boolean;
 
-        /**
-         * The numbers of the triangles or vertices, those of a leaf side by side.
-         *
-         * @private
-         */
+        /** @private The numbers of the triangles or vertices, those of a leaf side by side. */
         engine var order:Vector.<int>;
 
-        /**
-         * The model's vertices: x, y, z each.
-         *
-         * @private
-         */
+        /** @private The model's vertices: x, y, z each. */
         engine var vertices:Vector.<Number>;
 
-        /**
-         * The model's triangles, three vertex indices each; null where only vertices are known.
-         *
-         * @private
-         */
+        /** @private The model's triangles, three vertex indices each; null where only vertices are known. */
         engine var triangles:Vector.<uint>;
 
         /**
@@ -68,11 +44,7 @@ package starlogo.hierarchy
             hasTriangles = triangles != null;
         }
 
-        /**
-         * How many vertices some items have, each counted once.
-         *
-         * @private
-         */
+        /** @private How many vertices some items have, each counted once. */
         engine function countVertices(first:int, end:int):int
         {
             if (!hasTriangles)

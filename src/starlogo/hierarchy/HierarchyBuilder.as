@@ -2,9 +2,7 @@ package starlogo.hierarchy
 {
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -13,11 +11,11 @@ package starlogo.hierarchy
      *
      * <p>What is divided are items: triangles, or vertices where there are none. See NodeDivider for how.</p>
      *
-     * <p>The work is done in steps, a millisecond or two each for thousands of items.</p>
+     * <p>The work is done in steps, a millisecond or two each for thousands of items. They throw an ArgumentError if the model's extent is not finite.</p>
      *
      * @private
      */
-    public final class HierarchyBuilder implements Steps
+    public final class HierarchyBuilder extends StepSequence
     {
         // About how much a step does, and how many items take as long as making a node.
         private static const ITEMS_PER_STEP:int = 1000;
@@ -35,7 +33,6 @@ package starlogo.hierarchy
         private var _nodes:Vector.<HierarchyNode>;
         private var _structures:NodeStructures;
         private var _next:int = 0;
-        private var _work:StepSequence;
 
         /**
          * @param hierarchy gets the nodes, and the order of its items
@@ -49,7 +46,7 @@ package starlogo.hierarchy
             _minVerticesToSplit = minVerticesToSplit;
             _maxDepth = maxDepth;
             _splitByMean = splitByMean;
-            _work = new StepSequence().call(beginItems);
+            call(beginItems);
         }
 
         /** Makes a stored tree's nodes again, if it divides these items, and divides them anew only if not. To be called before the first step. */
@@ -64,16 +61,6 @@ package starlogo.hierarchy
             return _tree != null;
         }
 
-        /**
-         * @inheritDoc
-         *
-         * @throws ArgumentError if the model's extent is not finite
-         */
-        public function step():Boolean
-        {
-            return _work.step();
-        }
-
         private function beginItems():void
         {
             _items = new Items(_hierarchy.vertices, _hierarchy.triangles);
@@ -84,7 +71,7 @@ package starlogo.hierarchy
                 return;
             }
             _tree.start(_hierarchy, _hierarchy.vertices, _hierarchy.triangles, _maxDepth);
-            _work.add(_tree).call(useNodes);
+            add(_tree).call(useNodes);
         }
 
         private function useNodes():void
@@ -102,7 +89,7 @@ package starlogo.hierarchy
 
         private function addDivision():void
         {
-            _work.add(new Slices(_items.count, ITEMS_PER_STEP, _items.measure)).call(makeRoot).repeat(divideSome).call(addStructures);
+            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).repeat(divideSome).call(addStructures);
         }
 
         private function makeRoot():void
@@ -133,7 +120,7 @@ package starlogo.hierarchy
                 }
                 if (_isDividing)
                 {
-                    _isDividing = _divider.goOn(ITEMS_PER_STEP);
+                    _isDividing = _divider.advance(ITEMS_PER_STEP);
                     left -= node.end - node.first;
                 }
                 if (!_isDividing)
@@ -154,7 +141,7 @@ package starlogo.hierarchy
             {
                 _structures = new NodeStructures(_hierarchy.boundsKind, _items, 2 * _maker.marginOf(1));
                 _next = 0;
-                _work.repeat(encloseSome).repeat(coverSome);
+                repeat(encloseSome).repeat(coverSome);
             }
         }
 

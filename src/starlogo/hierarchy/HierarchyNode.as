@@ -26,116 +26,52 @@ package starlogo.hierarchy
         /** Whether the node has no children. */
         public var isLeaf:Boolean = true;
 
-        /**
-         * The hierarchy that the node is of.
-         *
-         * @private
-         */
+        /** @private The hierarchy that the node is of. */
         engine var hierarchy:Hierarchy;
 
-        /**
-         * The number of levels down to this one, the root's being 1; 0 for a node that represents a single structure.
-         *
-         * @private
-         */
+        /** @private The number of levels down to this one, the root's being 1; 0 for a node that represents a single structure. */
         engine var level:int = 0;
 
-        /**
-         * The largest depth limit at which a visit ends here: its level, or for a leaf any.
-         *
-         * @private
-         */
+        /** @private The largest depth limit at which a visit ends here: its level, or for a leaf any. */
         engine var cutoffLevel:int = int.MAX_VALUE;
 
-        /**
-         * The node's items are those from first up to, and not including, end in the hierarchy's order.
-         *
-         * @private
-         */
+        /** @private The node's items are those from first up to, and not including, end in the hierarchy's order. */
         engine var first:int;
 
-        /**
-         * @copy #first
-         *
-         * @private
-         */
+        /** @private As first. */
         engine var end:int;
 
-        /**
-         * The middle of the axis-aligned box.
-         *
-         * @private
-         */
+        /** @private The middle of the axis-aligned box. */
         engine var x:Number;
 
-        /**
-         * @copy #x
-         *
-         * @private
-         */
+        /** @private As x. */
         engine var y:Number;
 
-        /**
-         * @copy #x
-         *
-         * @private
-         */
+        /** @private As x. */
         engine var z:Number;
 
-        /**
-         * Half the extents of the box.
-         *
-         * @private
-         */
+        /** @private Half the extents of the box. */
         engine var halfX:Number;
 
-        /**
-         * @copy #halfX
-         *
-         * @private
-         */
+        /** @private As halfX. */
         engine var halfY:Number;
 
-        /**
-         * @copy #halfX
-         *
-         * @private
-         */
+        /** @private As halfX. */
         engine var halfZ:Number;
 
-        /**
-         * The radius of the sphere around the box.
-         *
-         * @private
-         */
+        /** @private The radius of the sphere around the box. */
         engine var radius:Number;
 
-        /**
-         * The radius of the largest sphere inside of the box, about its middle.
-         *
-         * @private
-         */
+        /** @private The radius of the largest sphere inside of the box, about its middle. */
         engine var innerRadius:Number;
 
-        /**
-         * The axis that the node is split along: 0, 1 or 2.
-         *
-         * @private
-         */
+        /** @private The axis that the node is split along: 0, 1 or 2. */
         engine var splitAxis:int = 0;
 
-        /**
-         * The sphere or capsule; null where the box is the node's structure, until it is asked for.
-         *
-         * @private
-         */
+        /** @private The sphere or capsule; null where the box is the node's structure, until it is asked for. */
         engine var structure:BoundingStructure;
 
-        /**
-         * The structure made thick enough for those of all the node's descendants; null where its own is: for a box and a leaf.
-         *
-         * @private
-         */
+        /** @private The structure made thick enough for those of all the node's descendants; null where its own is: for a box and a leaf. */
         engine var cover:BoundingStructure = null;
 
         private var _vertexCount:int = 0;
@@ -187,7 +123,7 @@ package starlogo.hierarchy
          */
         public function triangleIndices(out:Vector.<int> = null):Vector.<int>
         {
-            return hierarchy.hasTriangles ? itemsInto(out) : emptied(out);
+            return writeItems(hierarchy.hasTriangles, out);
         }
 
         /**
@@ -199,14 +135,10 @@ package starlogo.hierarchy
          */
         public function vertexIndices(out:Vector.<int> = null):Vector.<int>
         {
-            return hierarchy.hasTriangles ? emptied(out) : itemsInto(out);
+            return writeItems(!hierarchy.hasTriangles, out);
         }
 
-        /**
-         * Sets the box's size, and the radii that follow from it.
-         *
-         * @private
-         */
+        /** @private Sets the box's size, and the radii that follow from it. */
         engine function setHalfExtents(halfX:Number, halfY:Number, halfZ:Number):void
         {
             this.halfX = halfX;
@@ -215,6 +147,19 @@ package starlogo.hierarchy
             radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ);
             innerRadius = halfX < halfY ? halfX : halfY;
             innerRadius = halfZ < innerRadius ? halfZ : innerRadius;
+        }
+
+        /** Makes an axis-aligned box that of the node; returns it. */
+        internal function writeBox(box:Box):Box
+        {
+            var center:Vector3D = box.center;
+            center.x = x;
+            center.y = y;
+            center.z = z;
+            box.halfX = halfX;
+            box.halfY = halfY;
+            box.halfZ = halfZ;
+            return box;
         }
 
         /** The axis along which the box is longest: 0, 1 or 2. */
@@ -227,23 +172,14 @@ package starlogo.hierarchy
             return halfY >= halfZ ? 1 : 2;
         }
 
-        private function itemsInto(out:Vector.<int>):Vector.<int>
+        private function writeItems(areAsked:Boolean, out:Vector.<int>):Vector.<int>
         {
-            out = emptied(out);
-            for (var i:int = first; i < end; i++)
+            out ||= new Vector.<int>();
+            out.length = 0;
+            for (var i:int = first; areAsked && i < end; i++)
             {
                 out.push(hierarchy.order[i]);
             }
-            return out;
-        }
-
-        private static function emptied(out:Vector.<int>):Vector.<int>
-        {
-            if (out == null)
-            {
-                return new Vector.<int>();
-            }
-            out.length = 0;
             return out;
         }
     }

@@ -73,7 +73,7 @@ package starlogo.hierarchy
          * @param most about how many items to look at
          * @return whether there is more to do
          */
-        public function goOn(most:int):Boolean
+        public function advance(most:int):Boolean
         {
             if (_isAveraging)
             {

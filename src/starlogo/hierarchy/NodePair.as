@@ -67,12 +67,12 @@ package starlogo.hierarchy
                 }
                 else if (structureB == null)
                 {
-                    structureB = boxOf(nodeB, _boxB);
+                    structureB = nodeB.writeBox(_boxB);
                 }
             }
             if (structureA == null)
             {
-                structureA = boxOf(nodeA, _boxA);
+                structureA = nodeA.writeBox(_boxA);
             }
             var moved:BoundingStructure = _moved[structureB.kind];
             if (nodeB.level != _levelB || nodeB.first != _firstB || isCover != _isCoverB)
@@ -85,18 +85,6 @@ package starlogo.hierarchy
             }
             a = structureA;
             b = moved;
-        }
-
-        private static function boxOf(node:HierarchyNode, box:Box):Box
-        {
-            var center:Vector3D = box.center;
-            center.x = node.x;
-            center.y = node.y;
-            center.z = node.z;
-            box.halfX = node.halfX;
-            box.halfY = node.halfY;
-            box.halfZ = node.halfZ;
-            return box;
         }
 
         private static function newBox():Box

@@ -94,7 +94,7 @@ package starlogo.hierarchy
                 ray.faceBack();
                 if (hit != null)
                 {
-                    rayStructure(ray, structureOf(hit));
+                    rayStructure(ray, hit.hierarchy.boundsKind == BoundingStructure.BOX ? hit.writeBox(_box) : hit.structure);
                 }
                 ray.from = _best;
                 ray.to = end;
@@ -118,8 +118,7 @@ package starlogo.hierarchy
             {
                 return rayStructure(ray, node.structure);
             }
-            ray.near = -Infinity;
-            ray.far = Infinity;
+            ray.beginWhole();
             ray.offset = ray.x - node.x;
             ray.speed = ray.directionX;
             ray.half = node.halfX;
@@ -133,19 +132,6 @@ package starlogo.hierarchy
             ray.half = node.halfZ;
             ray.cut();
             return ray.narrow();
-        }
-
-        private function structureOf(node:HierarchyNode):BoundingStructure
-        {
-            if (node.hierarchy.boundsKind != BoundingStructure.BOX)
-            {
-                return node.structure;
-            }
-            _box.center.setTo(node.x, node.y, node.z);
-            _box.halfX = node.halfX;
-            _box.halfY = node.halfY;
-            _box.halfZ = node.halfZ;
-            return _box;
         }
 
         // Whether the ray comes through the left child sooner, if through both.

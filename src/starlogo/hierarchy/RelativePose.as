@@ -2,9 +2,13 @@ package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
     import starlogo.bounding.Box;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.touchingGap;
     import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
 
     /**
      * Where one agent's model is in the space of another's: all the nodes of their hierarchies share it, so that it is computed once for each pair
@@ -25,6 +29,8 @@ package starlogo.hierarchy
 
         /** How the second model moves from there, of models that move: from time 0 to time 1, its start being 0. */
         public var motion:RelativeMotion = new RelativeMotion();
+
+        private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** Until relate is called, both are in one place. */
         public function RelativePose()
@@ -157,6 +163,14 @@ package starlogo.hierarchy
             relative.r02 = r00 * x + r01 * y + r02 * z;
             relative.r12 = r10 * x + r11 * y + r12 * z;
             relative.r22 = r20 * x + r21 * y + r22 * z;
+        }
+
+        /** The second model, which is so small that it is a point of the first's space: a sphere around it, which the next call overwrites. */
+        public function pointOf(root:HierarchyNode):Sphere
+        {
+            _point.center.setTo(placement.x, placement.y, placement.z);
+            _point.radius = placement.size * root.radius + gap;
+            return _point;
         }
 
         /**

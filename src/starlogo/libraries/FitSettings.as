@@ -61,18 +61,6 @@ package starlogo.libraries
             return fingerprintOf([structures, hierarchy, wantsSurface].join()).toString();
         }
 
-        /**
-         * The settings that a section of a .fits file depends on: 0 is the structures, 1 the hierarchy, 2 the surface.
-         *
-         * @return null if the section is not wanted, or cannot be kept
-         *
-         * @private
-         */
-        engine function ofSection(section:int):Fingerprint
-        {
-            return section == 0 ? structures : hierarchy;
-        }
-
         // null if one of the fitters has no signature
         private static function fingerprintOfAll(fitters:Vector.<Fitter>):Fingerprint
         {

@@ -9,6 +9,9 @@ package starlogo.libraries
     import starlogo.libraries.cooked.StoreIndex;
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.Model;
+    import starlogo.models.cooked.CookedFile;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     use namespace engine;
@@ -18,7 +21,7 @@ package starlogo.libraries
      * GreatLand that has one asks it before it computes, and gives it what it had to compute.
      *
      * <p>An entry is found by the geometry of a model, whatever its name, and by every setting that matters. What comes back is
-     * checked as a baked file is: an entry that was changed, cut off or forged is ignored, and replaced. Where there is no room, the
+     * checked as a cooked file is: an entry that was changed, cut off or forged is ignored, and replaced. Where there is no room, the
      * entries that were not used for longest go; where nothing can be kept, games work without.</p>
      *
      * <p>Several games at once, in several tabs say, may share a storage. Each entry is stored separately, so that no game overwrites the entries
@@ -74,16 +77,9 @@ package starlogo.libraries
          */
         public function read(model:Model, settings:FitSettings):ModelFits
         {
-            var geometry:Fingerprint = fingerprintOf(model, settings);
-            var bytes:ByteArray = bytesOf(geometry, settings);
-            if (bytes == null)
-            {
-                return null;
-            }
             var fits:ModelFits = new ModelFits();
-            var reader:FitsReader = new FitsReader(bytes, model, geometry, settings, fits);
-            finish(reader);
-            return reader.areFits ? fits : null;
+            finish(reading(model, geometryOf(model, settings), settings, fits));
+            return fits.structures == null && fits.tree == null ? null : fits;
         }
 
         /**
@@ -101,8 +97,9 @@ package starlogo.libraries
             {
                 throw new ArgumentError("the fits must not be null");
             }
-            var geometry:Fingerprint = fingerprintOf(model, settings);
-            return keep(geometry, settings, FitsWriter.write(fits, geometry, settings));
+            var geometry:GeometryFingerprint = geometryOf(model, settings);
+            finish(geometry);
+            return keep(geometry.fingerprint, settings, fits);
         }
 
         /** Forgets everything. */
@@ -116,11 +113,33 @@ package starlogo.libraries
         }
 
         /**
-         * The bytes that are kept for a geometry and settings; null if there are none.
+         * Reads in steps what is kept of a model.
+         *
+         * @param model the model
+         * @param geometry its fingerprint, not begun
+         * @param settings what it is wanted for
+         * @param fits gets what is kept; what it has already stays
          *
          * @private
          */
-        engine function bytesOf(geometry:Fingerprint, settings:FitSettings):ByteArray
+        engine function reading(model:Model, geometry:GeometryFingerprint, settings:FitSettings, fits:ModelFits):Steps
+        {
+            var file:CookedFile;
+            return new StepSequence().add(geometry).begin(function():Steps
+                {
+                    file = new CookedFile(bytesOf(geometry.fingerprint, settings));
+                    return file;
+                }).call(function():void
+                {
+                    if (file.isFor(geometry.fingerprint))
+                    {
+                        FitsReader.read(file, model, settings, fits);
+                    }
+                });
+        }
+
+        // null if there are none
+        private function bytesOf(geometry:Fingerprint, settings:FitSettings):ByteArray
         {
             var name:String = nameOf(geometry, settings);
             var bytes:ByteArray = _storage.read(name);
@@ -145,14 +164,15 @@ package starlogo.libraries
         }
 
         /**
-         * Keeps bytes that FitsWriter wrote.
+         * Keeps what was computed for a geometry.
          *
          * @return whether they are kept now
          *
          * @private
          */
-        engine function keep(geometry:Fingerprint, settings:FitSettings, bytes:ByteArray):Boolean
+        engine function keep(geometry:Fingerprint, settings:FitSettings, fits:ModelFits):Boolean
         {
+            var bytes:ByteArray = FitsWriter.write(fits, settings, geometry);
             if (_isOff || bytes.length > _capacity)
             {
                 return false;
@@ -197,15 +217,13 @@ package starlogo.libraries
             return geometry.toString() + settings.toString();
         }
 
-        private static function fingerprintOf(model:Model, settings:FitSettings):Fingerprint
+        private static function geometryOf(model:Model, settings:FitSettings):GeometryFingerprint
         {
             if (model == null || settings == null)
             {
                 throw new ArgumentError("the model and the settings must not be null: " + model + ", " + settings);
             }
-            var geometry:GeometryFingerprint = new GeometryFingerprint(model.vertices, model.triangles);
-            finish(geometry);
-            return geometry.fingerprint;
+            return new GeometryFingerprint(model.vertices, model.triangles);
         }
     }
 }

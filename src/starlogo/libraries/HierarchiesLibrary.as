@@ -143,9 +143,7 @@ package starlogo.libraries
 
         private function builderOf(vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
-            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(minVerticesToSplit, maxDepth, splitByMean, boundsKind, prepareExact);
-            builder.setModel(vertices, triangles);
-            return builder;
+            return new SolidHierarchyBuilder(vertices, triangles, boundsKind, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
         private function checkSettings():void

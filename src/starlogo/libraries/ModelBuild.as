@@ -9,6 +9,7 @@ package starlogo.libraries
     import starlogo.libraries.cooked.FitsWriter;
     import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
+    import starlogo.models.cooked.CookedShape;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
     import starlogo.steps.finish;
@@ -16,7 +17,7 @@ package starlogo.libraries
     use namespace engine;
 
     /**
-     * Gets for one model what the libraries need: from a baked file, or else from a store; what neither has is computed, and kept in the store.
+     * Gets for one model what the libraries need: from its cooked file, or else from a store; what neither has is computed, and kept in the store.
      *
      * @private
      */
@@ -26,7 +27,6 @@ package starlogo.libraries
         private var _structures:StructuresBuild;
         private var _hierarchy:SolidHierarchyBuilder;
         private var _settings:FitSettings;
-        private var _baked:ByteArray;
         private var _store:FitStore;
         private var _geometry:GeometryFingerprint;
         private var _fits:ModelFits = new ModelFits();
@@ -37,23 +37,26 @@ package starlogo.libraries
          * @param structures finds its structures; null if none are wanted
          * @param hierarchy builds its hierarchy; null if none is wanted
          * @param settings those of the libraries that these two are of
-         * @param baked the bytes of its .fits file, which are not trusted; null for none
          * @param store null for none
          */
         public function ModelBuild(model:Model, structures:StructuresBuild, hierarchy:SolidHierarchyBuilder, settings:FitSettings,
-                baked:ByteArray, store:FitStore)
+                store:FitStore)
         {
             _model = model;
             _structures = structures;
             _hierarchy = hierarchy;
             _settings = settings;
-            _baked = baked;
             _store = store;
             _geometry = new GeometryFingerprint(model.vertices, model.triangles);
-            if (baked != null || store != null)
+            if (model.cooked != null)
             {
-                _work.add(_geometry).begin(readBaked).begin(readStored).call(useFits);
+                FitsReader.read(model.cooked, model, settings, _fits);
             }
+            if (store != null && !isComplete)
+            {
+                _work.add(store.reading(model, _geometry, settings, _fits));
+            }
+            _work.call(useFits);
             if (structures != null)
             {
                 _work.add(structures);
@@ -93,34 +96,23 @@ package starlogo.libraries
         }
 
         /**
-         * The content of a .fits file of the model, including the surface, when no step is left of a build without a baked file and a store. If the
-         * surface is not prepared, that is done now.
+         * A cooked file of the model, including the surface, when no step is left. If the surface is not prepared, that is done now.
+         *
+         * @param wanted what the model is for
          */
-        public function toFits():ByteArray
+        public function toCooked(wanted:Fingerprint):ByteArray
         {
             if (_hierarchy != null)
             {
                 _hierarchy.finished.prepare();
             }
-            finish(_geometry);
-            return write();
+            return FitsWriter.write(fits, _settings, wanted, CookedShape.of(_model));
         }
 
-        private function readBaked():Steps
+        private function get isComplete():Boolean
         {
-            return newReader(_baked);
-        }
-
-        private function readStored():Steps
-        {
-            var isComplete:Boolean = (_structures == null || _fits.structures != null) && (_hierarchy == null || _fits.tree != null)
+            return (_structures == null || _fits.structures != null) && (_hierarchy == null || _fits.tree != null)
                 && (!wantsSurface || _fits.notes != null);
-            return newReader(_store == null || isComplete ? null : _store.bytesOf(geometry, _settings));
-        }
-
-        private function newReader(bytes:ByteArray):FitsReader
-        {
-            return bytes == null ? null : new FitsReader(bytes, _model, geometry, _settings, _fits);
         }
 
         private function useFits():void
@@ -147,23 +139,19 @@ package starlogo.libraries
                 || wantsSurface && _hierarchy.hierarchy.notes !== _fits.notes;
             if (isNew && _store.mayHold(_model))
             {
-                _store.keep(geometry, _settings, write());
+                finish(_geometry);
+                _store.keep(_geometry.fingerprint, _settings, fits);
             }
         }
 
-        private function write():ByteArray
+        private function get fits():ModelFits
         {
-            return FitsWriter.write(ModelFits.of(structures, _hierarchy == null ? null : _hierarchy.finished), geometry, _settings);
+            return ModelFits.of(structures, _hierarchy == null ? null : _hierarchy.finished);
         }
 
         private function get wantsSurface():Boolean
         {
             return _settings.wantsSurface && _model.triangles != null;
-        }
-
-        private function get geometry():Fingerprint
-        {
-            return _geometry.fingerprint;
         }
     }
 }

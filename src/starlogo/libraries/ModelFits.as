@@ -3,8 +3,8 @@ package starlogo.libraries
     import flash.utils.ByteArray;
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
-    import starlogo.libraries.cooked.FitsWriter;
     import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SurfaceNotes;
 
@@ -12,7 +12,7 @@ package starlogo.libraries
 
     /**
      * The results of the computations for a model, without what follows from them: the smallest structures, how the hierarchy divides the
-     * triangles, the notes of the surface. It is what a FitStore keeps and a .fits file contains.
+     * triangles, the notes of the surface. It is what a FitStore keeps and a cooked file contains.
      */
     public final class ModelFits
     {
@@ -77,7 +77,7 @@ package starlogo.libraries
             }
             if (hierarchy != null)
             {
-                fits.tree = FitsWriter.newBytes();
+                fits.tree = CookedFile.newBytes();
                 TreeWriter.write(hierarchy, fits.tree);
                 fits.tree.position = 0;
                 fits.notes = hierarchy.isPrepared ? hierarchy.notes : null;

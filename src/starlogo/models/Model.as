@@ -1,6 +1,11 @@
 package starlogo.models
 {
+    import starlogo.engine;
+    import starlogo.geometry.VertexData;
+    import starlogo.models.cooked.CookedFile;
     import starlogo.steps.finish;
+
+    use namespace engine;
 
     /**
      * The shape of a kind of agents, as the collision engine sees it: a name, vertices and, where known, triangles.
@@ -35,6 +40,20 @@ package starlogo.models
          * No scaling: for vertices that are in the agent's own unit and place already. A ModelTransform turns, scales and moves them.
          */
         public static const AS_GIVEN:String = "as given";
+
+        /**
+         * The scalings, in the order of their numbers in cooked files.
+         *
+         * @private
+         */
+        engine static const SCALINGS:Vector.<String> = new <String>[FOOTPRINT, VOLUME, AS_GIVEN];
+
+        /**
+         * The file that has what was computed for the model; null for none.
+         *
+         * @private
+         */
+        engine var cooked:CookedFile = null;
 
         private var _name:String;
         private var _vertices:Vector.<Number>;
@@ -93,6 +112,18 @@ package starlogo.models
         public function get triangles():Vector.<uint>
         {
             return _triangles;
+        }
+
+        /**
+         * Whether points, turned and scaled as the model's were, are its vertices to the last bit.
+         *
+         * @private
+         */
+        engine final function isMadeOf(points:Vector.<Number>):Boolean
+        {
+            var shape:NormalisedShape = new NormalisedShape(_name, points, _triangles, _source.scaling, _source.transform);
+            finish(shape);
+            return String(shape.triangles) == String(_triangles) && VertexData.areSame(shape.vertices, _vertices);
         }
 
         /** Gives the model its shape, all steps of which are done. */

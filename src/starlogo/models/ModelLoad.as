@@ -1,9 +1,9 @@
 package starlogo.models
 {
-    import flash.net.URLLoader;
     import flash.utils.ByteArray;
-    import flash.utils.getTimer;
     import starlogo.models.collada.ColladaReader;
+    import starlogo.models.cooked.CookedFile;
+    import starlogo.models.cooked.argumentsFingerprint;
     import starlogo.models.gltf.GltfFile;
     import starlogo.models.gltf.GltfReader;
     import starlogo.models.obj.ObjReader;
@@ -23,9 +23,6 @@ package starlogo.models
         private static const FETCHED:Number = 0.2;
         private static const READ:Number = 0.5;
 
-        // milliseconds that a model that is read waits for its .fits file: it was asked for together with the model's own
-        private static const PATIENCE:int = 2000;
-
         // the address of a file: data:text/plain,... has none beside it
         private static const FILE:RegExp = /^(?!data:|blob:)([^?#]+)(.*)$/i;
         private static const EXTENSION:RegExp = /\.[^.\/]*$/;
@@ -36,14 +33,18 @@ package starlogo.models
         /** The model, from when it is read. */
         public var model:Model = null;
 
+        /** <code>function(model:Model, problem:Error):void</code>, called when it is over: with one of the two, or none if it was cancelled. */
+        public var whenOver:Function = null;
+
         private var _upAxis:Object;
         private var _scaling:String;
         private var _receiver:ModelReceiver;
         private var _url:String = null;
         private var _fetch:ModelFetch = null;
         private var _transformFetch:ModelFetch = null;
-        private var _fitsFetch:ModelFetch = null;
-        private var _readTime:int = 0;
+        private var _manifest:ModelManifest = null;
+        private var _usesTransforms:Boolean = false;
+        private var _cooked:CookedLoad = null;
         private var _bytes:ByteArray = null;
         private var _document:ArchivedDocument = null;
         private var _newLoader:Function;
@@ -74,11 +75,8 @@ package starlogo.models
         /** Whether the file that is needed next is fetched, or cannot be. */
         public function get isReady():Boolean
         {
-            if (isUnderWay(_fetch) || isUnderWay(_transformFetch) || _bufferFetches.some(isBufferUnderWay))
-            {
-                return false;
-            }
-            return model == null || _fitsFetch == null || !_fitsFetch.isUnderWay || getTimer() - _readTime > PATIENCE;
+            return !isUnderWay(_fetch) && !isUnderWay(_transformFetch) && !_bufferFetches.some(isBufferUnderWay)
+                && (_manifest == null || !_manifest.isUnderWay);
         }
 
         /** How far along it is, from 0 to 1. */
@@ -100,31 +98,24 @@ package starlogo.models
         }
 
         /**
-         * Starts to fetch the file.
+         * Starts to fetch the file, or what was cooked of it.
          *
          * @param url where it is
-         * @param loader fetches it
-         * @param fitsLoader fetches the .fits file beside it; null if none is wanted
-         * @param transformLoader fetches the transform file beside it; null if none is wanted
+         * @param usesTransforms whether the transform file beside it is asked for
+         * @param manifest names what was cooked; null if nothing is asked for
          */
-        public function fetch(url:String, loader:URLLoader, fitsLoader:URLLoader, transformLoader:URLLoader):void
+        public function fetch(url:String, usesTransforms:Boolean, manifest:ModelManifest):void
         {
             _url = url || "";
-            if (_url != "")
+            _usesTransforms = usesTransforms && !(_upAxis is ModelTransform);
+            if (manifest == null || !FILE.test(_url))
             {
-                _fetch = new ModelFetch(_url, loader);
+                fetchSource();
+                return;
             }
-            if (fitsLoader != null && FILE.test(_url))
-            {
-                _fitsFetch = new ModelFetch(_url.replace(FILE, "$1.fits$2"), fitsLoader);
-            }
-            if (transformLoader != null && FILE.test(_url))
-            {
-                var path:String = _url.replace(FILE, "$1").replace(EXTENSION, "");
-                _transformFetch = new ModelFetch(path + ".slb" + _url.replace(FILE, "$2"), transformLoader);
-            }
-            call(checkFetched);
-            setFile(null, null);
+            _manifest = manifest;
+            manifest.fetch(_newLoader);
+            call(askManifest).begin(tryingCooked).call(useCooked);
         }
 
         /** Sets the file to read: its bytes, or its text. */
@@ -132,7 +123,7 @@ package starlogo.models
         {
             _bytes = bytes;
             _text = text;
-            begin(unpacking).begin(opening).call(fetchBuffers).begin(reading).begin(normalising).call(keepShape).begin(receiving);
+            begin(unpacking).call(open);
         }
 
         /** Sets the source that makes the model, in place of a file. */
@@ -145,13 +136,58 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelFetch in _bufferFetches.concat(new <ModelFetch>[_fetch, _fitsFetch, _transformFetch]))
+            for each (var each:ModelFetch in _bufferFetches.concat(new <ModelFetch>[_fetch, _transformFetch]))
             {
                 if (each != null)
                 {
                     each.cancel();
                 }
             }
+        }
+
+        private function askManifest():void
+        {
+            var address:String = _manifest.addressFor(_url);
+            _manifest = null;
+            _fetch = address == null ? null : new ModelFetch(address, _newLoader());
+        }
+
+        private function tryingCooked():Steps
+        {
+            _cooked = _fetch == null ? null : new CookedLoad(name, _fetch.bytes, argumentsFingerprint(_upAxis, _scaling, _usesTransforms));
+            return _cooked;
+        }
+
+        // What is not there, damaged or for other arguments is no error.
+        private function useCooked():void
+        {
+            if (_cooked != null && _cooked.problem == null)
+            {
+                keepCooked();
+                return;
+            }
+            _cooked = null;
+            fetchSource();
+        }
+
+        private function keepCooked():void
+        {
+            model = _cooked.giveTo(new Model(name, Model.ORIGIN));
+            _cooked = null;
+            _fetch = null;
+            begin(receiving);
+        }
+
+        private function fetchSource():void
+        {
+            _fetch = _url == "" ? null : new ModelFetch(_url, _newLoader());
+            if (_usesTransforms && FILE.test(_url))
+            {
+                var path:String = _url.replace(FILE, "$1").replace(EXTENSION, "");
+                _transformFetch = new ModelFetch(path + ".slb" + _url.replace(FILE, "$2"), _newLoader());
+            }
+            call(checkFetched);
+            setFile(null, null);
         }
 
         private function checkFetched():void
@@ -183,6 +219,11 @@ package starlogo.models
             {
                 _text = _text == null ? ModelFile.text(name, _bytes) : _text;
             }
+            else if (CookedFile.isCooked(_bytes))
+            {
+                _cooked = new CookedLoad(name, _bytes);
+                return _cooked;
+            }
             else if (ZipArchive.isArchive(_bytes))
             {
                 _document = new ArchivedDocument(name, _bytes);
@@ -194,6 +235,16 @@ package starlogo.models
                 _bytes = null;
             }
             return _document;
+        }
+
+        private function open():void
+        {
+            if (_cooked == null)
+            {
+                begin(opening).call(fetchBuffers).begin(reading).begin(normalising).call(keepShape).begin(receiving);
+                return;
+            }
+            keepCooked();
         }
 
         private function opening():Steps
@@ -260,7 +311,6 @@ package starlogo.models
             _reader = null;
             _gltf = null;
             _bufferFetches.length = 0;
-            _readTime = getTimer();
         }
 
         private function keepModel():void
@@ -271,13 +321,7 @@ package starlogo.models
 
         private function receiving():Steps
         {
-            if (_fitsFetch == null)
-            {
-                return _receiver.receive(model);
-            }
-            // a file that took too long
-            _fitsFetch.cancel();
-            return FitsReceiver(_receiver).receiveWithFits(model, _fitsFetch.bytes);
+            return _receiver.receive(model);
         }
 
         private static function isUnderWay(fetch:ModelFetch):Boolean

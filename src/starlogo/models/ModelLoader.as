@@ -40,11 +40,14 @@ package starlogo.models
      *
      * <p>A loader that has work need not be kept: it stays alive until that is done or cancelled.</p>
      *
-     * <p>What was computed for a model when the game was built is fetched with it: see usesBakedFits.</p>
+     * <p>Where a manifest says that a model was cooked when the game was built, that is fetched in place of its source: see
+     * <code>manifest</code>.</p>
      *
      * <p>The reader is chosen by content: OBJ, glTF (JSON, with its data inside or beside it, or binary), STL (text or binary), COLLADA, or that in a
      * zip archive. Only where the content says nothing the name does. Agents may have a shape from when its ModelEvent comes; before that the
      * collision systems do not know it.</p>
+     *
+     * <p>This file is long because most of it tells what may be loaded, and how.</p>
      *
      * @example
      * <listing version="3.0">
@@ -60,13 +63,6 @@ package starlogo.models
         private static var sFrames:Shape = new Shape();
 
         /**
-         * Whether <code>load()</code> asks for a file of the same address with ".fits" at its end as well, which spares the receiver
-         * most of its work if it is what <code>./antw bake</code> made of the model; whatever else it is, or if there is none, is
-         * no error. Only for a receiver that takes it, like a GreatLand.
-         */
-        public var usesBakedFits:Boolean = true;
-
-        /**
          * Whether <code>load()</code> asks for a transform file beside the model's too, as the StarLogo Nova client has them:
          * <code>bear.slb</code> beside <code>bear.obj</code>. What is in it, a ModelTransform, stands in place of the up axis; one that is not
          * there, or says nothing, is no error. It is not asked for where <code>load()</code> gets a ModelTransform.
@@ -78,6 +74,7 @@ package starlogo.models
         private var _queue:Vector.<ModelLoad> = new Vector.<ModelLoad>();
         private var _isWorking:Boolean = false;
         private var _doneCount:int = 0;
+        private var _manifest:ModelManifest = null;
         private var _longestFrame:int = 0;
         private var _longestStep:int = 0;
 
@@ -124,6 +121,23 @@ package starlogo.models
             _budget = value;
         }
 
+        /**
+         * Where the list is of what <code>./antw bake</code> or <code>starlogo-bake</code> made of models, "assets/manifest.json", say; null, the
+         * default, for none. It is fetched once. For a file that it names, in its folder or below, <code>load()</code> fetches what was cooked, a
+         * model with all that the receiver would compute, and nothing else. Where that is not there, damaged, or for another up axis,
+         * transform or scaling than asked for, the model's own file is read as without a manifest; a list that can't be fetched or read
+         * names nothing.
+         */
+        public function get manifest():String
+        {
+            return _manifest == null ? null : _manifest.url;
+        }
+
+        public function set manifest(value:String):void
+        {
+            _manifest = value == null ? null : new ModelManifest(value);
+        }
+
         /** How many models are not loaded yet. */
         public function get pendingCount():int
         {
@@ -145,39 +159,34 @@ package starlogo.models
         /** Whether a model of a name is being loaded: asked for, but not loaded yet. */
         public function isPending(name:String):Boolean
         {
-            for each (var pending:ModelLoad in _queue)
-            {
-                if (pending.name == name)
+            return _queue.some(function(pending:ModelLoad, i:int, all:Vector.<ModelLoad>):Boolean
                 {
-                    return true;
-                }
-            }
-            return false;
+                    return pending.name == name;
+                });
         }
 
         /**
          * Loads a model from a file. What goes wrong comes as an ErrorEvent.
          *
          * @param name what agents call the shape
-         * @param url where the file is: OBJ, glTF, STL, COLLADA or zipped COLLADA
+         * @param url where the file is: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function load(name:String, url:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
-            add(name, upAxis, scaling).fetch(url, newURLLoader(), usesBakedFits && _receiver is FitsReceiver ? newFitsLoader() : null,
-                    usesTransforms && !(upAxis is ModelTransform) ? newURLLoader() : null);
+            add(name, upAxis, scaling).fetch(url, usesTransforms, _manifest);
         }
 
         /**
          * Loads a model from a file's bytes.
          *
          * @param name what agents call the shape
-         * @param bytes the whole file: OBJ, glTF, STL, COLLADA or zipped COLLADA; not to be changed until the model is loaded
+         * @param bytes the whole file: OBJ, glTF, STL, COLLADA, zipped COLLADA or cooked; not to be changed until the model is loaded
          * @param upAxis the axis that points up in an OBJ or STL file: "x", "y" or "z"; or, for any file, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function loadBytes(name:String, bytes:ByteArray, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).setFile(bytes, null);
         }
@@ -190,7 +199,7 @@ package starlogo.models
          * @param upAxis the axis that points up in OBJ or STL text: "x", "y" or "z"; or, for any text, a ModelTransform
          * @param scaling as for <code>Model</code>
          */
-        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = Model.FOOTPRINT):void
+        public function loadText(name:String, text:String, upAxis:Object = "z", scaling:String = "footprint"):void
         {
             add(name, upAxis, scaling).setFile(null, text);
         }
@@ -217,18 +226,25 @@ package starlogo.models
          */
         public function cancel(name:String = null):void
         {
-            var count:int = _queue.length;
-            for (var i:int = count - 1; i >= 0; i--)
+            for (var i:int = _queue.length - 1; i >= 0; i--)
             {
                 if (name == null || _queue[i].name == name)
                 {
-                    var cancelled:ModelLoad = _queue[i];
-                    _queue.splice(i, 1);
-                    cancelled.cancel();
-                    _receiver.expectNoMore(cancelled.name);
+                    drop(_queue[i]);
                 }
             }
-            if (_queue.length == 0 && count > 0)
+        }
+
+        /** Forgets one load, if it is not over. */
+        internal function drop(load:ModelLoad):void
+        {
+            if (!remove(load))
+            {
+                return;
+            }
+            load.cancel();
+            tell(load, null, null);
+            if (_queue.length == 0)
             {
                 rest();
                 dispatchEvent(new Event(Event.CANCEL));
@@ -237,12 +253,6 @@ package starlogo.models
 
         /** Fetches one file. */
         internal function newURLLoader():URLLoader
-        {
-            return new URLLoader();
-        }
-
-        /** Fetches one .fits file. */
-        internal function newFitsLoader():URLLoader
         {
             return new URLLoader();
         }
@@ -312,15 +322,41 @@ package starlogo.models
             {
                 problem = error is ModelError ? error : new ModelError(load.name, "", "it can't be taken in: " + error.message);
             }
-            var place:int = _queue.indexOf(load); // a step may have cancelled its own load
-            if (!hasMore && place >= 0)
+            if (!hasMore && remove(load)) // a step may have cancelled its own load
+            {
+                _doneCount++;
+                var isTold:Boolean = tell(load, problem == null ? load.model : null, problem);
+                if (problem == null)
+                {
+                    dispatchEvent(new ModelEvent(ModelEvent.LOADED, load.model));
+                }
+                else if (!isTold || hasEventListener(ErrorEvent.ERROR))
+                {
+                    dispatchEvent(new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
+                }
+            }
+        }
+
+        // Whether there is a function to tell.
+        private static function tell(load:ModelLoad, model:Model, problem:Error):Boolean
+        {
+            if (load.whenOver != null)
+            {
+                load.whenOver(model, problem);
+            }
+            return load.whenOver != null;
+        }
+
+        // Whether it was still there.
+        private function remove(load:ModelLoad):Boolean
+        {
+            var place:int = _queue.indexOf(load);
+            if (place >= 0)
             {
                 _queue.splice(place, 1);
-                _doneCount++;
                 _receiver.expectNoMore(load.name);
-                dispatchEvent(problem == null ? new ModelEvent(ModelEvent.LOADED, load.model)
-                        : new ErrorEvent(ErrorEvent.ERROR, false, false, problem.message));
             }
+            return place >= 0;
         }
 
         private function report():void

@@ -1,7 +1,10 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * How a model is turned, scaled and moved before it is used: what the StarLogo Nova client's transform files say (<code>bear.slb</code>
@@ -49,7 +52,7 @@ package starlogo.models
             var turn:Vector3D = null;
             var factors:Vector3D = null;
             var move:Vector3D = null;
-            for each (var line:String in TextTokens.replaceAll(text || "", "\r", "").split("\n"))
+            for each (var line:String in (text || "").split("\r").join("").split("\n"))
             {
                 var words:Array = line.split(" ");
                 var x:Number = numberIn(words[1]);
@@ -106,6 +109,12 @@ package starlogo.models
         public function toText():String
         {
             return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
+        }
+
+        /** As toText() has it. */
+        public function toString():String
+        {
+            return toText();
         }
 
         /**

@@ -1,10 +1,13 @@
 package starlogo.models
 {
     import flash.geom.Vector3D;
+    import starlogo.engine;
     import starlogo.geometry.VertexBounds;
     import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
     import starlogo.steps.StepSequence;
+
+    use namespace engine;
 
     /** What a model is made of: a shape checked, copied, turned and normalised as Model says, in steps. */
     internal final class NormalisedShape extends StepSequence
@@ -29,12 +32,14 @@ package starlogo.models
 
         private var _count:int;
         private var _transform:ModelTransform;
+        private var _factors:Vector3D;
+        private var _translation:Vector3D;
         private var _bounds:VertexBounds;
 
         // what turn() multiplies by
         private var _rows:Vector.<Number>;
 
-        // what place() takes off, in two parts, and divides by
+        // what place() takes off, what it adds, and what it divides by
         private var _low:Vector3D = new Vector3D();
         private var _half:Vector3D = new Vector3D();
         private var _divisor:Number = 1;
@@ -57,7 +62,11 @@ package starlogo.models
             check(vertices.length % 3 == 0 ? null : VertexData.vertexProblem(vertices));
             this.vertices = vertices.slice();
             _count = vertices.length / 3;
-            _transform = transform == null ? new ModelTransform() : transform;
+            _transform = transform;
+            _factors = transform == null ? new Vector3D(1, 1, 1) : transform.scale;
+            _translation = transform == null ? new Vector3D() : transform.translation;
+            frame.scaling = scaling;
+            frame.transform = transform;
             measureAll();
             switch (scaling)
             {
@@ -103,7 +112,7 @@ package starlogo.models
 
         private function turnAll():NormalisedShape
         {
-            if (_transform.rotation.lengthSquared > 0)
+            if (_transform != null && _transform.rotation.lengthSquared > 0)
             {
                 call(findRotation).slices(_count, VERTICES_PER_STEP, turn);
                 measureAll();
@@ -113,8 +122,7 @@ package starlogo.models
 
         private function scaleAll():NormalisedShape
         {
-            var factors:Vector3D = _transform.scale;
-            if (factors.x != 1 || factors.y != 1 || factors.z != 1)
+            if (_factors.x != 1 || _factors.y != 1 || _factors.z != 1)
             {
                 call(findScale).slices(_count, VERTICES_PER_STEP, turn);
                 measureAll();
@@ -141,9 +149,8 @@ package starlogo.models
 
         private function findScale():void
         {
-            var factors:Vector3D = _transform.scale;
-            _rows = new <Number>[factors.x, 0, 0, 0, factors.y, 0, 0, 0, factors.z];
-            frame.scale(factors);
+            _rows = new <Number>[_factors.x, 0, 0, 0, _factors.y, 0, 0, 0, _factors.z];
+            frame.scale(_factors);
         }
 
         private function turn(first:int, end:int):void
@@ -188,14 +195,12 @@ package starlogo.models
 
         private function findGround():void
         {
-            var translation:Vector3D = _transform.translation;
-            setPlace(0, 0, _bounds.minZ, -translation.x, -translation.y, -translation.z, 1);
+            setPlace(0, 0, _bounds.minZ, -_translation.x, -_translation.y, -_translation.z, 1);
         }
 
         private function findTranslation():void
         {
-            var translation:Vector3D = _transform.translation;
-            setPlace(0, 0, 0, -translation.x, -translation.y, -translation.z, 1);
+            setPlace(0, 0, 0, -_translation.x, -_translation.y, -_translation.z, 1);
         }
 
         private function setPlace(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):void
@@ -203,7 +208,7 @@ package starlogo.models
             var size:Number = _bounds.maxX - _bounds.minX + _bounds.maxY - _bounds.minY + _bounds.maxZ - _bounds.minZ;
             check(size < Infinity ? null : "the coordinates are too large: the model's extent is not a finite number");
             _low.setTo(lowX, lowY, lowZ);
-            _half.setTo(halfX, halfY, halfZ);
+            _half.setTo(0 - halfX, 0 - halfY, 0 - halfZ); // no 0 is negative then
             _divisor = divisor;
             frame.place(lowX + halfX, lowY + halfY, lowZ + halfZ, divisor);
         }
@@ -225,9 +230,9 @@ package starlogo.models
             {
                 var j:int = i + 1;
                 var k:int = i + 2;
-                placed[i] = (placed[i] - lowX - halfX) / divisor;
-                placed[j] = (placed[j] - lowY - halfY) / divisor;
-                placed[k] = (placed[k] - lowZ - halfZ) / divisor;
+                placed[i] = (placed[i] - lowX + halfX) / divisor;
+                placed[j] = (placed[j] - lowY + halfY) / divisor;
+                placed[k] = (placed[k] - lowZ + halfZ) / divisor;
             }
         }
 
@@ -247,8 +252,7 @@ package starlogo.models
         // A mirror image's triangles are turned round, so that they still face outwards.
         private function turnRound():void
         {
-            var factors:Vector3D = _transform.scale;
-            if (factors.x * factors.y * factors.z < 0)
+            if (_factors.x * _factors.y * _factors.z < 0)
             {
                 triangles.reverse();
             }

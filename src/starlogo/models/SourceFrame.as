@@ -2,7 +2,11 @@ package starlogo.models
 {
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
+    import flash.utils.ByteArray;
+    import starlogo.engine;
     import starlogo.geometry.cubeRoot;
+
+    use namespace engine;
 
     /**
      * Where a model is in what it was made of, and how large: what another renderer's object needs that draws the source as it is. The
@@ -11,6 +15,20 @@ package starlogo.models
      */
     public final class SourceFrame
     {
+        /**
+         * How the model was scaled.
+         *
+         * @private
+         */
+        engine var scaling:String = null;
+
+        /**
+         * What turned, scaled and moved it.
+         *
+         * @private
+         */
+        engine var transform:ModelTransform = null;
+
         // row by row: a point p of the source is at rows * (p - (x, y, z)) in the model
         private var _rows:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
         private var _x:Number = 0;
@@ -50,6 +68,74 @@ package starlogo.models
             }
             columns.push(1);
             return new Matrix3D(columns);
+        }
+
+        /**
+         * The points of the source that points of the model are, but for rounding.
+         *
+         * @private
+         */
+        engine function pointsOf(points:Vector.<Number>):Vector.<Number>
+        {
+            var all:Vector.<Number> = new Vector.<Number>();
+            var inverse:Vector.<Number> = new Vector.<Number>(9);
+            for (var i:int = 0; i < 9; i++)
+            {
+                var row:int = i - i % 3;
+                inverse[i] = _rows[i] / (_rows[row] * _rows[row] + _rows[row + 1] * _rows[row + 1] + _rows[row + 2] * _rows[row + 2]);
+            }
+            for (i = 0; i < points.length; i += 3)
+            {
+                var x:Number = points[i];
+                var y:Number = points[i + 1];
+                var z:Number = points[i + 2];
+                all.push(_x + inverse[0] * x + inverse[3] * y + inverse[6] * z, _y + inverse[1] * x + inverse[4] * y + inverse[7] * z,
+                        _z + inverse[2] * x + inverse[5] * y + inverse[8] * z);
+            }
+            return all;
+        }
+
+        /**
+         * Writes where and how large the model is.
+         *
+         * @private
+         */
+        engine function writeTo(bytes:ByteArray):void
+        {
+            for each (var number:Number in _rows.concat(new <Number>[_x, _y, _z, _unit]))
+            {
+                bytes.writeDouble(number);
+            }
+        }
+
+        /**
+         * Reads what writeTo wrote.
+         *
+         * @param bytes read from its position on
+         * @param scaling how the model was scaled
+         * @return null if a number is not finite, or the unit is not positive
+         *
+         * @private
+         */
+        engine static function read(bytes:ByteArray, scaling:String):SourceFrame
+        {
+            var frame:SourceFrame = new SourceFrame();
+            frame.scaling = scaling;
+            var sum:Number = 0;
+            for (var i:int = 0; i < 13; i++)
+            {
+                var number:Number = bytes.readDouble();
+                sum += number - number;
+                if (i < 9)
+                {
+                    frame._rows[i] = number;
+                }
+                frame._x = i == 9 ? number : frame._x;
+                frame._y = i == 10 ? number : frame._y;
+                frame._z = i == 11 ? number : frame._z;
+                frame._unit = number;
+            }
+            return sum == 0 && frame._unit > 0 ? frame : null;
         }
 
         /**

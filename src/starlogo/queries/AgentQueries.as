@@ -46,7 +46,7 @@ package starlogo.queries
             _places = new PlaceQuestions(_seen, rows, answers);
             _touches = new TouchQuestions(_seen, rows, answers);
             _distances = new DistanceQuestions(_seen);
-            _rays = new RayQuestions(_seen, rows);
+            _rays = new RayQuestions(_seen, rows, answers);
             _moves = new MoveQuestions(_seen, rows, answers);
         }
 
@@ -224,7 +224,6 @@ package starlogo.queries
          */
         public function distance(a:Agent, b:Agent, pointA:Vector3D = null, pointB:Vector3D = null):Number
         {
-            // short, so that V8 can inline it: else it makes an object of each Number that is returned
             _distances.find(a, b, pointA, pointB);
             return _distances.closest.distance;
         }
@@ -308,7 +307,9 @@ package starlogo.queries
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            return _moves.moveUntilTouch(agent, dx, dy, dz, filter, contact);
+            _moves.aim(dx, dy, dz);
+            _moves.move(agent, filter, contact, false);
+            return _moves.part;
         }
 
         /**
@@ -327,7 +328,9 @@ package starlogo.queries
          */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            return _moves.slide(agent, dx, dy, dz, filter);
+            _moves.aim(dx, dy, dz);
+            _moves.move(agent, filter, null, true);
+            return _moves.part;
         }
     }
 }

@@ -45,12 +45,12 @@ package starlogo.queries
                 return listed;
             }
             var accepted:Vector.<Agent> = keepAccepted(members, 0, count, filter.accepts, int.MAX_VALUE);
-            listed.length = accepted.length;
+            shorten(listed, accepted.length);
             for (var i:int = 0; i < accepted.length; i++)
             {
                 listed[i] = accepted[i];
             }
-            accepted.length = 0;
+            shorten(accepted, 0);
             return listed;
         }
 
@@ -77,8 +77,15 @@ package starlogo.queries
             return accepted.length > 0 ? accepted[0] : null;
         }
 
-        // Asks until so many are accepted; the list is overwritten by the next call.
-        private function keepAccepted(members:Vector.<int>, first:int, count:int, accepts:Function, most:int):Vector.<Agent>
+        /**
+         * Those that are accepted of some members, in their order.
+         *
+         * @param first how many are known to be refused
+         * @param count how many there are
+         * @param most when so many are accepted no more are asked
+         * @return overwritten by the next call
+         */
+        public function keepAccepted(members:Vector.<int>, first:int, count:int, accepts:Function, most:int):Vector.<Agent>
         {
             if (_seen.asking == _asked.length)
             {
@@ -110,20 +117,26 @@ package starlogo.queries
                     kept++;
                 }
             }
-            asked.length = kept;
+            shorten(asked, kept);
         }
 
         private function write(members:Vector.<int>, first:int, count:int, out:Vector.<Agent>):void
         {
             var agents:Vector.<Agent> = _seen.table.agents;
             var rows:Vector.<int> = _seen.table.rows;
-            if (out.length > count - first)
-            {
-                out.length = count - first;
-            }
+            shorten(out, count - first);
             for (var i:int = first; i < count; i++)
             {
                 out[i - first] = agents[rows[members[i]]];
+            }
+        }
+
+        // One by one: of an array whose length is set to less, V8 gives up the store.
+        private static function shorten(list:Vector.<Agent>, length:int):void
+        {
+            while (list.length > length)
+            {
+                list.pop();
             }
         }
     }

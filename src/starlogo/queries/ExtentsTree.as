@@ -171,7 +171,8 @@ package starlogo.queries
             var halfX:Number = extents.halfX[row];
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
-            var slack:Number = SLACK * (halfX + halfY + halfZ) + MARGINS * touchingGap(atX, atY, atZ, 0, 0, 0);
+            // touchingGap written out: V8 makes objects of what it is given
+            var slack:Number = SLACK * (halfX + halfY + halfZ) + MARGINS * Tolerances.PLACES * (Math.abs(atX) + Math.abs(atY) + Math.abs(atZ));
             if (_isRound)
             {
                 halfX = halfY = extents.radius[row];
@@ -184,32 +185,32 @@ package starlogo.queries
             maxZ = atZ + halfZ + slack;
         }
 
-        /** Makes the box reach as far as it does when it is moved, and still to where it is. */
-        public function extendBox(dx:Number, dy:Number, dz:Number):void
+        /** Makes the box reach as far as it does when it is moved along the direction, by all of it, and still to where it is. */
+        public function extendBox():void
         {
-            if (dx < 0)
+            if (directionX < 0)
             {
-                minX += dx;
+                minX += directionX;
             }
             else
             {
-                maxX += dx;
+                maxX += directionX;
             }
-            if (dy < 0)
+            if (directionY < 0)
             {
-                minY += dy;
-            }
-            else
-            {
-                maxY += dy;
-            }
-            if (dz < 0)
-            {
-                minZ += dz;
+                minY += directionY;
             }
             else
             {
-                maxZ += dz;
+                maxY += directionY;
+            }
+            if (directionZ < 0)
+            {
+                minZ += directionZ;
+            }
+            else
+            {
+                maxZ += directionZ;
             }
         }
 
@@ -253,7 +254,7 @@ package starlogo.queries
         /** Begins a search along the ray: <code>nextOnRay()</code> then finds one row after the other. */
         public function beginRay():void
         {
-            // touchingGap written out: V8 makes objects of what it is given
+            // as in setBox
             _slack = MARGINS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
             _at = _end = 0;
             _waiting = begin();

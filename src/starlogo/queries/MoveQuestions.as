@@ -14,10 +14,17 @@ package starlogo.queries
      */
     public final class MoveQuestions
     {
+        /** How much of the last motion was free. */
+        public var part:Number = 1;
+
         private var _seen:SeenAgents;
         private var _rows:FilteredRows;
         private var _answers:Answers;
         private var _mover:Mover = null;
+
+        private var _dx:Number = 0;
+        private var _dy:Number = 0;
+        private var _dz:Number = 0;
 
         // What is near the way: members, all with a squared distance of 0, and those that count as agents and as rows.
         private var _members:Vector.<int> = new Vector.<int>();
@@ -36,25 +43,31 @@ package starlogo.queries
             _answers = answers;
         }
 
-        /** As AgentQueries.moveUntilTouch. */
-        public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact):Number
+        /** Sets the motion of the next question: an object would be made of each Number that is given to a longer function. */
+        public function aim(dx:Number, dy:Number, dz:Number):void
         {
-            return move(agent, dx, dy, dz, filter, contact, false);
+            _dx = dx;
+            _dy = dy;
+            _dz = dz;
         }
 
-        /** As AgentQueries.slide. */
-        public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter):Number
+        /**
+         * As AgentQueries.moveUntilTouch, or slide, with the motion that was set: <code>part</code>.
+         *
+         * @param contact takes how it touches; or null
+         * @param slides whether it goes on along what it meets
+         */
+        public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):void
         {
-            return move(agent, dx, dy, dz, filter, null, true);
-        }
-
-        private function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact, slides:Boolean):Number
-        {
+            var dx:Number = _dx;
+            var dy:Number = _dy;
+            var dz:Number = _dz;
             if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
             }
-            findNear(agent, dx, dy, dz, filter, slides);
+            // the filter may ask of motions too
+            findNear(agent, filter, slides);
             if (_mover == null || _mover.strategy !== _seen.strategy)
             {
                 _mover = new Mover(_seen.strategy);
@@ -62,37 +75,37 @@ package starlogo.queries
             var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfNow(agent);
             var isSeen:Boolean = table.shapes[row] != null;
-            var part:Number = 1;
+            part = 1;
             if (isSeen)
             {
-                part = _mover.move(table, row, _agents, dx, dy, dz, slides);
+                _mover.aim(dx, dy, dz);
+                _mover.move(table, row, _agents, slides);
+                part = _mover.part;
             }
             _seen.endRowOfNow(agent, row);
             if (contact != null && isSeen)
             {
-                _mover.writeContact(part, contact);
+                _mover.writeContact(contact);
             }
             if (dx == 0 && dy == 0 && dz == 0)
             {
-                return part;
+                return;
             }
-            if (isSeen)
+            if (!isSeen)
             {
-                agent.moveTo(_mover.x, _mover.y, _mover.z);
+                _mover.x = agent.x + dx;
+                _mover.y = agent.y + dy;
+                _mover.z = agent.z + dz;
             }
-            else
-            {
-                agent.moveTo(agent.x + dx, agent.y + dy, agent.z + dz);
-            }
+            _mover.place(agent);
             if (table.rowOf(agent) >= 0)
             {
                 _seen.moved(agent);
             }
-            return part;
         }
 
         // The agents that count and whose extents are near the way; where it may go anywhere, near where it may end.
-        private function findNear(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, isAnywhere:Boolean):void
+        private function findNear(agent:Agent, filter:AgentFilter, isAnywhere:Boolean):void
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
@@ -103,15 +116,15 @@ package starlogo.queries
                 var test:RowTest = _rows.of(filter);
                 var own:int = _seen.memberOf(agent);
                 tree.setBox(row);
+                var length:Number = Math.sqrt(_dx * _dx + _dy * _dy + _dz * _dz);
+                tree.directionX = isAnywhere ? length : _dx;
+                tree.directionY = isAnywhere ? length : _dy;
+                tree.directionZ = isAnywhere ? length : _dz;
+                tree.extendBox();
                 if (isAnywhere)
                 {
-                    var length:Number = Math.sqrt(dx * dx + dy * dy + dz * dz);
-                    tree.extendBox(length, length, length);
-                    tree.extendBox(-length, -length, -length);
-                }
-                else
-                {
-                    tree.extendBox(dx, dy, dz);
+                    tree.directionX = tree.directionY = tree.directionZ = -length;
+                    tree.extendBox();
                 }
                 var near:int = tree.findOverlapping();
                 for (var i:int = 0; i < near; i++)

@@ -4,8 +4,8 @@ package starlogo.queries
     import starlogo.broadphase.Extents;
     import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.touchingGap;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
@@ -54,6 +54,9 @@ package starlogo.queries
         /** Decides what touches. */
         public var strategy:ShapeStrategy;
 
+        /** How far the last row has come, as a part of its motion. */
+        public var part:Number = 1;
+
         /** Where the agent is at the end. */
         public var x:Number = 0;
 
@@ -96,7 +99,17 @@ package starlogo.queries
         private var _hasContact:Boolean = false;
         private var _motion:RelativeMotion = new RelativeMotion();
 
-        // The best projection so far.
+        // Fields in place of results, of which V8 would make objects: of the moving row and the other that is looked at the larger extent, and a hair.
+        private var _extent:Number = 0;
+        private var _hair:Number = 0;
+
+        // How far the rest of the motion goes along a normal.
+        private var _along:Number = 0;
+
+        // The projection that is tried, and the best so far.
+        private var _triedX:Number = 0;
+        private var _triedY:Number = 0;
+        private var _triedZ:Number = 0;
         private var _bestX:Number = 0;
         private var _bestY:Number = 0;
         private var _bestZ:Number = 0;
@@ -114,19 +127,23 @@ package starlogo.queries
             }
         }
 
+        /** Sets the motion of the next row: objects would be made of Numbers that are given to a longer function. */
+        public function aim(dx:Number, dy:Number, dz:Number):void
+        {
+            _restX = dx;
+            _restY = dy;
+            _restZ = dz;
+        }
+
         /**
-         * Moves a row; it is back where it was afterwards, and x, y, z are where it would be.
+         * Moves a row as was aimed; it is back where it was afterwards, and x, y, z are where it would be, part how far it has come.
          *
          * @param table has the row
          * @param row moves
          * @param others of the same table, as agents
-         * @param dx how far
-         * @param dy likewise
-         * @param dz likewise
          * @param slides whether it goes on along what it meets
-         * @return how far it has come, as a part of the motion
          */
-        public function move(table:AgentTable, row:int, others:Vector.<Agent>, dx:Number, dy:Number, dz:Number, slides:Boolean):Number
+        public function move(table:AgentTable, row:int, others:Vector.<Agent>, slides:Boolean):void
         {
             _table = table;
             _row = row;
@@ -135,14 +152,11 @@ package starlogo.queries
             var atY:Number = y = table.y[row];
             var atZ:Number = z = table.z[row];
             var revision:int = table.revisions[row];
-            _restX = dx;
-            _restY = dy;
-            _restZ = dz;
-            _gone = 0;
+            part = _gone = 0;
             _offsetX = _offsetY = _offsetZ = 0;
             _planeCount = 0;
             _hasContact = false;
-            var length:Number = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            var length:Number = Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
             if (length > 0)
             {
                 clear();
@@ -156,25 +170,47 @@ package starlogo.queries
                     goUntilTouch();
                 }
                 end(slides);
+                part = slides ? _gone / length : _gone;
             }
             table.putBack(row, atX, atY, atZ, revision);
             _table = null;
-            if (!(length > 0))
+            if (!(length > 0) || part > 1)
             {
-                return 1;
+                part = 1;
             }
-            var part:Number = slides ? _gone / length : _gone;
-            return part < 1 ? part : 1;
+        }
+
+        /** Moves an agent to x, y, z. */
+        public function place(agent:Agent):void
+        {
+            var of:Placement = agent.placement;
+            if (!(x * x + y * y + z * z <= 1e240))
+            {
+                // too far
+                agent.moveTo(x, y, z);
+            }
+            // as moveTo, of whose Numbers V8 makes objects here
+            if (x != of.x || y != of.y || z != of.z)
+            {
+                of.x = x;
+                of.y = y;
+                of.z = z;
+                agent.revision++;
+            }
         }
 
         /** Writes the contact of the last move that was not sliding. */
-        public function writeContact(part:Number, out:Contact):void
+        public function writeContact(out:Contact):void
         {
             out.time = part;
             if (_hasContact)
             {
-                out.point.setTo(_contact.x, _contact.y, _contact.z);
-                out.normal.setTo(_contact.normalX, _contact.normalY, _contact.normalZ);
+                out.point.x = _contact.x;
+                out.point.y = _contact.y;
+                out.point.z = _contact.z;
+                out.normal.x = _contact.normalX;
+                out.normal.y = _contact.normalY;
+                out.normal.z = _contact.normalZ;
                 out.depth = _contact.depth;
             }
         }
@@ -209,13 +245,14 @@ package starlogo.queries
                     }
                     isFree = false;
                     findStanding(other);
-                    if (round == CLEARING_ROUNDS - 1 || _tried.depth > DEEP * largerExtent(other))
+                    measure(other);
+                    if (round == CLEARING_ROUNDS - 1 || _tried.depth > DEEP * _extent)
                     {
                         addPlane(_tried);
                         leaveOut(i);
                         continue;
                     }
-                    addOffset(_tried, _tried.depth + hair(other));
+                    addOffset(_tried, _tried.depth + _hair);
                 }
                 if (isFree)
                 {
@@ -245,10 +282,10 @@ package starlogo.queries
                     continue;
                 }
                 // without the offset it would have been there before
-                var along:Number = alongRest(_contact);
-                if (along < 0)
+                findAlong(_contact);
+                if (_along < 0)
                 {
-                    _time += (_offsetX * _contact.normalX + _offsetY * _contact.normalY + _offsetZ * _contact.normalZ) / along;
+                    _time += (_offsetX * _contact.normalX + _offsetY * _contact.normalY + _offsetZ * _contact.normalZ) / _along;
                 }
                 _time = _time > 0 ? _time : 0;
                 _hasContact = true;
@@ -292,15 +329,16 @@ package starlogo.queries
         // A hair away from what it has met; where that touches something else, as in a corner, a hair back, where it was free.
         private function stayFree():void
         {
-            var distance:Number = hair(_others[_first]);
-            addOffset(_contact, distance);
+            measure(_others[_first]);
+            addOffset(_contact, _hair);
             put(0);
             if (!touchesOne())
             {
                 return;
             }
-            addOffset(_contact, -distance);
-            var back:Number = -distance / alongRest(_contact);
+            addOffset(_contact, -_hair);
+            findAlong(_contact);
+            var back:Number = -_hair / _along;
             var most:Number = _time / (1 - _time);
             back = back < most ? back : most;
             x -= back * _restX;
@@ -339,7 +377,8 @@ package starlogo.queries
         // A contact that does not point against the motion is of features that do not stop it: what does is found a little way on.
         private function turnAgainst():void
         {
-            if (alongRest(_contact) < 0)
+            findAlong(_contact);
+            if (_along < 0)
             {
                 return;
             }
@@ -347,7 +386,8 @@ package starlogo.queries
             if (strategy.areTouching(_table, _row, _others[_first]))
             {
                 findStanding(_others[_first]);
-                if (alongRest(_tried) < 0)
+                findAlong(_tried);
+                if (_along < 0)
                 {
                     _contact.copyFrom(_tried);
                     return;
@@ -359,11 +399,13 @@ package starlogo.queries
         // Whether what is met first is no farther than rounding from where it is, and the motion leaves it or runs along it: then a hair away it is not met.
         private function isLeft():Boolean
         {
-            if (_time > 0 || alongRest(_contact) < 0)
+            findAlong(_contact);
+            if (_time > 0 || _along < 0)
             {
                 return false;
             }
-            addOffset(_contact, hair(_others[_first]));
+            measure(_others[_first]);
+            addOffset(_contact, _hair);
             return true;
         }
 
@@ -380,7 +422,9 @@ package starlogo.queries
             {
                 _tried.depth = 0;
                 findStanding(other);
-                if (_tried.depth > 2 * hair(other) || alongRest(_tried) < -hair(other))
+                measure(other);
+                findAlong(_tried);
+                if (_tried.depth > 2 * _hair || _along < -_hair)
                 {
                     return false;
                 }
@@ -405,7 +449,8 @@ package starlogo.queries
                 }
                 if (_hasContact)
                 {
-                    var dip:Number = DIP * largerExtent(_others[_first]);
+                    measure(_others[_first]);
+                    var dip:Number = DIP * _extent;
                     x -= dip * _contact.normalX;
                     y -= dip * _contact.normalY;
                     z -= dip * _contact.normalZ;
@@ -439,10 +484,10 @@ package starlogo.queries
             _time = RelativeMotion.NEVER;
             for (var i:int = 0; i < _count; i++)
             {
-                var time:Number = _sweep.findImpact(_table, _row, _others[i], _motion, _tried);
-                if (time < _time)
+                _sweep.findImpact(_table, _row, _others[i], _motion, _tried);
+                if (_sweep.time < _time)
                 {
-                    _time = time;
+                    _time = _sweep.time;
                     _first = i;
                     _contact.copyFrom(_tried);
                 }
@@ -465,7 +510,8 @@ package starlogo.queries
         private function putAhead(time:Number):void
         {
             var length:Number = Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
-            put(time + AHEAD * largerExtent(_others[_first]) / length);
+            measure(_others[_first]);
+            put(time + AHEAD * _extent / length);
         }
 
         private function addOffset(contact:ContactPoint, distance:Number):void
@@ -481,27 +527,20 @@ package starlogo.queries
             _others[at] = _others[_count];
         }
 
-        private function largerExtent(other:int):Number
-        {
-            var own:Number = longest(_row);
-            var others:Number = longest(other);
-            return own > others ? own : others;
-        }
-
-        private function longest(row:int):Number
+        // Finds the larger extent of the moving row and another, and how wide a hair is between them: with touchingGap written out.
+        private function measure(other:int):void
         {
             var extents:Extents = _table.extents;
-            return 2 * Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
+            var half:Number = Math.max(extents.halfX[_row], Math.max(extents.halfY[_row], extents.halfZ[_row]));
+            half = Math.max(half, Math.max(extents.halfX[other], Math.max(extents.halfY[other], extents.halfZ[other])));
+            _extent = 2 * half;
+            _hair = HAIR * _extent + 8 * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z)
+                    + (Math.abs(_table.x[other]) + Math.abs(_table.y[other]) + Math.abs(_table.z[other])));
         }
 
-        private function hair(other:int):Number
+        private function findAlong(contact:ContactPoint):void
         {
-            return HAIR * largerExtent(other) + 8 * touchingGap(x, y, z, _table.x[other], _table.y[other], _table.z[other]);
-        }
-
-        private function alongRest(contact:ContactPoint):Number
-        {
-            return contact.normalX * _restX + contact.normalY * _restY + contact.normalZ * _restZ;
+            _along = contact.normalX * _restX + contact.normalY * _restY + contact.normalZ * _restZ;
         }
 
         private function addPlane(contact:ContactPoint):void
@@ -513,25 +552,21 @@ package starlogo.queries
             }
         }
 
-        private static function along(plane:ContactPoint, vx:Number, vy:Number, vz:Number):Number
-        {
-            return plane.normalX * vx + plane.normalY * vy + plane.normalZ * vz;
-        }
-
         // Whether the motion crosses a plane by more than rounding; what it does by rounding is taken off.
         private function isAgainstPlanes():Boolean
         {
             var least:Number = 0;
             for (var i:int = 0; i < _planeCount; i++)
             {
-                var depth:Number = alongRest(_planes[i]);
-                if (depth < least)
+                findAlong(_planes[i]);
+                if (_along < least)
                 {
-                    least = depth;
+                    least = _along;
                     _contact.copyFrom(_planes[i]);
                 }
             }
-            if (least < -HAIR * longest(_row))
+            measure(_row);
+            if (least < -HAIR * _extent)
             {
                 _first = -1;
                 _hasContact = true;
@@ -543,9 +578,12 @@ package starlogo.queries
         // Projects the rest of the motion on the planes that it crosses, the nearest that crosses none; returns whether there is any left.
         private function project():Boolean
         {
-            var least:Number = _restX * _restX + _restY * _restY + _restZ * _restZ;
+            var most:Number = _restX * _restX + _restY * _restY + _restZ * _restZ;
             _bestX = _bestY = _bestZ = _bestSquared = 0;
-            tryRest(_restX, _restY, _restZ);
+            _triedX = _restX;
+            _triedY = _restY;
+            _triedZ = _restZ;
+            tryRest();
             var isFree:Boolean = _bestSquared > 0;
             for (var i:int = 0; !isFree && i < _planeCount; i++)
             {
@@ -558,13 +596,16 @@ package starlogo.queries
             _restX = _bestX;
             _restY = _bestY;
             _restZ = _bestZ;
-            return _bestSquared > STUCK * least;
+            return _bestSquared > STUCK * most;
         }
 
         private function tryOnPlane(plane:ContactPoint):void
         {
-            var by:Number = alongRest(plane);
-            tryRest(_restX - by * plane.normalX, _restY - by * plane.normalY, _restZ - by * plane.normalZ);
+            findAlong(plane);
+            _triedX = _restX - _along * plane.normalX;
+            _triedY = _restY - _along * plane.normalY;
+            _triedZ = _restZ - _along * plane.normalZ;
+            tryRest();
         }
 
         // The lines in which one plane meets those after it.
@@ -581,15 +622,18 @@ package starlogo.queries
                 if (squared > Tolerances.NEARLY_PARALLEL)
                 {
                     var share:Number = (cx * _restX + cy * _restY + cz * _restZ) / squared;
-                    tryRest(share * cx, share * cy, share * cz);
+                    _triedX = share * cx;
+                    _triedY = share * cy;
+                    _triedZ = share * cz;
+                    tryRest();
                 }
             }
         }
 
-        // Takes a projection that crosses no plane, if it is longer than the best so far.
-        private function tryRest(vx:Number, vy:Number, vz:Number):void
+        // Takes the projection that is tried, if it crosses no plane and is longer than the best so far.
+        private function tryRest():void
         {
-            var squared:Number = vx * vx + vy * vy + vz * vz;
+            var squared:Number = _triedX * _triedX + _triedY * _triedY + _triedZ * _triedZ;
             if (!(squared > _bestSquared))
             {
                 return;
@@ -597,14 +641,15 @@ package starlogo.queries
             var least:Number = -LEVEL * Math.sqrt(squared);
             for (var i:int = 0; i < _planeCount; i++)
             {
-                if (along(_planes[i], vx, vy, vz) < least)
+                var plane:ContactPoint = _planes[i];
+                if (plane.normalX * _triedX + plane.normalY * _triedY + plane.normalZ * _triedZ < least)
                 {
                     return;
                 }
             }
-            _bestX = vx;
-            _bestY = vy;
-            _bestZ = vz;
+            _bestX = _triedX;
+            _bestY = _triedY;
+            _bestZ = _triedZ;
             _bestSquared = squared;
         }
     }

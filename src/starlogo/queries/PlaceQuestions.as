@@ -3,7 +3,6 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
 
     use namespace engine;
 
@@ -16,9 +15,6 @@ package starlogo.queries
     {
         // How much farther, squared, those are that are asked at once after all that are nearer have been refused.
         private static const FARTHER:Number = 4;
-
-        // By how much an angle may be greater than half of a cone's because of rounding.
-        private static const ANGLE_ROUNDING:Number = 1e-12;
 
         private var _seen:SeenAgents;
         private var _rows:FilteredRows;
@@ -83,7 +79,8 @@ package starlogo.queries
             var count:int = places.findNear(_rows.of(filter));
             if (degrees < 360)
             {
-                count = keepInCone(agent.worldPlacement(), places, count, degrees / 2 + ANGLE_ROUNDING);
+                places.coneAngle = degrees / 2;
+                count = places.keepInCone(agent.worldPlacement(), count);
             }
             return _answers.list(places.found, places.squares, count, filter, out);
         }
@@ -190,23 +187,6 @@ package starlogo.queries
                 square = places.squareOf(member);
             }
             return accepted;
-        }
-
-        private static function keepInCone(placement:Placement, places:PlaceTree, count:int, half:Number):int
-        {
-            var found:Vector.<int> = places.found;
-            var squares:Vector.<Number> = places.squares;
-            var kept:int = 0;
-            for (var i:int = 0; i < count; i++)
-            {
-                if (places.angleTo(found[i], placement.r00, placement.r10, placement.r20) <= half)
-                {
-                    found[kept] = found[i];
-                    squares[kept] = squares[i];
-                    kept++;
-                }
-            }
-            return kept;
         }
     }
 }

@@ -1,5 +1,7 @@
 package starlogo.queries
 {
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.geometry.Trigonometry;
 
     /**
@@ -54,6 +56,9 @@ package starlogo.queries
         /** The square of the distance beyond which rows count for <code>findNearest</code>; -1 for all. */
         public var beyond:Number = -1;
 
+        /** For <code>keepInCone</code>: the angle between a cone's axis and its border, in degrees below 180. */
+        public var coneAngle:Number = 0;
+
         /** What the last search of several has found, as numbers of the list. */
         public var found:Vector.<int> = new Vector.<int>();
 
@@ -73,6 +78,11 @@ package starlogo.queries
         // Nodes that are to be visited yet, and their squared distances.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _squares:Vector.<Number> = new Vector.<Number>();
+
+        // Sine and cosine of an angle: of the last cone's.
+        private var _borderAngle:Number = 0;
+        private var _sine:Number = 0;
+        private var _cosine:Number = 1;
 
         /** An empty tree. */
         public function PlaceTree()
@@ -136,34 +146,6 @@ package starlogo.queries
         public function squareOf(member:int):Number
         {
             return squareAt(_order[member]);
-        }
-
-        /**
-         * The angle at x, y, z between a direction and that to a row.
-         *
-         * @param member the row's number in the list
-         * @param directionX of length 1
-         * @param directionY likewise
-         * @param directionZ likewise
-         * @return degrees, 0 for a row that is at x, y, z
-         */
-        public function angleTo(member:int, directionX:Number, directionY:Number, directionZ:Number):Number
-        {
-            var at:int = _order[member];
-            var toX:Number = _x[at] - x;
-            var toY:Number = _y[at] - y;
-            var toZ:Number = _z[at] - z;
-            var acrossX:Number = directionY * toZ - directionZ * toY;
-            var acrossY:Number = directionZ * toX - directionX * toZ;
-            var acrossZ:Number = directionX * toY - directionY * toX;
-            var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
-            var along:Number = directionX * toX + directionY * toY + directionZ * toZ;
-            if (across == 0 && along == 0)
-            {
-                // which may be -0, and that has an angle
-                return 0;
-            }
-            return Trigonometry.arctangent(across, along);
         }
 
         /**
@@ -367,6 +349,55 @@ package starlogo.queries
                 near--;
             }
             return near;
+        }
+
+        /**
+         * Keeps those rows found that are in a cone whose tip is x, y, z and whose axis is the x axis of a placement; rows at its tip are in it.
+         *
+         * @param placement its rotation counts
+         * @param count how many rows were found
+         * @return how many are kept
+         */
+        public function keepInCone(placement:Placement, count:int):int
+        {
+            var axisX:Number = placement.r00;
+            var axisY:Number = placement.r10;
+            var axisZ:Number = placement.r20;
+            findBorder();
+            var sine:Number = _sine;
+            var cosine:Number = _cosine;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var at:int = _order[found[i]];
+                var toX:Number = _x[at] - x;
+                var toY:Number = _y[at] - y;
+                var toZ:Number = _z[at] - z;
+                var acrossX:Number = axisY * toZ - axisZ * toY;
+                var acrossY:Number = axisZ * toX - axisX * toZ;
+                var acrossZ:Number = axisX * toY - axisY * toX;
+                var across:Number = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ);
+                var along:Number = axisX * toX + axisY * toY + axisZ * toZ;
+                // the sine of the angle by which it is beyond the border; that of half a turn is 0 too
+                if (across * cosine - along * sine > Tolerances.CONE * (across + Math.abs(along)) || (along < 0 && coneAngle < 45))
+                {
+                    continue;
+                }
+                found[kept] = found[i];
+                squares[kept] = squares[i];
+                kept++;
+            }
+            return kept;
+        }
+
+        private function findBorder():void
+        {
+            if (coneAngle != _borderAngle)
+            {
+                _sine = Trigonometry.sine(coneAngle);
+                _cosine = Trigonometry.cosine(coneAngle);
+                _borderAngle = coneAngle;
+            }
         }
 
         // Puts the root on the stack, if there is one; returns how many nodes wait.

@@ -18,6 +18,7 @@ package starlogo.queries
     {
         private var _seen:SeenAgents;
         private var _rows:FilteredRows;
+        private var _answers:Answers;
         private var _order:DistanceOrder = new DistanceOrder();
         private var _rays:RowRays = new RowRays();
 
@@ -43,11 +44,13 @@ package starlogo.queries
         /**
          * @param seen the agents that are asked about
          * @param rows applies filters to them
+         * @param answers asks the rest of the filters
          */
-        public function RayQuestions(seen:SeenAgents, rows:FilteredRows)
+        public function RayQuestions(seen:SeenAgents, rows:FilteredRows, answers:Answers)
         {
             _seen = seen;
             _rows = rows;
+            _answers = answers;
         }
 
         /** As AgentQueries.cast. */
@@ -108,7 +111,7 @@ package starlogo.queries
                 _blocking.agent = null;
                 return !isBlocked;
             }
-            return !meetsAny(_rows.of(filter));
+            return next(_rows.of(filter)) < 0;
         }
 
         // Where the middle of an agent's extents is now; its place while its model is loading.
@@ -116,13 +119,18 @@ package starlogo.queries
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
+            // field by field: of Numbers that it passes V8 makes objects
             if (table.shapes[row] == null)
             {
-                out.setTo(agent.x, agent.y, agent.z);
+                out.x = agent.x;
+                out.y = agent.y;
+                out.z = agent.z;
             }
             else
             {
-                out.setTo(table.extents.x[row], table.extents.y[row], table.extents.z[row]);
+                out.x = table.extents.x[row];
+                out.y = table.extents.y[row];
+                out.z = table.extents.z[row];
             }
             _seen.endRowOfNow(agent, row);
         }
@@ -180,11 +188,6 @@ package starlogo.queries
             return first;
         }
 
-        private function meetsAny(test:RowTest):Boolean
-        {
-            return next(test) >= 0;
-        }
-
         // Lists every hit, but for accepts.
         private function list(test:RowTest, out:Vector.<RayHit>):void
         {
@@ -235,24 +238,20 @@ package starlogo.queries
             hit.normal.z = _normals[int(normal + 2)];
         }
 
-        // Gives a list so many hits; those that it has no use for are kept for others.
+        // Gives a list so many hits; those that it has no use for are kept for others. One by one, as in Answers.shorten.
         private function setLength(hits:Vector.<RayHit>, length:int):void
         {
-            for (var i:int = length; i < hits.length; i++)
+            while (hits.length > length)
             {
-                if (hits[i] == null)
+                var hit:RayHit = hits.pop();
+                if (hit != null)
                 {
-                    continue;
+                    hit.agent = null;
+                    _spare[_spareCount] = hit;
+                    _spareCount++;
                 }
-                hits[i].agent = null;
-                _spare[_spareCount] = hits[i];
-                _spareCount++;
             }
-            if (hits.length > length)
-            {
-                hits.length = length;
-            }
-            for (i = 0; i < length; i++)
+            for (var i:int = 0; i < length; i++)
             {
                 if (i == hits.length || hits[i] == null)
                 {
@@ -290,28 +289,20 @@ package starlogo.queries
             return isAccepted ? hit : null;
         }
 
-        // Asks accepts of hits until so many are accepted, and puts these first; returns how many.
+        // Puts those hits first, of the list that was made last, that accepts says yes to, until these are so many; returns how many.
         private function keepAccepted(hits:Vector.<RayHit>, accepts:Function, most:int):int
         {
-            var count:int = hits.length;
+            var accepted:Vector.<Agent> = _answers.keepAccepted(_found, 0, hits.length, accepts, most);
             var kept:int = 0;
-            _seen.asking++;
-            try
+            for (var i:int = 0; i < hits.length && kept < accepted.length; i++)
             {
-                for (var i:int = 0; i < count && kept < most; i++)
+                var hit:RayHit = hits[i];
+                if (hit.agent === accepted[kept])
                 {
-                    var hit:RayHit = hits[i];
-                    if (accepts(hit.agent))
-                    {
-                        hits[i] = hits[kept];
-                        hits[kept] = hit;
-                        kept++;
-                    }
+                    hits[i] = hits[kept];
+                    hits[kept] = hit;
+                    kept++;
                 }
-            }
-            finally
-            {
-                _seen.asking--;
             }
             return kept;
         }

@@ -77,7 +77,7 @@ package starlogo.search
         private var _extentsRevisions:Vector.<int> = new Vector.<int>();
         private var _shapeRevisions:Vector.<int> = new Vector.<int>();
 
-        // By row: from the place to the middle of the extents, and how the agent was turned and scaled.
+        // By row: from the position to the middle of the extents, and how the agent was turned and scaled.
         private var _offsetX:Vector.<Number> = new Vector.<Number>();
         private var _offsetY:Vector.<Number> = new Vector.<Number>();
         private var _offsetZ:Vector.<Number> = new Vector.<Number>();
@@ -124,16 +124,16 @@ package starlogo.search
         /**
          * Makes the rows those of a list of agents, where they are now, with the shape of each.
          *
-         * @throws ArgumentError if an agent is null or listed twice, its model is unknown, or what is needed of it was not loaded; places
+         * @throws ArgumentError if an agent is null or listed twice, its model is unknown, or what is needed of it was not loaded; positions
          *     and motions are then still those of the last search
          */
         public function read(agents:Vector.<Agent>):void
         {
             forgetReplaced();
-            if (count != agents.length || !readPlaces(agents))
+            if (count != agents.length || !readPositions(agents))
             {
                 readList(agents);
-                readPlaces(agents);
+                readPositions(agents);
             }
             findShapes();
             if (_freedList != listNumber)
@@ -141,7 +141,7 @@ package starlogo.search
                 freeRows(false);
                 _freedList = listNumber;
             }
-            setPlaces();
+            swapPositions();
         }
 
         /**
@@ -263,7 +263,7 @@ package starlogo.search
          *
          * @return of each row, the place of its agent in the list
          */
-        public function recordPlaces(record:FrameRecord):Vector.<int>
+        public function recordPositions(record:FrameRecord):Vector.<int>
         {
             var places:Vector.<int> = new Vector.<int>(agents.length);
             record.beginAgents(count);
@@ -284,7 +284,7 @@ package starlogo.search
          *
          * @throws ArgumentError as <code>read()</code>
          */
-        public function restorePlaces(list:Vector.<Agent>, record:FrameRecord):void
+        public function restorePositions(list:Vector.<Agent>, record:FrameRecord):void
         {
             read(list);
             for (var i:int = 0; i < count; i++)
@@ -297,9 +297,7 @@ package starlogo.search
                     // it has moved since: in one step more, if the game has put it there by a jump
                     agent.revision++;
                 }
-                revisions[row] = record.hasMotion[i] ? seen : NOT_SEEN;
-                placedRevisions[row] = STALE;
-                putAt(row, record.x[i], record.y[i], record.z[i]);
+                putBack(row, record.x[i], record.y[i], record.z[i], record.hasMotion[i] ? seen : NOT_SEEN);
             }
         }
 
@@ -322,9 +320,9 @@ package starlogo.search
             // a question that threw may have left some
             shapes[0] = shapes[1] = null;
             _extentsRevisions[0] = _extentsRevisions[1] = STALE;
-            readPlaces(agents);
+            readPositions(agents);
             findShapes();
-            setPlaces();
+            swapPositions();
         }
 
         /** Lets go of the agents of a question. */
@@ -415,17 +413,17 @@ package starlogo.search
             extents.z[row] = toZ + _offsetZ[row];
         }
 
-        // Reads where agents are, and notes which have changed in more than their places: false if the rows are not theirs. The places are
+        // Reads where agents are, and notes which have changed in more than their positions: false if the rows are not theirs. The positions are
         // written beside those of the last search.
-        private function readPlaces(list:Vector.<Agent>):Boolean
+        private function readPositions(list:Vector.<Agent>):Boolean
         {
             var listed:Vector.<Agent> = agents;
             var listedRows:Vector.<int> = rows;
             var extentsRevisions:Vector.<int> = _extentsRevisions;
             var read:Vector.<int> = _lastRevisions;
-            var placeX:Vector.<Number> = lastX;
-            var placeY:Vector.<Number> = lastY;
-            var placeZ:Vector.<Number> = lastZ;
+            var readX:Vector.<Number> = lastX;
+            var readY:Vector.<Number> = lastY;
+            var readZ:Vector.<Number> = lastZ;
             var end:int = count;
             var changed:int = 0;
             for (var i:int = 0; i < end; i++)
@@ -443,28 +441,28 @@ package starlogo.search
                     changed++;
                 }
                 read[row] = agent.revision;
-                placeX[row] = placement.x;
-                placeY[row] = placement.y;
-                placeZ[row] = placement.z;
+                readX[row] = placement.x;
+                readY[row] = placement.y;
+                readZ[row] = placement.z;
             }
             _changedCount = changed;
             return true;
         }
 
         // What was read counts from now on.
-        private function setPlaces():void
+        private function swapPositions():void
         {
-            var placeX:Vector.<Number> = lastX;
-            var placeY:Vector.<Number> = lastY;
-            var placeZ:Vector.<Number> = lastZ;
+            var readX:Vector.<Number> = lastX;
+            var readY:Vector.<Number> = lastY;
+            var readZ:Vector.<Number> = lastZ;
             var read:Vector.<int> = _lastRevisions;
             lastX = x;
             lastY = y;
             lastZ = z;
             _lastRevisions = revisions;
-            x = placeX;
-            y = placeY;
-            z = placeZ;
+            x = readX;
+            y = readY;
+            z = readZ;
             revisions = read;
             var listedRows:Vector.<int> = rows;
             var offsetX:Vector.<Number> = _offsetX;
@@ -478,9 +476,9 @@ package starlogo.search
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = listedRows[i];
-                var atX:Number = placeX[row] + offsetX[row];
-                var atY:Number = placeY[row] + offsetY[row];
-                var atZ:Number = placeZ[row] + offsetZ[row];
+                var atX:Number = readX[row] + offsetX[row];
+                var atY:Number = readY[row] + offsetY[row];
+                var atZ:Number = readZ[row] + offsetZ[row];
                 middleX[row] = atX;
                 middleY[row] = atY;
                 middleZ[row] = atZ;

@@ -53,23 +53,23 @@ package starlogo.search
         }
 
         /**
-         * Moves those candidates of a member to the beginning whose breeds count together with its own.
+         * Moves those candidates of a member to the beginning whose breeds are of interest together with its own.
          *
-         * @param others the places of the candidates
+         * @param others the slots of the candidates
          * @param count how many they are
-         * @return how many count
+         * @return how many these are
          */
-        public function keepCounting(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        public function keepOfInterest(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var numbers:Vector.<int> = table.breeds;
             var rowAt:Vector.<int> = bins.rowAt;
-            var counting:Vector.<Boolean> = _breeds.counts;
-            var first:int = numbers[rowAt[place]] * _breeds.breedCount;
+            var areOfInterest:Vector.<Boolean> = _breeds.areOfInterest;
+            var first:int = numbers[rowAt[slot]] * _breeds.breedCount;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
-                if (counting[first + numbers[rowAt[other]]])
+                if (areOfInterest[first + numbers[rowAt[other]]])
                 {
                     others[kept] = other;
                     kept++;

@@ -5,7 +5,7 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The pairs of breeds that count, with a number for each breed, so that a frame compares no names. The order within a pair does not
+     * The pairs of breeds that are of interest, with a number for each breed, so that a frame compares no names. The order within a pair does not
      * matter.
      *
      * @private
@@ -15,10 +15,10 @@ package starlogo.search
         /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = "*";
 
-        /** Whether a pair of breeds counts, at the number of one breed times breedCount plus that of the other. */
-        public var counts:Vector.<Boolean> = new Vector.<Boolean>();
+        /** Whether a pair of breeds is of interest, at the number of one breed times breedCount plus that of the other. */
+        public var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** Whether every pair of the breeds that have numbers counts. */
+        /** Whether every pair of the breeds that have numbers is of interest. */
         public var areAll:Boolean = true;
 
         /** Counts the changes: numbers of breeds are those of one revision. */
@@ -30,12 +30,12 @@ package starlogo.search
         // breed, otherBreed, breed, otherBreed, ...
         private var _added:Vector.<String> = new Vector.<String>();
 
-        /** No pair counts yet. */
+        /** No pairs yet. */
         public function BreedPairs()
         {
         }
 
-        /** How many breeds are told apart: those that were named, and all others as one if any breed counts. */
+        /** How many breeds are told apart: those that were named, and all others as one if ANY_BREED was added. */
         public function get breedCount():int
         {
             return _hasAny ? _breeds.length + 1 : _breeds.length;
@@ -48,16 +48,16 @@ package starlogo.search
             enter(breed);
             enter(otherBreed);
             revision++;
-            counts = new Vector.<Boolean>(breedCount * breedCount);
+            areOfInterest = new Vector.<Boolean>(breedCount * breedCount);
             for (var i:int = 0; i < _added.length; i += 2)
             {
                 markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
             }
             // not by indexOf(false), which finds none in Ruffle: an element that was not set becomes false only when it is read
             areAll = true;
-            for each (var isCounting:Boolean in counts)
+            for each (var isOfInterest:Boolean in areOfInterest)
             {
-                areAll = areAll && isCounting;
+                areAll = areAll && isOfInterest;
             }
         }
 
@@ -101,8 +101,8 @@ package starlogo.search
             {
                 for each (var other:int in otherNumbers)
                 {
-                    counts[number * breedCount + other] = true;
-                    counts[other * breedCount + number] = true;
+                    areOfInterest[number * breedCount + other] = true;
+                    areOfInterest[other * breedCount + number] = true;
                 }
             }
         }

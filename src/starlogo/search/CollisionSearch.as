@@ -30,13 +30,13 @@ package starlogo.search
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
 
-        // The members of the bins: all rows, or those whose breeds count, with the places of their agents in the list.
+        // The members of the bins: all rows, or those whose breeds are of interest, with the places of their agents in the list.
         private var _members:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _places:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds that count, or null for all; the pairs that were found, as agents, or as numbers of members
+        // The search under way: the pairs of breeds of interest, or null for all; the pairs that were found, as agents, or as members' numbers
         // where these are needed; where an agent sweeps, with their times. The agents of a pair are in the order of the list.
         private var _breeds:BreedPairs;
         private var _out:Vector.<Agent>;
@@ -76,7 +76,7 @@ package starlogo.search
         }
 
         /**
-         * Finds the pairs that touch and whose breeds count.
+         * Finds the pairs that touch and whose breeds are of interest.
          *
          * @param agents the list
          * @param breeds the pairs of breeds; null for all
@@ -104,16 +104,16 @@ package starlogo.search
             out.end(2 * _pairCount);
         }
 
-        /** As AgentTable.recordPlaces. */
-        public function recordPlaces(record:FrameRecord):Vector.<int>
+        /** As AgentTable.recordPositions. */
+        public function recordPositions(record:FrameRecord):Vector.<int>
         {
-            return _table.recordPlaces(record);
+            return _table.recordPositions(record);
         }
 
-        /** As AgentTable.restorePlaces. */
-        public function restorePlaces(agents:Vector.<Agent>, record:FrameRecord):void
+        /** As AgentTable.restorePositions. */
+        public function restorePositions(agents:Vector.<Agent>, record:FrameRecord):void
         {
-            _table.restorePlaces(agents, record);
+            _table.restorePositions(agents, record);
             _isSwept = false;
         }
 
@@ -151,39 +151,39 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function onCandidates(place:int, others:Vector.<int>, count:int):void
+        override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
             if (_breeds != null)
             {
-                var counting:int = _breedNumbers.keepCounting(_table, _bins, place, others, count);
-                _skippedPairs += count - counting;
-                count = counting;
+                var kept:int = _breedNumbers.keepOfInterest(_table, _bins, slot, others, count);
+                _skippedPairs += count - kept;
+                count = kept;
             }
             if (_isSwept)
             {
-                count = keepTouchingMotions(place, others, count);
+                count = keepTouchingMotions(slot, others, count);
             }
             else
             {
-                count = _strategy.keepTouching(_table, _bins, place, others, count);
+                count = _strategy.keepTouching(_table, _bins, slot, others, count);
             }
             if (_isSwept || _withNumbers)
             {
-                putMembers(place, others, count);
+                putMembers(slot, others, count);
             }
             if (!_isSwept)
             {
-                putAgents(place, others, count);
+                putAgents(slot, others, count);
             }
             _pairCount += count;
         }
 
         // The pairs of a member and others, as numbers of members.
-        private function putMembers(place:int, others:Vector.<int>, count:int):void
+        private function putMembers(slot:int, others:Vector.<int>, count:int):void
         {
             var pairs:Vector.<int> = _pairs;
             var memberAt:Vector.<int> = _bins.memberAt;
-            var member:int = memberAt[place];
+            var member:int = memberAt[slot];
             var at:int = 2 * _pairCount;
             for (var i:int = 0; i < count; i++)
             {
@@ -203,14 +203,14 @@ package starlogo.search
         }
 
         // The same pairs as agents.
-        private function putAgents(place:int, others:Vector.<int>, count:int):void
+        private function putAgents(slot:int, others:Vector.<int>, count:int):void
         {
             var out:Vector.<Agent> = _out;
             var listed:Vector.<Agent> = _table.agents;
             var memberAt:Vector.<int> = _bins.memberAt;
             var rowAt:Vector.<int> = _bins.rowAt;
-            var member:int = memberAt[place];
-            var agent:Agent = listed[rowAt[place]];
+            var member:int = memberAt[slot];
+            var agent:Agent = listed[rowAt[slot]];
             var at:int = 2 * _pairCount;
             for (var i:int = 0; i < count; i++)
             {
@@ -283,10 +283,10 @@ package starlogo.search
         }
 
         // As keepTouching of a strategy, with the times: pairs of which one sweeps are tested as they moved, others where they are.
-        private function keepTouchingMotions(place:int, others:Vector.<int>, count:int):int
+        private function keepTouchingMotions(slot:int, others:Vector.<int>, count:int):int
         {
-            var row:int = _bins.rowAt[place];
-            var member:int = _bins.memberAt[place];
+            var row:int = _bins.rowAt[slot];
+            var member:int = _bins.memberAt[slot];
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {

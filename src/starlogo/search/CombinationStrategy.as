@@ -59,17 +59,17 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        override public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             if (!_hasHierarchies)
             {
-                return _tightestFit.keepTouching(table, bins, place, others, count);
+                return _tightestFit.keepTouching(table, bins, slot, others, count);
             }
             var shapes:Vector.<ModelShape> = table.shapes;
             var rowAt:Vector.<int> = bins.rowAt;
-            if (shapes[rowAt[place]].hierarchy != null)
+            if (shapes[rowAt[slot]].hierarchy != null)
             {
-                return _hierarchy.keepTouching(table, bins, place, others, count);
+                return _hierarchy.keepTouching(table, bins, slot, others, count);
             }
             var plain:int = 0;
             for (var i:int = 0; i < count; i++)
@@ -85,8 +85,8 @@ package starlogo.search
                     _hierarchical[i - plain] = other;
                 }
             }
-            var kept:int = _tightestFit.keepTouching(table, bins, place, others, plain);
-            var keptOfThem:int = _hierarchy.keepTouching(table, bins, place, _hierarchical, count - plain);
+            var kept:int = _tightestFit.keepTouching(table, bins, slot, others, plain);
+            var keptOfThem:int = _hierarchy.keepTouching(table, bins, slot, _hierarchical, count - plain);
             for (i = 0; i < keptOfThem; i++)
             {
                 others[kept + i] = _hierarchical[i];

@@ -63,23 +63,23 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        override public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var shapes:Vector.<ModelShape> = table.shapes;
             var agents:Vector.<Agent> = table.agents;
             var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[place];
+            var row:int = rowAt[slot];
             var hierarchy:SolidHierarchy = shapes[row].hierarchy;
             if (hierarchy == null)
             {
-                return super.keepTouching(table, bins, place, others, count);
+                return super.keepTouching(table, bins, slot, others, count);
             }
             var number:int = agents[row].number;
             var placement:Placement = table.placementOf(row, _memberPlacement);
             var depth:int = depthOf(table, row);
             var isDecided:Boolean = exact;
             var kept:int = 0;
-            count = keepNear(table.extents, bins, place, others, count);
+            count = keepNear(table.extents, bins, slot, others, count);
             for (var i:int = 0; i < count; i++)
             {
                 var otherRow:int = rowAt[others[i]];
@@ -143,39 +143,22 @@ package starlogo.search
                 return impactTime(table, b, a, _turned);
             }
             counts.hierarchyTests++;
-            var shapeA:ModelShape = table.shapes[a];
-            var shapeB:ModelShape = table.shapes[b];
-            var placementA:Placement = table.placementOf(a, _placementA);
-            var placementB:Placement = table.placementOf(b, _placementB);
-            if (shapeB.hierarchy == null)
-            {
-                return _swept.structureTouches(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion);
-            }
-            return _swept.hierarchiesTouch(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
-                    depthOf(table, b), exact, motion);
+            setSweptPair(table, a, b, false);
+            return _swept.impactTime(motion);
         }
 
         /** @inheritDoc */
         override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            var shapeA:ModelShape = table.shapes[a];
-            var shapeB:ModelShape = table.shapes[b];
-            if (shapeA.hierarchy == null)
+            if (table.shapes[a].hierarchy == null)
             {
                 _turned.turn(motion);
                 findContact(table, b, a, _turned, time, out);
                 out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
                 return;
             }
-            var placementA:Placement = table.placementOf(a, _placementA);
-            var placementB:Placement = table.placementOf(b, _placementB);
-            if (shapeB.hierarchy == null)
-            {
-                _swept.findStructureContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion, time, out);
-                return;
-            }
-            _swept.findContact(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB, depthOf(table, b), exact,
-                    motion, time, out);
+            setSweptPair(table, a, b, false);
+            _swept.findContact(motion, time, out);
         }
 
         /** @inheritDoc */
@@ -189,16 +172,8 @@ package starlogo.search
                 return time;
             }
             counts.hierarchyTests++;
-            var hierarchy:SolidHierarchy = table.shapes[a].hierarchy;
-            var shapeB:ModelShape = table.shapes[b];
-            var placementA:Placement = table.placementOf(a, _placementA);
-            var placementB:Placement = table.placementOf(b, _placementB);
-            if (shapeB.hierarchy == null)
-            {
-                return _swept.findStructureImpact(hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB, motion, out);
-            }
-            return _swept.findImpact(hierarchy, placementA, levelsOf(table, a), shapeB.hierarchy, placementB, levelsOf(table, b),
-                    exact && !_leavesDecide, motion, out);
+            setSweptPair(table, a, b, _leavesDecide);
+            return _swept.findImpact(motion, out);
         }
 
         /** @inheritDoc */
@@ -241,7 +216,17 @@ package starlogo.search
             counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // Of one of two hierarchies.
+        // The first is a hierarchy; where both are, leaves may decide in place of triangles.
+        private function setSweptPair(table:AgentTable, a:int, b:int, byLeaves:Boolean):void
+        {
+            var shapeB:ModelShape = table.shapes[b];
+            var toLeaves:Boolean = byLeaves && shapeB.hierarchy != null;
+            _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), toLeaves ? int.MAX_VALUE : depthOf(table, a),
+                    shapeB.hierarchy, shapeB.structure, table.placementOf(b, _placementB), toLeaves ? int.MAX_VALUE : depthOf(table, b),
+                    exact && !toLeaves);
+        }
+
+        // How many levels are visited of one of two hierarchies: all of them where leaves decide.
         private function levelsOf(table:AgentTable, row:int):int
         {
             return _leavesDecide ? int.MAX_VALUE : depthOf(table, row);

@@ -13,16 +13,12 @@ package starlogo.search
      */
     public final class ModelShapes
     {
-        private static const RECENT:int = 8;
-
         private var _greatLand:GreatLand;
         private var _strategy:ShapeStrategy;
         private var _revision:int = -1;
-        private var _shapes:Object = {};
 
-        // Some of these, found without a key, which would have to be made.
-        private var _recent:Vector.<ModelShape> = new Vector.<ModelShape>();
-        private var _next:int = 0;
+        // Those that are asked for often are near the beginning. A table would need keys, made of model and kind for every look.
+        private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /**
          * @param greatLand has the models; null if the strategy needs none
@@ -48,19 +44,15 @@ package starlogo.search
         public function shapeOf(agent:Agent):ModelShape
         {
             var kind:int = _strategy.kindOf(agent);
-            for (var i:int = 0; i < _recent.length; i++)
+            for (var i:int = 0; i < _shapes.length; i++)
             {
-                if (_recent[i].kind == kind && _recent[i].model == agent.shape)
+                var shape:ModelShape = _shapes[i];
+                if (shape.kind == kind && shape.model == agent.shape)
                 {
-                    return _recent[i];
+                    _shapes[i] = _shapes[i >> 1];
+                    _shapes[i >> 1] = shape;
+                    return shape;
                 }
-            }
-            var key:String = kind + ":" + agent.shape;
-            var shape:ModelShape = _shapes[key] as ModelShape;
-            if (shape != null)
-            {
-                keep(shape);
-                return shape;
             }
             if (_greatLand != null && !_greatLand.hasModel(agent.shape))
             {
@@ -72,7 +64,7 @@ package starlogo.search
             }
             shape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
             _strategy.bind(shape, agent);
-            _shapes[key] = shape;
+            _shapes.push(shape);
             return shape;
         }
 
@@ -84,30 +76,23 @@ package starlogo.search
                 return false;
             }
             _revision = _greatLand.revision;
-            var left:Object = {};
+            var left:int = 0;
             var haveChanged:Boolean = false;
-            for (var key:String in _shapes)
+            for (var i:int = 0; i < _shapes.length; i++)
             {
-                var shape:ModelShape = _shapes[key];
+                var shape:ModelShape = _shapes[i];
                 if (shape.revision == _greatLand.revisionOf(shape.model))
                 {
-                    left[key] = shape;
+                    _shapes[left] = shape;
+                    left++;
                 }
                 else
                 {
                     shape.isVoid = haveChanged = true;
                 }
             }
-            _shapes = left;
-            _recent.length = _next = 0;
+            _shapes.length = left;
             return haveChanged;
-        }
-
-        // In place of the one that has been there for the longest time.
-        private function keep(shape:ModelShape):void
-        {
-            _recent[_next] = shape;
-            _next = (_next + 1) % RECENT;
         }
     }
 }

@@ -19,6 +19,9 @@ package starlogo.search
      */
     public final class RowSweep
     {
+        /** When the rows touch that findImpact was asked about last. */
+        public var time:Number = 0;
+
         private var _strategy:ShapeStrategy;
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
@@ -41,26 +44,28 @@ package starlogo.search
         {
             if (table.shapes[a].isSphere && table.shapes[b].isSphere)
             {
-                return impactTimeOfSpheres(table, a, b, motion);
+                sweepSpheres(table, a, b, motion);
+                return time;
             }
             return _strategy.impactTime(table, a, b, motion);
         }
 
         /**
-         * When and how two rows touch for the first time that do not touch at the beginning; as ShapeStrategy.findImpact.
+         * When and how two rows touch for the first time that do not touch at the beginning; as ShapeStrategy.findImpact, but for the result, which is
+         * in <code>time</code>.
          */
-        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             if (table.shapes[a].isSphere && table.shapes[b].isSphere)
             {
-                var time:Number = impactTimeOfSpheres(table, a, b, motion);
+                sweepSpheres(table, a, b, motion);
                 if (time != RelativeMotion.NEVER)
                 {
                     findContact(table, a, b, motion, time, out);
                 }
-                return time;
+                return;
             }
-            return _strategy.findImpact(table, a, b, motion, out);
+            time = _strategy.findImpact(table, a, b, motion, out);
         }
 
         /**
@@ -83,7 +88,7 @@ package starlogo.search
             _strategy.findContact(table, a, b, motion, time, out);
         }
 
-        private function impactTimeOfSpheres(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
+        private function sweepSpheres(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             _strategy.counts.tests[0]++;
             var standing:Extents = table.extents;
@@ -93,9 +98,12 @@ package starlogo.search
             // the motion's own rounding too
             var reach:Number = ShapeStrategy.reachOfSpheres(table, a, b)
                 + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            var time:Number = pointPointImpact(fromX, fromY, fromZ, motion.x, motion.y, motion.z, reach);
+            time = pointPointImpact(fromX, fromY, fromZ, motion.x, motion.y, motion.z, reach);
             // no rounding hides what stands there
-            return time == RelativeMotion.NEVER && ShapeStrategy.areSpheresTouching(table, a, b) ? 1 : time;
+            if (time == RelativeMotion.NEVER && ShapeStrategy.areSpheresTouching(table, a, b))
+            {
+                time = 1;
+            }
         }
 
         private static function readSphere(standing:Extents, row:int, sphere:Sphere):void

@@ -258,11 +258,8 @@ package starlogo.search
             displace(_touching);
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            var time:Number = _sweep.findImpact(_table, _a, _b, _back, _left);
-            if (!(time < 1))
-            {
-                time = 1;
-            }
+            _sweep.findImpact(_table, _a, _b, _back, _left);
+            var time:Number = Math.min(_sweep.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
             out.normalZ = _alongZ;

@@ -63,7 +63,7 @@ package starlogo.search
         /**
          * Finds the extents of the shape of an agent, turned and scaled as the agent is, relative to its position.
          *
-         * @param out takes x, y, z of the middle, as seen from the agent's place, and half the lengths along x, y, z
+         * @param out takes x, y, z of the middle, as seen from the agent's position, and half the lengths along x, y, z
          */
         public function findExtents(shape:ModelShape, agent:Agent, out:Vector.<Number>):void
         {
@@ -73,16 +73,16 @@ package starlogo.search
         /**
          * Moves those candidates of a member that touch it to the beginning: those whose extents overlap its own and of which areTouching says so.
          *
-         * @param place the member's
-         * @param others the first of them are the places of the candidates, whose circles on the ground overlap its own
+         * @param slot of the member
+         * @param others the first of them are the slots of the candidates, whose circles on the ground overlap its own
          * @return how many it touches
          */
-        public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[place];
+            var row:int = rowAt[slot];
             var kept:int = 0;
-            count = keepNear(table.extents, bins, place, others, count);
+            count = keepNear(table.extents, bins, slot, others, count);
             for (var i:int = 0; i < count; i++)
             {
                 if (areTouching(table, row, rowAt[others[i]]))
@@ -95,7 +95,7 @@ package starlogo.search
         }
 
         /** Moves those candidates of a member whose extents overlap its own, or nearly so, to the beginning; returns how many these are. */
-        protected static function keepNear(extents:Extents, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        protected static function keepNear(extents:Extents, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var xs:Vector.<Number> = extents.x;
             var ys:Vector.<Number> = extents.y;
@@ -105,7 +105,7 @@ package starlogo.search
             var halfZs:Vector.<Number> = extents.halfZ;
             var rowAt:Vector.<int> = bins.rowAt;
             var slack:Number = bins.slack;
-            var row:int = rowAt[place];
+            var row:int = rowAt[slot];
             var atX:Number = xs[row];
             var atY:Number = ys[row];
             var atZ:Number = zs[row];
@@ -240,7 +240,7 @@ package starlogo.search
             return false;
         }
 
-        /** Whether two boxes may touch, by the tests that are made, whose extents along x and y do not overlap, but circles around these do. */
+        /** Whether two boxes may be found to touch although their extents along x and y do not overlap, because only their faces are tested. */
         public function get isRound():Boolean
         {
             return false;
@@ -291,7 +291,9 @@ package starlogo.search
             {
                 return true;
             }
-            reach = reachOfSpheres(table, a, b);
+            // reachOfSpheres written out: of a Number that is returned V8 makes an object
+            reach = reach * Tolerances.TOUCHING + Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a])
+                    + (Math.abs(table.x[b]) + Math.abs(table.y[b]) + Math.abs(table.z[b])));
             return squared <= reach * reach;
         }
 

@@ -89,7 +89,7 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        override public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var zs:Vector.<Number> = table.extents.z;
             var halfZs:Vector.<Number> = table.extents.halfZ;
@@ -97,7 +97,7 @@ package starlogo.search
             var placed:Vector.<int> = table.placedRevisions;
             var revisions:Vector.<int> = table.revisions;
             var rowAt:Vector.<int> = bins.rowAt;
-            var row:int = rowAt[place];
+            var row:int = rowAt[slot];
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
             var box:Box = boxes[row];
@@ -142,9 +142,9 @@ package starlogo.search
                 {
                     // their circles on the ground are as wide as they are
                     sphereTests++;
-                    var x:Number = bins.x[other] - bins.x[place];
-                    var y:Number = bins.y[other] - bins.y[place];
-                    reach = bins.radius[other] + bins.radius[place];
+                    var x:Number = bins.x[other] - bins.x[slot];
+                    var y:Number = bins.y[other] - bins.y[slot];
+                    reach = bins.radius[other] + bins.radius[slot];
                     if (x * x + y * y + distance * distance > reach * reach && !areSpheresTouching(table, row, otherRow))
                     {
                         continue;

@@ -38,16 +38,16 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function keepTouching(table:AgentTable, bins:Bins, place:int, others:Vector.<int>, count:int):int
+        override public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
         {
             var xs:Vector.<Number> = bins.x;
             var ys:Vector.<Number> = bins.y;
             var zs:Vector.<Number> = bins.z;
             var radii:Vector.<Number> = bins.radius;
-            var atX:Number = xs[place];
-            var atY:Number = ys[place];
-            var atZ:Number = zs[place];
-            var radius:Number = radii[place];
+            var atX:Number = xs[slot];
+            var atY:Number = ys[slot];
+            var atZ:Number = zs[slot];
+            var radius:Number = radii[slot];
             var slack:Number = bins.slack;
             var kept:int = 0;
             counts.tests[0] += count;
@@ -67,7 +67,7 @@ package starlogo.search
                     {
                         continue;
                     }
-                    if (!areSpheresTouching(table, bins.rowAt[place], bins.rowAt[other]))
+                    if (!areSpheresTouching(table, bins.rowAt[slot], bins.rowAt[other]))
                     {
                         continue;
                     }

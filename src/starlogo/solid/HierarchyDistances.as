@@ -36,9 +36,6 @@ package starlogo.solid
         // Stands for a structure.
         private var _leaf:HierarchyNode = new HierarchyNode();
 
-        // A model that is far smaller than the other.
-        private var _point:Sphere = new Sphere(new Vector3D(), 0);
-
         /** Nothing found yet. */
         public function HierarchyDistances()
         {
@@ -119,12 +116,7 @@ package starlogo.solid
             if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
             {
                 _pose.relate(placementB, placementA);
-                var relative:Placement = _pose.placement;
-                _point.center.x = relative.x;
-                _point.center.y = relative.y;
-                _point.center.z = relative.z;
-                _point.radius = relative.size * a.root.radius + _pose.gap;
-                findClosest(_point, structure, out);
+                findClosest(_pose.pointOf(a.root), structure, out);
                 finish(placementB, placementA, areTouching, false, out);
                 return;
             }

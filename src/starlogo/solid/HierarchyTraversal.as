@@ -3,7 +3,6 @@ package starlogo.solid
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -46,9 +45,6 @@ package starlogo.solid
 
         // Stands for a structure: a box in the space of its axes, or any.
         private var _leaf:HierarchyNode = new HierarchyNode();
-
-        // A model that is far smaller than the other.
-        private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** Nothing counted yet. */
         public function HierarchyTraversal()
@@ -131,7 +127,9 @@ package starlogo.solid
         {
             if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
             {
-                return isPointInStructure(a.root, placementA, structure, placementB);
+                // so small that it is a point of the second's space
+                _pose.relate(placementB, placementA);
+                return intersects(_pose.pointOf(a.root), structure);
             }
             _pose.relate(placementA, placementB);
             var decider:StructureTriangles = null;
@@ -153,17 +151,6 @@ package starlogo.solid
             _pose.relateToAxesOf(Box(structure));
             return _boxes.find(a.root, depth, _leaf, 1, decider)
                 || ((_boxes.rootsOverlapped || decider != null) && _containment.isLeafInside(a, _leaf));
-        }
-
-        // The first model is so small that it is a point of the second's space.
-        private function isPointInStructure(root:HierarchyNode, placementA:Placement, structure:BoundingStructure,
-                placementB:Placement):Boolean
-        {
-            _pose.relate(placementB, placementA);
-            var relative:Placement = _pose.placement;
-            _point.center.setTo(relative.x, relative.y, relative.z);
-            _point.radius = relative.size * root.radius + _pose.gap;
-            return intersects(_point, structure);
         }
 
         // The box, as wide as a node's would be, in the space of its axes.

@@ -4,7 +4,7 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.triangleTriangle;
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     use namespace engine;
 
@@ -14,7 +14,7 @@ package starlogo.solid
      * <p>A figure is often put together of pieces that run into each other. They are inside of another model together or not at
      * all: the fewer parts, the fewer points have to be looked at for each pair of agents. The tree is compared with itself.</p>
      */
-    internal final class PartFinder implements Steps
+    internal final class PartFinder extends StepSequence
     {
         private static const PAIRS_PER_STEP:int = 800;
         private static const RUNS_PER_STEP:int = 5000;
@@ -35,8 +35,7 @@ package starlogo.solid
         private var _stack:Vector.<HierarchyNode>;
 
         // For each triangle in order, the next one of another piece.
-        private var _runEnds:Vector.<int> = null;
-        private var _runsLeft:int = -1;
+        private var _runEnds:Vector.<int>;
         private var _runEnd:int;
 
         /**
@@ -54,6 +53,9 @@ package starlogo.solid
             _stack = new <HierarchyNode>[root, root];
             _partCount = surface.pieceCount;
             _sets = new DisjointSets(_partCount);
+            _runEnd = order.length;
+            _runEnds = new Vector.<int>(order.length, true);
+            slices(order.length, RUNS_PER_STEP, findRuns).repeat(compareSome);
         }
 
         /**
@@ -91,14 +93,8 @@ package starlogo.solid
             return true;
         }
 
-        /** @inheritDoc */
-        public function step():Boolean
+        private function compareSome():Boolean
         {
-            if (_runsLeft != 0)
-            {
-                findRuns();
-                return true;
-            }
             var end:int = Math.min(_pairs + PAIRS_PER_STEP, MOST_PAIRS);
             while (_pairs < end && _stack.length > 0 && _partCount > 1)
             {
@@ -201,16 +197,10 @@ package starlogo.solid
         }
 
         // From the last triangle down.
-        private function findRuns():void
+        private function findRuns(first:int, end:int):void
         {
-            if (_runEnds == null)
-            {
-                _runsLeft = _order.length;
-                _runEnds = new Vector.<int>(_runsLeft, true);
-                _runEnd = _runsLeft;
-            }
-            var first:int = Math.max(0, _runsLeft - RUNS_PER_STEP);
-            for (var i:int = _runsLeft - 1; i >= first; i--)
+            var last:int = _order.length - 1;
+            for (var i:int = last - first; i > last - end; i--)
             {
                 _runEnds[i] = _runEnd;
                 if (i > 0 && _surface.pieces[_order[i]] != _surface.pieces[_order[i - 1]])
@@ -218,7 +208,6 @@ package starlogo.solid
                     _runEnd = i;
                 }
             }
-            _runsLeft = first;
         }
     }
 }

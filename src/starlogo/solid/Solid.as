@@ -29,7 +29,7 @@ package starlogo.solid
         public var extents:Vector.<Number>;
 
         /**
-         * Each triangle's plane: x, y, z of its unit normal, its place along that, and how far the triangle's own corners are off it.
+         * Each triangle's plane: x, y, z of its unit normal, its distance from the origin along that, and how far the triangle's own corners are off it.
          * The normal of one without area is 0, and its corners are infinitely far.
          */
         public var planes:Vector.<Number>;

@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import starlogo.engine;
     import starlogo.hierarchy.Items;
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -13,7 +12,7 @@ package starlogo.solid
      * hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is noted of the surface
      * spares most of the work if it is true.
      */
-    internal final class SolidBuilder implements Steps
+    internal final class SolidBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
 
@@ -25,7 +24,6 @@ package starlogo.solid
         private var _surface:Surface;
         private var _parts:PartFinder;
         private var _extremes:PartExtremes;
-        private var _work:StepSequence = new StepSequence();
 
         /**
          * @param hierarchy of triangles; gets the solid, and the notes with which another builder is done sooner
@@ -36,10 +34,10 @@ package starlogo.solid
             _order = hierarchy.order;
             _notes = hierarchy.notes;
             _solid = new Solid(hierarchy.root, _order.length);
-            addSlices(place);
+            sliced(place);
             if (_notes != null)
             {
-                _work.begin(newCheck).call(useChecked);
+                begin(newCheck).call(useChecked);
             }
             else
             {
@@ -47,15 +45,9 @@ package starlogo.solid
             }
         }
 
-        /** @inheritDoc */
-        public function step():Boolean
+        private function sliced(work:Function):StepSequence
         {
-            return _work.step();
-        }
-
-        private function addSlices(work:Function):StepSequence
-        {
-            return _work.add(new Slices(_order.length, TRIANGLES_PER_STEP, work));
+            return slices(_order.length, TRIANGLES_PER_STEP, work);
         }
 
         private function place(first:int, end:int):void
@@ -86,7 +78,7 @@ package starlogo.solid
             useSurface();
             if (_parts.joinKnown(_notes.joins))
             {
-                addSlices(measure).call(conclude);
+                sliced(measure).call(conclude);
                 return;
             }
             addParts();
@@ -94,7 +86,7 @@ package starlogo.solid
 
         private function addSurface():void
         {
-            _work.begin(newSurface).call(useFound);
+            begin(newSurface).call(useFound);
         }
 
         private function newSurface():Steps
@@ -125,8 +117,8 @@ package starlogo.solid
 
         private function addParts():void
         {
-            _work.add(_parts).call(writeNotes);
-            addSlices(measure).call(conclude);
+            add(_parts).call(writeNotes);
+            sliced(measure).call(conclude);
         }
 
         private function writeNotes():void

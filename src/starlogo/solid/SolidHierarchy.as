@@ -13,11 +13,7 @@ package starlogo.solid
      */
     public final class SolidHierarchy extends Hierarchy
     {
-        /**
-         * What is known of the surface; null for nothing.
-         *
-         * @private
-         */
+        /** @private What is known of the surface; null for nothing. */
         engine var notes:SurfaceNotes = null;
 
         private var _solid:Solid = null;
@@ -42,11 +38,7 @@ package starlogo.solid
             return _solid;
         }
 
-        /**
-         * Sees to it that what exact tests need of the triangles is there.
-         *
-         * @private
-         */
+        /** @private Sees to it that what exact tests need of the triangles is there. */
         engine function prepare():void
         {
             if (hasTriangles && _solid == null)
@@ -55,11 +47,7 @@ package starlogo.solid
             }
         }
 
-        /**
-         * Whether what exact tests need of the triangles is there.
-         *
-         * @private
-         */
+        /** @private Whether what exact tests need of the triangles is there. */
         engine function get isPrepared():Boolean
         {
             return _solid != null;

@@ -15,51 +15,38 @@ package starlogo.solid
      *
      * @private
      */
-    public final class SolidHierarchyBuilder implements Steps
+    public final class SolidHierarchyBuilder extends StepSequence
     {
-        private var _minVerticesToSplit:int;
-        private var _maxDepth:int;
-        private var _splitByMean:Boolean;
-        private var _boundsKind:int;
-        private var _preparesExact:Boolean;
         private var _hierarchy:SolidHierarchy;
         private var _builder:HierarchyBuilder;
-        private var _work:StepSequence;
-        private var _isDone:Boolean;
+        private var _isDone:Boolean = false;
 
         /**
+         * A hierarchy that is not begun.
+         *
+         * @param vertices x, y, z each; kept, not copied
+         * @param triangles three vertex indices each; null if the vertices are the items; kept, not copied
+         * @param boundsKind which structures the nodes have
          * @param minVerticesToSplit a node of no more vertices is a leaf
          * @param maxDepth a node on this level is a leaf
          * @param splitByMean whether to split at the mean
-         * @param boundsKind which structures the nodes have
          * @param preparesExact whether to prepare what exact tests and rays need of triangles, rather than leave it to the first of them
          */
-        public function SolidHierarchyBuilder(minVerticesToSplit:int, maxDepth:int, splitByMean:Boolean, boundsKind:int,
-                preparesExact:Boolean = false)
+        public function SolidHierarchyBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int, minVerticesToSplit:int,
+                maxDepth:int, splitByMean:Boolean, preparesExact:Boolean = false)
         {
-            _minVerticesToSplit = minVerticesToSplit;
-            _maxDepth = maxDepth;
-            _splitByMean = splitByMean;
-            _boundsKind = boundsKind;
-            _preparesExact = preparesExact;
-        }
-
-        /** Begins a hierarchy of triangles, or of vertices where triangles is null. It keeps both lists. */
-        public function setModel(vertices:Vector.<Number>, triangles:Vector.<uint>):void
-        {
-            _hierarchy = new SolidHierarchy(vertices, triangles, _boundsKind);
-            _builder = new HierarchyBuilder(_hierarchy, _minVerticesToSplit, _maxDepth, _splitByMean);
-            _work = new StepSequence().add(_builder);
-            if (_preparesExact && triangles != null)
+            _hierarchy = new SolidHierarchy(vertices, triangles, boundsKind);
+            _builder = new HierarchyBuilder(_hierarchy, minVerticesToSplit, maxDepth, splitByMean);
+            add(_builder);
+            if (preparesExact && triangles != null)
             {
-                _work.begin(newSolid).begin(newRays);
+                begin(newSolid).begin(newRays);
             }
-            _isDone = false;
         }
 
         /**
-         * Spares most of the work, if what is given is true; what turns out not to be is done anyhow. To be called between
-         * <code>setModel()</code> and the first step.
+         * Spares most of the work, if what is given is true; what turns out not to be is done anyhow. To be called before
+         * the first step.
          *
          * @param tree how the items were divided, not begun
          * @param notes what was noted of the surface; null for nothing
@@ -75,9 +62,9 @@ package starlogo.solid
          *
          * @throws ArgumentError if the model's extent is not finite
          */
-        public function step():Boolean
+        override public function step():Boolean
         {
-            _isDone = !_work.step();
+            _isDone = !super.step();
             return !_isDone;
         }
 

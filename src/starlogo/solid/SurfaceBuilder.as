@@ -23,7 +23,7 @@ package starlogo.solid
             super(vertices, triangles, TRIANGLES_PER_STEP);
             _orientation = new Orientation(vertices, triangles);
             _edges = new EdgeBuckets(vertices.length / 3, triangles.length);
-            work.repeat(compareSome).call(conclude);
+            repeat(compareSome).call(conclude);
         }
 
         /** @inheritDoc */
@@ -85,7 +85,7 @@ package starlogo.solid
             found.isOriented &&= found.isClosed;
             if (found.isClosed && !found.isOriented)
             {
-                work.add(_orientation).call(turn);
+                add(_orientation).call(turn);
             }
         }
 
@@ -97,7 +97,7 @@ package starlogo.solid
             if (found.isOriented)
             {
                 _bucket = 0;
-                work.repeat(compareSome);
+                repeat(compareSome);
             }
         }
     }

@@ -33,7 +33,7 @@ package starlogo.solid
             super(vertices, triangles, TRIANGLES_PER_STEP);
             _isTurned = isTurned;
             _marks = randomNumbers(vertices.length / 3);
-            work.call(conclude);
+            call(conclude);
         }
 
         // Marsaglia, "Xorshift RNGs", Journal of Statistical Software 8(14), 2003.

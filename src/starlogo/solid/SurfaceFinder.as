@@ -1,18 +1,13 @@
 package starlogo.solid
 {
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * What a SurfaceBuilder and a SurfaceCheck have in common: finds in steps which vertices are at the same place, to within
      * Tolerances.WELDING, and which pieces the triangles hang together in; hands the triangles that have an area on to a subclass.
      */
-    internal class SurfaceFinder implements Steps
+    internal class SurfaceFinder extends StepSequence
     {
-        /** Goes on with what the subclass adds. */
-        protected var work:StepSequence;
-
         /** The surface as far as it is known. */
         protected var found:Surface = new Surface();
 
@@ -39,20 +34,13 @@ package starlogo.solid
             _sets = new DisjointSets(vertices.length / 3);
             _numbers = new Vector.<int>(vertices.length / 3, true);
             found.pieces = new Vector.<int>(count, true);
-            work = new StepSequence().add(_welding).add(new Slices(count, trianglesPerStep, joinSome))
-                .add(new Slices(count, trianglesPerStep, numberSome));
+            add(_welding).slices(count, trianglesPerStep, joinSome).slices(count, trianglesPerStep, numberSome);
         }
 
         /** What was found, when no step is left; null if what was known does not hold. */
         public function get surface():Surface
         {
             return found;
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            return work.step();
         }
 
         /** Takes a triangle whose corners are at three places: the numbers of the vertices that all others there are welded to. */

@@ -1,10 +1,6 @@
 package starlogo.solid
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -22,15 +18,13 @@ package starlogo.solid
 
     /**
      * Decides when two hierarchies collide for the first time that pass each other, or one and a structure: the first moment of the motion at
-     * which a HierarchyTraversal would say that they do.
+     * which a HierarchyTraversal would say that they do. <code>setPair()</code> says which two; each question has a motion.
      *
      * <p>To come to be inside of a closed surface without having been there at the beginning, a part of a model has to cross it,
      * and its nodes have to touch. So the nodes, or the triangles, are looked at over time, and the standing test is asked at time 0;
      * at time 1 too where nothing was found, so that no rounding hides what stands there.</p>
      *
      * <p>Scratch objects are reused: nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
-     *
-     * <p>This file is long because each question is asked of two hierarchies, and of one and a structure.</p>
      *
      * @private
      */
@@ -45,9 +39,19 @@ package starlogo.solid
         // Where the first model is at time 0.
         private var _start:Placement = new Placement();
 
-        // Stands for a structure; and a model that is far smaller than the other.
+        // The pair, as setPair says; the first may be the one that was given second, because that is much larger.
+        private var _a:SolidHierarchy;
+        private var _placementA:Placement;
+        private var _depthA:int;
+        private var _b:SolidHierarchy;
+        private var _structureB:BoundingStructure;
+        private var _placementB:Placement;
+        private var _depthB:int;
+        private var _isExact:Boolean;
+        private var _isTurned:Boolean;
+
+        // Stands for a structure.
         private var _leaf:HierarchyNode = new HierarchyNode();
-        private var _point:Sphere = new Sphere(new Vector3D(), 0);
         private var _turned:RelativeMotion = new RelativeMotion();
 
         // What decided about the trees that were looked at last: a traversal, and triangles or not.
@@ -57,9 +61,7 @@ package starlogo.solid
         private var _finder:ContactFinder = new ContactFinder();
 
         // By kind: a structure of the second model in the space of the first, at time 0.
-        private var _moved:Vector.<BoundingStructure> = new <BoundingStructure>[
-                new Sphere(new Vector3D(), 0), new Capsule(new Vector3D(), new Vector3D(), 0),
-                new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0)];
+        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
         /**
          * @param standing decides about models that stand still
@@ -92,164 +94,103 @@ package starlogo.solid
         }
 
         /**
-         * When two models collide by their hierarchies.
+         * Sets the pair that is asked about from now on: two hierarchies, or one and a structure.
          *
          * @param a the first model's hierarchy
          * @param placementA where the first model stands
          * @param depthA how many levels of it are visited
-         * @param b the second model's hierarchy
+         * @param b the second model's hierarchy; null if the structure represents that model
+         * @param structureB represents the second model, or is around its hierarchy, in its space
          * @param placementB where the second model stands
-         * @param depthB how many levels of that are visited
+         * @param depthB how many levels of its hierarchy are visited
          * @param exact whether, for two hierarchies of triangles, depths do not count and triangles decide
+         */
+        public function setPair(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
+                placementB:Placement, depthB:int, exact:Boolean):void
+        {
+            if (b != null && placementB.size > Tolerances.MUCH_LARGER * placementA.size)
+            {
+                setPair(b, placementB, depthB, a, a.root.bounds, placementA, depthA, exact);
+                _isTurned = true;
+                return;
+            }
+            _isTurned = false;
+            _a = a;
+            _placementA = placementA;
+            _depthA = depthA;
+            _b = b;
+            _structureB = structureB;
+            _placementB = placementB;
+            _depthB = depthB;
+            _isExact = exact;
+        }
+
+        /**
+         * When the two collide.
+         *
          * @param motion of the first model, relative to the second
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function hierarchiesTouch(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement,
-                depthB:int, exact:Boolean, motion:RelativeMotion):Number
+        public function impactTime(motion:RelativeMotion):Number
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
+            if (_b == null && _placementB.size > Tolerances.MUCH_LARGER * _placementA.size)
             {
-                _turned.turn(motion);
-                return hierarchiesTouch(b, placementB, depthB, a, placementA, depthA, exact, _turned);
+                return impactTimeOfPoint(motion);
             }
-            relate(placementA, placementB, motion);
-            if (_standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact))
+            motion = relatePair(motion);
+            if (isStandingOverlap())
             {
                 return 0;
             }
-            if (findTrees(a, depthA, b, depthB, exact))
+            if (findFirst())
             {
                 return _traversal.time;
             }
-            moveToEnd(motion);
-            return _standing.hierarchiesOverlap(a, _start, depthA, b, placementB, depthB, exact) ? 1 : RelativeMotion.NEVER;
+            _start.x += motion.x;
+            _start.y += motion.y;
+            _start.z += motion.z;
+            return isStandingOverlap() ? 1 : RelativeMotion.NEVER;
         }
 
         /**
-         * When a model's hierarchy collides with a structure.
+         * Where the two touch that collide: where the first two triangles, or the first two nodes that are leaves or at their depth limit, do;
+         * of a model that is inside of another, where the structures around both overlap.
          *
-         * @param a the model's hierarchy
-         * @param placementA where the model stands
-         * @param depth how many levels of it are visited
-         * @param structure represents another model, in that model's space
-         * @param placementB where the other model stands
          * @param motion of the first model, relative to the second
-         * @return from 0 to 1, or RelativeMotion.NEVER
-         */
-        public function structureTouches(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, motion:RelativeMotion):Number
-        {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                return pointTouches(a.root, placementA, structure, placementB, motion);
-            }
-            relate(placementA, placementB, motion);
-            if (_standing.structureOverlaps(a, _start, depth, structure, placementB))
-            {
-                return 0;
-            }
-            if (findStructure(a.root, depth, structure))
-            {
-                return _structures.time;
-            }
-            moveToEnd(motion);
-            return _standing.structureOverlaps(a, _start, depth, structure, placementB) ? 1 : RelativeMotion.NEVER;
-        }
-
-        /**
-         * Where two models touch that collide by their hierarchies: where the first two triangles, or the first two nodes that are leaves or
-         * at their depth limit, do; of a model that is inside of another, where the structures around both overlap.
-         *
-         * @param a as in hierarchiesTouch, and so are the others
          * @param time when they do for the first time
          * @param out takes it, in the world
          */
-        public function findContact(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
-                exact:Boolean, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, time:Number, out:ContactPoint):void
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                _turned.turn(motion);
-                findContact(b, placementB, depthB, a, placementA, depthA, exact, _turned, time, out);
-                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
-                return;
-            }
-            relate(placementA, placementB, motion);
-            if (!findTrees(a, depthA, b, depthB, exact) || _traversal.time > time + Tolerances.SAME_TIME)
-            {
-                findContactOf(a.root.bounds, b.root.bounds, time, out);
-            }
-            else
+            var ownMotion:RelativeMotion = relatePair(motion);
+            if (findFirst() && _traversal.time <= time + Tolerances.SAME_TIME)
             {
                 findContactOfFirst(time, out);
             }
-            moveToWorld(placementA, motion, time, out);
+            else
+            {
+                findContactOf(_a.root.bounds, _structureB, time, out);
+            }
+            conclude(motion, ownMotion, time, out);
         }
 
         /**
-         * Where a model's hierarchy and a structure touch: where the first node that is a leaf or at its depth limit does, or where the
-         * structure around the model overlaps one that is inside.
+         * When the two touch for the first time that do not touch at the beginning, and where.
          *
-         * @param a as in structureTouches, and so are the others
-         * @param time when they do for the first time
-         * @param out takes it, in the world
-         */
-        public function findStructureContact(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, motion:RelativeMotion, time:Number, out:ContactPoint):void
-        {
-            relate(placementA, placementB, motion);
-            var isFound:Boolean = findStructure(a.root, depth, structure) && _structures.time <= time + Tolerances.SAME_TIME;
-            var node:HierarchyNode = isFound ? _structures.firstA : a.root;
-            findContactOf(node.bounds, structure, time, out);
-            moveToWorld(placementA, motion, time, out);
-        }
-
-        /**
-         * When two models touch for the first time that do not touch at the beginning, and where.
-         *
-         * @param a as in hierarchiesTouch, and so are the others
-         * @param out takes it, in the world
+         * @param motion of the first model, relative to the second
+         * @param out takes where, in the world
          * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function findImpact(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
-                exact:Boolean, motion:RelativeMotion, out:ContactPoint):Number
+        public function findImpact(motion:RelativeMotion, out:ContactPoint):Number
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                _turned.turn(motion);
-                var time:Number = findImpact(b, placementB, depthB, a, placementA, depthA, exact, _turned, out);
-                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
-                return time;
-            }
-            relate(placementA, placementB, motion);
-            if (!findTrees(a, depthA, b, depthB, exact))
+            var ownMotion:RelativeMotion = relatePair(motion);
+            if (!findFirst())
             {
                 return RelativeMotion.NEVER;
             }
-            time = _traversal.time;
-            findContactOfFirst(time, out);
-            moveToWorld(placementA, motion, time, out);
-            return time;
-        }
-
-        /**
-         * When a model's hierarchy touches a structure for the first time that it does not touch at the beginning, and where.
-         *
-         * @param a as in structureTouches, and so are the others
-         * @param out takes it, in the world
-         * @return from 0 to 1, or RelativeMotion.NEVER
-         */
-        public function findStructureImpact(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
-                placementB:Placement, motion:RelativeMotion, out:ContactPoint):Number
-        {
-            relate(placementA, placementB, motion);
-            if (!findStructure(a.root, depth, structure))
-            {
-                return RelativeMotion.NEVER;
-            }
-            findContactOf(_structures.firstA.bounds, structure, _structures.time, out);
-            moveToWorld(placementA, motion, _structures.time, out);
-            return _structures.time;
+            findContactOfFirst(_traversal.time, out);
+            conclude(motion, ownMotion, _traversal.time, out);
+            return _traversal.time;
         }
 
         /**
@@ -269,30 +210,36 @@ package starlogo.solid
             moveToWorld(placementA, RelativeMotion.NONE, 0, out);
         }
 
-        private function findTrees(a:SolidHierarchy, depthA:int, b:SolidHierarchy, depthB:int, exact:Boolean):Boolean
+        // Whether the two collide where the first is at the time under way.
+        private function isStandingOverlap():Boolean
         {
-            var decider:SweptPairTest = null;
-            _isByTriangles = exact && _exact.prepare(a, b);
-            if (_isByTriangles)
-            {
-                decider = _exact;
-                depthA = depthB = int.MAX_VALUE;
-            }
+            return _b == null ? _standing.structureOverlaps(_a, _start, _depthA, _structureB, _placementB)
+                : _standing.hierarchiesOverlap(_a, _start, _depthA, _b, _placementB, _depthB, _isExact);
+        }
+
+        // Finds the first two triangles or nodes that touch as the first model moves.
+        private function findFirst():Boolean
+        {
+            _isByTriangles = false;
             _traversal = _structures;
-            if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+            if (_b == null)
+            {
+                _leaf.structure = _structureB;
+                return _structures.find(_a.root, _depthA, _leaf, 1, null);
+            }
+            if (_a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
             {
                 _traversal = _boxes;
             }
-            return _traversal.find(a.root, depthA, b.root, depthB, decider);
+            _isByTriangles = _isExact && _exact.prepare(_a, _b);
+            if (_isByTriangles)
+            {
+                return _traversal.find(_a.root, int.MAX_VALUE, _b.root, int.MAX_VALUE, _exact);
+            }
+            return _traversal.find(_a.root, _depthA, _b.root, _depthB, null);
         }
 
-        private function findStructure(root:HierarchyNode, depth:int, structure:BoundingStructure):Boolean
-        {
-            _leaf.structure = structure;
-            return _structures.find(root, depth, _leaf, 1, null);
-        }
-
-        // Of the first two triangles or nodes that findTrees has found.
+        // Of the first two triangles or nodes that findFirst has found.
         private function findContactOfFirst(time:Number, out:ContactPoint):void
         {
             if (_isByTriangles)
@@ -306,7 +253,7 @@ package starlogo.solid
         // Of two structures in their models' spaces, at a time, in the space of the first.
         private function findContactOf(a:BoundingStructure, b:BoundingStructure, time:Number, out:ContactPoint):void
         {
-            var moved:BoundingStructure = b.place(_pose.placement, _moved[b.kind]);
+            var moved:BoundingStructure = _moved[b.kind] = b.place(_pose.placement, _moved[b.kind]);
             var motion:RelativeMotion = _pose.motion;
             _finder.find(a, moved, -time * motion.x, -time * motion.y, -time * motion.z, out);
             out.x += time * motion.x;
@@ -344,23 +291,34 @@ package starlogo.solid
             _pose.relateMotion(a, motion);
         }
 
-        private function moveToEnd(motion:RelativeMotion):void
+        // The same for the pair; returns the motion of the one that is first in it.
+        private function relatePair(motion:RelativeMotion):RelativeMotion
         {
-            _start.x += motion.x;
-            _start.y += motion.y;
-            _start.z += motion.z;
+            if (_isTurned)
+            {
+                _turned.turn(motion);
+                motion = _turned;
+            }
+            relate(_placementA, _placementB, motion);
+            return motion;
+        }
+
+        // Takes a contact into the world, and into the order in which the pair was given.
+        private function conclude(motion:RelativeMotion, ownMotion:RelativeMotion, time:Number, out:ContactPoint):void
+        {
+            moveToWorld(_placementA, ownMotion, time, out);
+            if (_isTurned)
+            {
+                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+            }
         }
 
         // The first model is so small that it is a point of the second's space.
-        private function pointTouches(root:HierarchyNode, placementA:Placement, structure:BoundingStructure, placementB:Placement,
-                motion:RelativeMotion):Number
+        private function impactTimeOfPoint(motion:RelativeMotion):Number
         {
             _turned.turn(motion);
-            relate(placementB, placementA, _turned);
-            var relative:Placement = _pose.placement;
-            _point.center.setTo(relative.x, relative.y, relative.z);
-            _point.radius = relative.size * root.radius + _pose.gap;
-            return timeOfImpact(_point, structure, _pose.motion);
+            relate(_placementB, _placementA, _turned);
+            return timeOfImpact(_pose.pointOf(_a.root), _structureB, _pose.motion);
         }
     }
 }

@@ -1,14 +1,14 @@
 package starlogo.solid
 {
     import starlogo.geometry.Tolerances;
-    import starlogo.steps.Steps;
+    import starlogo.steps.StepSequence;
 
     /**
      * Finds the vertices that are at the same place, up to a tolerance: those of a seam, whose coordinates rounding may have
      * parted. Vertices are sorted along a direction askew to all that models are built along, so that those near each other
      * are near in that order, and a flat wall is not all in one place of it.
      */
-    internal final class Welding implements Steps
+    internal final class Welding extends StepSequence
     {
         private static const VERTICES_PER_STEP:int = 500;
 
@@ -26,8 +26,7 @@ package starlogo.solid
         private var _vertices:Vector.<Number>;
         private var _tolerance:Number = 0;
         private var _keys:Array;
-        private var _order:Array = null;
-        private var _next:int = 0;
+        private var _order:Array;
 
         // The vertices that others are welded to, in order, and the first of them that is not far behind.
         private var _places:Vector.<int> = new Vector.<int>();
@@ -42,32 +41,7 @@ package starlogo.solid
             var count:int = vertices.length / 3;
             welded = new Vector.<int>(count, true);
             _keys = new Array(count);
-        }
-
-        /** @inheritDoc */
-        public function step():Boolean
-        {
-            var count:int = welded.length;
-            var end:int = Math.min(_next + VERTICES_PER_STEP, count);
-            if (_order == null)
-            {
-                measure(_next, end);
-                _next = end;
-                if (end == count)
-                {
-                    _order = _keys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
-                    _tolerance *= Tolerances.WELDING;
-                    _next = 0;
-                }
-                return true;
-            }
-            for (var i:int = _next; i < end; i++)
-            {
-                var vertex:int = _order[i];
-                welded[vertex] = placeOf(vertex);
-            }
-            _next = end;
-            return end < count;
+            slices(count, VERTICES_PER_STEP, measure).call(sort).slices(count, VERTICES_PER_STEP, weld);
         }
 
         // The tolerance is the largest coordinate at first.
@@ -80,6 +54,21 @@ package starlogo.solid
                 var z:Number = _vertices[3 * i + 2];
                 _keys[i] = x * SKEW_X + y * SKEW_Y + z * SKEW_Z;
                 _tolerance = Math.max(_tolerance, Math.abs(x), Math.abs(y), Math.abs(z));
+            }
+        }
+
+        private function sort():void
+        {
+            _order = _keys.sort(Array.NUMERIC | Array.RETURNINDEXEDARRAY);
+            _tolerance *= Tolerances.WELDING;
+        }
+
+        private function weld(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
+            {
+                var vertex:int = _order[i];
+                welded[vertex] = placeOf(vertex);
             }
         }
 

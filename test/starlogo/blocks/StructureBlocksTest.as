@@ -11,6 +11,7 @@ package starlogo.blocks
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.libraries.BoundingStructuresLibrary;
     import starlogo.models.BuiltInModel;
+    import starlogo.models.Model;
     import starlogo.models.ObjModel;
     import support.Fixtures;
     import support.SurfaceDistance;
@@ -28,6 +29,8 @@ package starlogo.blocks
         // has kept every kind
         private static var sThorough:GreatLand;
 
+        private static var sModels:Object;
+
         private var _agents:Vector.<Agent>;
         private var _collisions:CollisionBlocks;
         private var _blocks:StructureBlocks;
@@ -38,13 +41,13 @@ package starlogo.blocks
             sGreatLand = new GreatLand();
             sThorough = new GreatLand();
             sThorough.loadAllBoundingStructures = true;
-            for each (var greatLand:GreatLand in [sGreatLand, sThorough])
+            sModels = {};
+            for each (var model:Model in [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder(),
+                        new ObjModel("bear", Fixtures.text(FIXTURES[0])), new ObjModel("kelp", Fixtures.text(FIXTURES[1]))])
             {
-                greatLand.addModel(BuiltInModel.sphere());
-                greatLand.addModel(BuiltInModel.cube());
-                greatLand.addModel(BuiltInModel.cylinder());
-                greatLand.addModel(new ObjModel("bear", Fixtures.text(FIXTURES[0])));
-                greatLand.addModel(new ObjModel("kelp", Fixtures.text(FIXTURES[1])));
+                sModels[model.name] = model;
+                sGreatLand.addModel(model);
+                sThorough.addModel(model);
             }
         }
 
@@ -52,6 +55,7 @@ package starlogo.blocks
         public static function forget():void
         {
             sGreatLand = sThorough = null;
+            sModels = null;
         }
 
         [Before]
@@ -184,10 +188,17 @@ package starlogo.blocks
                 structures.push(new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2));
                 return structures;
             }
-            if (system == CollisionBlocks.HIERARCHIES || system == CollisionBlocks.EXACT || (system == CollisionBlocks.COMBINATION && agent.hierarchical))
+            if (system == CollisionBlocks.EXACT)
             {
-                var depth:int = system == CollisionBlocks.EXACT ? 1000 : agent.traversalDepth;
-                addLevel(sGreatLand.hierarchies.root(agent.shape), depth == 0 ? 5 : depth, structures);
+                var vertices:Vector.<Number> = sModels[agent.shape].vertices;
+                for (var j:int = 0; j < vertices.length; j += 3)
+                {
+                    structures.push(new Sphere(new Vector3D(vertices[j], vertices[j + 1], vertices[j + 2]), 0));
+                }
+            }
+            else if (system == CollisionBlocks.HIERARCHIES || (system == CollisionBlocks.COMBINATION && agent.hierarchical))
+            {
+                addLevel(sGreatLand.hierarchies.root(agent.shape), agent.traversalDepth || 5, structures);
             }
             else
             {

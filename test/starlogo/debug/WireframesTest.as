@@ -58,6 +58,17 @@ package starlogo.debug
         }
 
         [Test]
+        public function trianglesAreTheirEdgesOnce():void
+        {
+            // two that share an edge, whichever way they go round; one that goes nowhere; what is there already
+            var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+            assertEquals(5 * 6, Wireframes.ofTriangles(vertices, new <uint>[0, 1, 2, 1, 0, 3]).length);
+            assertEquals(5 * 6, Wireframes.ofTriangles(vertices, new <uint>[0, 1, 2, 0, 1, 3]).length);
+            assertEquals("0,0,0,1,0,0", Wireframes.ofTriangles(vertices, new <uint>[0, 1, 0]).join());
+            assertEquals("9,0,0,0,0,1,0,0", Wireframes.ofTriangles(vertices, new <uint>[1, 0, 0], new <Number>[9, 0, 0, 0, 0]).slice(0, 8).join());
+        }
+
+        [Test]
         public function aBoxIsItsTwelveEdges():void
         {
             var lines:Vector.<Number> = Wireframes.ofStructure(new Box(new Vector3D(1, 2, 3), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 1, 2, 4));

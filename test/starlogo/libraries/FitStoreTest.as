@@ -116,7 +116,7 @@ package starlogo.libraries
             var models:Vector.<Model> = someModels(6);
             newGame(_store).addModel(models[0]);
             var size:int = _store.length;
-            var small:FitStore = new FitStore(3.5 * size, _storage);
+            var small:FitStore = new FitStore(3.7 * size, _storage);
             for (var i:int = 0; i < 3; i++)
             {
                 newGame(small).addModel(models[i]);

@@ -3,19 +3,19 @@ package starlogo.models
     import flash.net.URLLoader;
     import support.OfferingURLLoader;
 
-    /** A ModelLoader that has .fits files at hand. */
+    /** A ModelLoader that has files at hand. */
     internal class OfferingLoader extends ModelLoader
     {
         private var _files:Object;
 
-        /** @param files the .fits files, by address */
+        /** @param files the files, by address */
         public function OfferingLoader(receiver:ModelReceiver, budget:Number, files:Object)
         {
             super(receiver, budget);
             _files = files;
         }
 
-        override internal function newFitsLoader():URLLoader
+        override internal function newURLLoader():URLLoader
         {
             return new OfferingURLLoader(_files);
         }

@@ -16,9 +16,6 @@ package starlogo.models
         /** What fetches the files, in the order in which they were asked for; if null, they come by themselves. */
         public var fetches:Vector.<RecordingURLLoader> = new Vector.<RecordingURLLoader>();
 
-        /** The same for .fits files. */
-        public var fitsFetches:Vector.<RecordingURLLoader> = new Vector.<RecordingURLLoader>();
-
         /** How many steps it has done. */
         public var stepCount:int = 0;
 
@@ -58,13 +55,6 @@ package starlogo.models
             }
             var fetch:RecordingURLLoader = new RecordingURLLoader();
             fetches.push(fetch);
-            return fetch;
-        }
-
-        override internal function newFitsLoader():URLLoader
-        {
-            var fetch:RecordingURLLoader = new RecordingURLLoader();
-            fitsFetches.push(fetch);
             return fetch;
         }
 

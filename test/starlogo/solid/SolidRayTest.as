@@ -297,8 +297,7 @@ package starlogo.solid
 
         private static function hierarchyOf(model:Model, kind:int):SolidHierarchy
         {
-            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(5, 10, false, kind);
-            builder.setModel(model.vertices, model.triangles);
+            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, kind, 5, 10, false);
             finish(builder);
             return builder.hierarchy;
         }

@@ -139,9 +139,8 @@ package starlogo.solid
             {
                 placementB.size *= 0.1;
             }
-            var time:Number = b != null
-                ? _swept.hierarchiesTouch(a, placementA, depthA, b, placementB, depthB, exact, way)
-                : _swept.structureTouches(a, placementA, depthA, structure, placementB, way);
+            _swept.setPair(a, placementA, depthA, b, b == null ? structure : b.root.bounds, placementB, depthB, exact);
+            var time:Number = _swept.impactTime(way);
             var isSeen:Boolean = false;
             for (var i:int = 0; i <= MOMENTS && !isSeen; i++)
             {

@@ -1,8 +1,6 @@
 package starlogo.geometry.hull
 {
-    import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * A walk over a hull that QuickHull has built, from face to neighbour: all of its faces, and which of their vertices are
@@ -37,7 +35,7 @@ package starlogo.geometry.hull
             repeat(walk);
             if (areVerticesChecked)
             {
-                call(clearEdges).begin(countingEdges).call(findCorners);
+                call(clearEdges);
             }
         }
 
@@ -78,11 +76,7 @@ package starlogo.geometry.hull
                 edgeEnds[faces[i].a] = edgeEnds[faces[i].b] = edgeEnds[faces[i].c] = 0;
             }
             _edgeEnds = edgeEnds;
-        }
-
-        private function countingEdges():Steps
-        {
-            return new Slices(faces.length, FACES_PER_STEP, countEdges);
+            slices(faces.length, FACES_PER_STEP, countEdges).call(findCorners);
         }
 
         private function countEdges(first:int, end:int):void

@@ -36,7 +36,10 @@ package starlogo.geometry.hull
         private var _last:HullFace;
         private var _walk:FaceWalk;
         private var _outside:OutsidePoints;
+        // By point: of the faces that a new vertex adds, the one whose edge on the horizon begins there.
         private var _faceFrom:Vector.<HullFace>;
+
+        // For the vertex under way: the faces that it sees, pairs of one of these and a neighbour that it does not see, and the new faces.
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
         private var _horizon:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();

@@ -69,6 +69,9 @@ package starlogo.intersection.ray
         /** How far each plane is from the middle. */
         public var half:Number = 0;
 
+        // not the constant: where one was written before, V8 makes an object of the next Number
+        private var _infinity:Number = Infinity;
+
         /** A ray that leads nowhere. */
         public function Ray()
         {
@@ -170,6 +173,20 @@ package starlogo.intersection.ray
             normalZ = -directionZ;
         }
 
+        /** Makes near and far those of the whole line. */
+        public function beginWhole():void
+        {
+            near = -_infinity;
+            far = _infinity;
+        }
+
+        /** Makes near and far those of nothing. */
+        public function beginEmpty():void
+        {
+            near = _infinity;
+            far = -_infinity;
+        }
+
         /** Narrows near and far to where the line is between the two planes of a slab; returns whether near has changed. */
         public function cut():Boolean
         {
@@ -177,7 +194,7 @@ package starlogo.intersection.ray
             {
                 if (offset > half || offset < -half)
                 {
-                    far = -Infinity;
+                    far = -_infinity;
                 }
                 return false;
             }

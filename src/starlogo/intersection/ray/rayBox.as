@@ -19,8 +19,7 @@ package starlogo.intersection.ray
         var x:Number = ray.x - center.x;
         var y:Number = ray.y - center.y;
         var z:Number = ray.z - center.z;
-        ray.near = -Infinity;
-        ray.far = Infinity;
+        ray.beginWhole();
         var entered:Vector3D = null;
         var axis:Vector3D = box.axisX;
         ray.offset = axis.x * x + axis.y * y + axis.z * z;

@@ -22,8 +22,7 @@ package starlogo.intersection.ray
         var start:Vector3D = capsule.start;
         var end:Vector3D = capsule.end;
         var radius:Number = capsule.radius;
-        ray.near = Infinity;
-        ray.far = -Infinity;
+        ray.beginEmpty();
         ray.radius = radius;
         ray.addBall(start);
         ray.addBall(end);

@@ -17,8 +17,7 @@ package starlogo.intersection.ray
     public function raySphere(ray:Ray, sphere:Sphere):Boolean
     {
         var center:Vector3D = sphere.center;
-        ray.near = Infinity;
-        ray.far = -Infinity;
+        ray.beginEmpty();
         ray.radius = sphere.radius * Tolerances.TOUCHING;
         ray.addBall(center);
         var at:Number = ray.near;

@@ -1,7 +1,9 @@
 package starlogo.libraries.cooked
 {
     import flash.utils.ByteArray;
+    import flash.utils.Endian;
     import starlogo.geometry.Fingerprint;
+    import starlogo.models.cooked.CookedFile;
 
     /**
      * Which entries a FitStore has, and how long each is: a list that is itself kept as bytes.
@@ -31,7 +33,7 @@ package starlogo.libraries.cooked
             {
                 return new StoreIndex();
             }
-            bytes.endian = FitsWriter.ENDIAN;
+            bytes.endian = Endian.LITTLE_ENDIAN;
             bytes.position = 0;
             var whole:Fingerprint = new Fingerprint();
             whole.addBytes(bytes, bytes.length / Fingerprint.LENGTH - 1);
@@ -41,14 +43,14 @@ package starlogo.libraries.cooked
         /** The index as bytes. */
         public function toBytes():ByteArray
         {
-            var bytes:ByteArray = FitsWriter.newBytes();
+            var bytes:ByteArray = CookedFile.newBytes();
             for (var i:int = 0; i < names.length; i++)
             {
                 bytes.writeUTFBytes(names[i]);
                 bytes.writeInt(_lengths[i]);
                 bytes.writeInt(0);
             }
-            FitsWriter.seal(bytes);
+            CookedFile.seal(bytes);
             return bytes;
         }
 

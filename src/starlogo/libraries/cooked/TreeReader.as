@@ -1,11 +1,14 @@
 package starlogo.libraries.cooked
 {
+    import flash.errors.EOFError;
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.Items;
     import starlogo.hierarchy.NodeMaker;
     import starlogo.hierarchy.StoredTree;
+    import starlogo.models.cooked.CookedNumbers;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
 
@@ -73,7 +76,19 @@ package starlogo.libraries.cooked
         /** @inheritDoc */
         public function step():Boolean
         {
-            return _work.step() && !_isRefused;
+            try
+            {
+                return _work.step() && !_isRefused;
+            }
+            catch (error:Error)
+            {
+                _isRefused = error is EOFError;
+                if (!_isRefused)
+                {
+                    throw error;
+                }
+            }
+            return false;
         }
 
         /** @inheritDoc */
@@ -95,8 +110,7 @@ package starlogo.libraries.cooked
             var order:Vector.<int> = _hierarchy.order;
             var isListed:Vector.<Boolean> = _isListed;
             var count:int = order.length;
-            _isRefused = bytes.bytesAvailable < _width * (end - first);
-            for (var i:int = first; i < end && !_isRefused; i++)
+            for (var i:int = first; i < end; i++)
             {
                 var item:int = _width == 1 ? bytes.readUnsignedByte() : (_width == 2 ? bytes.readUnsignedShort() : bytes.readInt());
                 if (item < 0 || item >= count || isListed[item])
@@ -120,7 +134,7 @@ package starlogo.libraries.cooked
             for (var i:int = 0; i < NODES_PER_STEP; i++)
             {
                 var at:int = _plan.length - NUMBERS_PER_NODE;
-                var code:int = readNumber();
+                var code:int = CookedNumbers.read(_bytes);
                 if (code > 0)
                 {
                     var first:int = _plan[at];
@@ -141,7 +155,7 @@ package starlogo.libraries.cooked
                 {
                     _isRefused = code < 0;
                     _node = _plan.length / NUMBERS_PER_NODE;
-                    _extents = new Vector.<Number>(6 * _node, true);
+                    _extents = new Vector.<Number>(6 * _node + 6, true);
                     return false;
                 }
                 if (_isRefused)
@@ -150,22 +164,6 @@ package starlogo.libraries.cooked
                 }
             }
             return true;
-        }
-
-        // -1 if there is none
-        private function readNumber():int
-        {
-            var value:int = 0;
-            for (var shift:int = 0; shift < 32 && _bytes.bytesAvailable > 0; shift += 7)
-            {
-                var byte:int = _bytes.readUnsignedByte();
-                value |= (byte & 0x7F) << shift;
-                if (byte < 0x80)
-                {
-                    return value;
-                }
-            }
-            return -1;
         }
 
         // From the last node up: children come after their parents.
@@ -212,47 +210,27 @@ package starlogo.libraries.cooked
             }
         }
 
+        // The last extents of all are those of one item.
         private function measureLeaf(at:int, first:int, end:int):void
         {
-            var vertices:Vector.<Number> = _vertices;
-            var triangles:Vector.<uint> = _triangles;
-            var order:Vector.<int> = _hierarchy.order;
-            var corners:int = triangles == null ? 1 : 3;
-            var minX:Number = Infinity;
-            var minY:Number = Infinity;
-            var minZ:Number = Infinity;
-            var maxX:Number = -Infinity;
-            var maxY:Number = -Infinity;
-            var maxZ:Number = -Infinity;
+            var extents:Vector.<Number> = _extents;
+            var one:int = extents.length - 6;
             for (var i:int = first; i < end; i++)
             {
-                var corner:int = corners * order[i];
-                for (var last:int = corner + corners; corner < last; corner++)
+                var corner:int = 3 * _hierarchy.order[i];
+                if (_triangles == null)
                 {
-                    var vertex:int = corner;
-                    if (triangles != null)
+                    for (var j:int = 0; j < 3; j++)
                     {
-                        vertex = triangles[corner];
+                        extents[int(one + j)] = extents[int(one + j + 3)] = _vertices[int(corner + j)];
                     }
-                    vertex *= 3;
-                    var x:Number = vertices[vertex];
-                    var y:Number = vertices[int(vertex + 1)];
-                    var z:Number = vertices[int(vertex + 2)];
-                    minX = x < minX ? x : minX;
-                    minY = y < minY ? y : minY;
-                    minZ = z < minZ ? z : minZ;
-                    maxX = x > maxX ? x : maxX;
-                    maxY = y > maxY ? y : maxY;
-                    maxZ = z > maxZ ? z : maxZ;
                 }
+                else
+                {
+                    Items.writeExtents(_vertices, _triangles, corner, extents, one);
+                }
+                unite(at, i == first ? one : at, one);
             }
-            var extents:Vector.<Number> = _extents;
-            extents[at] = minX;
-            extents[int(at + 1)] = minY;
-            extents[int(at + 2)] = minZ;
-            extents[int(at + 3)] = maxX;
-            extents[int(at + 4)] = maxY;
-            extents[int(at + 5)] = maxZ;
         }
 
         private function makeNodes():Boolean

@@ -4,6 +4,7 @@ package starlogo.libraries.cooked
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.hierarchy.HierarchyNode;
+    import starlogo.models.cooked.CookedNumbers;
 
     use namespace engine;
 
@@ -27,8 +28,7 @@ package starlogo.libraries.cooked
 
         /**
          * Writes the order of the items, each in as few bytes as their number needs, then the nodes from the root down, left
-         * before right: 0 for a leaf, else 1 more than the axis and three times the number of items that go left, seven bits a byte,
-         * the lowest first, the eighth bit telling that more follow.
+         * before right: 0 for a leaf, else 1 more than the axis and three times the number of items that go left.
          *
          * @param hierarchy of boxes, spheres or capsules
          * @param out gets the bytes, at its position; has the lowest byte of a number first
@@ -49,22 +49,12 @@ package starlogo.libraries.cooked
                 var node:HierarchyNode = stack.pop();
                 if (node.isLeaf)
                 {
-                    out.writeByte(0);
+                    CookedNumbers.write(0, out);
                     continue;
                 }
-                writeNumber(1 + node.splitAxis + 3 * (node.left.end - node.first), out);
+                CookedNumbers.write(1 + node.splitAxis + 3 * (node.left.end - node.first), out);
                 stack.push(node.right, node.left);
             }
-        }
-
-        private static function writeNumber(value:int, out:ByteArray):void
-        {
-            while (value > 0x7F)
-            {
-                out.writeByte(value & 0x7F | 0x80);
-                value >>>= 7;
-            }
-            out.writeByte(value);
         }
     }
 }

@@ -12,7 +12,11 @@ package flash.geom
      */
     public class Matrix3D
     {
-        /** Whether every matrix keeps its elements, and hands out points, in single precision, as Flash Player does. */
+        /**
+         * Whether every matrix keeps its elements, and hands out points, in single precision, as Flash Player does.
+         *
+         * @private
+         */
         public static var isSingle:Boolean = false;
 
         // an inverse would be too large
@@ -860,28 +864,23 @@ package flash.geom
         {
             if (isSingle)
             {
-                round();
+                _m0 = SinglePrecision.round(_m0);
+                _m1 = SinglePrecision.round(_m1);
+                _m2 = SinglePrecision.round(_m2);
+                _m3 = SinglePrecision.round(_m3);
+                _m4 = SinglePrecision.round(_m4);
+                _m5 = SinglePrecision.round(_m5);
+                _m6 = SinglePrecision.round(_m6);
+                _m7 = SinglePrecision.round(_m7);
+                _m8 = SinglePrecision.round(_m8);
+                _m9 = SinglePrecision.round(_m9);
+                _m10 = SinglePrecision.round(_m10);
+                _m11 = SinglePrecision.round(_m11);
+                _m12 = SinglePrecision.round(_m12);
+                _m13 = SinglePrecision.round(_m13);
+                _m14 = SinglePrecision.round(_m14);
+                _m15 = SinglePrecision.round(_m15);
             }
-        }
-
-        private function round():void
-        {
-            _m0 = SinglePrecision.round(_m0);
-            _m1 = SinglePrecision.round(_m1);
-            _m2 = SinglePrecision.round(_m2);
-            _m3 = SinglePrecision.round(_m3);
-            _m4 = SinglePrecision.round(_m4);
-            _m5 = SinglePrecision.round(_m5);
-            _m6 = SinglePrecision.round(_m6);
-            _m7 = SinglePrecision.round(_m7);
-            _m8 = SinglePrecision.round(_m8);
-            _m9 = SinglePrecision.round(_m9);
-            _m10 = SinglePrecision.round(_m10);
-            _m11 = SinglePrecision.round(_m11);
-            _m12 = SinglePrecision.round(_m12);
-            _m13 = SinglePrecision.round(_m13);
-            _m14 = SinglePrecision.round(_m14);
-            _m15 = SinglePrecision.round(_m15);
         }
 
         private static function checkOrientation(style:String):void

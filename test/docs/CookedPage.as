@@ -1,22 +1,27 @@
 package docs
 {
-    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertTrue;
-    import starlogo.models.ObjModel;
-    import starlogo.steps.finish;
+    import starlogo.models.Model;
+    import starlogo.models.ModelLoader;
     import support.Fixtures;
 
-    /** For docs/stored-fits.md: the text of a model. */
-    public class StoredFitsPage extends Page
+    /** For docs/cooked.md: the text of a model. */
+    public class CookedPage extends Page
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
+        protected var loader:ModelLoader;
         protected var bearText:String = Fixtures.text("/assets/bear.obj");
+
+        public function CookedPage()
+        {
+            loader = new ModelLoader(greatLand);
+        }
 
         /** @inheritDoc */
         override protected function check(shown:Object):void
         {
-            finish(greatLand.receiveWithFits(new ObjModel("bear", bearText), shown["bytes"] as ByteArray));
+            greatLand.addModel(Model(shown["model"]));
             assertTrue(greatLand.boundingStructures.has("bear"));
             assertTrue(greatLand.fitStore != null);
             greatLand.fitStore.clear();

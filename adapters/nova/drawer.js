@@ -1,0 +1,75 @@
+/** Blocks in the client's drawer for the traits that it has none for (thesis §7.1 to 7.3). */
+
+import { KEY } from "./installation.js";
+
+const YES_OR_NO = { options: ["true", "false"], read: (value) => `String(${value}) === "true"` };
+
+/** The blocks, by name: what they say, what is chosen from, which trait they set, and the JavaScript of what a value is to it. */
+const BLOCKS = {
+	"starlogo-collision-hierarchical": { label: "hierarchical @value", trait: "hierarchical", ...YES_OR_NO },
+	"starlogo-collision-depth": { label: "collision depth @value", trait: "depth", read: (value) => `Math.min(99, Math.max(0, Math.round(${value}) || 0))` },
+	"starlogo-collision-sweeps": { label: "sweeping @value", trait: "sweeps", ...YES_OR_NO },
+	"starlogo-collision-structure": { label: "collide as @value", trait: "structure", options: ["tightest", "sphere", "box", "capsule"], read: (value) => value },
+};
+
+/**
+ * Puts the blocks into the drawer that has the client's block for collisions. Compiled programs find what is installed when they run, and the
+ * blocks do nothing while nothing is.
+ */
+export function addBlocks(window) {
+	const { sb, Compilation, DataStructures } = window;
+	const drawer = sb?.WebLogoDemo?.workspace?.getDrawers().find((one) => one.getChildBlocks().some((block) => block.getName() === "collision"));
+	if (!drawer || !Compilation?.BlockTable?.table) throw new TypeError("the window has no editor of blocks, or it has none for collisions");
+	const present = new Set(drawer.getChildBlocks().map((block) => block.getName()));
+	const added = [];
+	for (const [name, { label, trait, options, read }] of Object.entries(BLOCKS)) {
+		Compilation.BlockTable.table.set(name, nodeOf(DataStructures.ASTNode, trait, read));
+		if (present.has(name)) continue;
+		const spec = {
+			name,
+			label,
+			color: drawer.getColor(),
+			connections: ["after", "before"],
+			shape: "",
+			arguments: [{
+				name: "value",
+				dataType: options ? "none" : "string",
+				socketType: options ? "list" : "internal",
+				options: (options ?? []).map((value) => ({ label: value, value })),
+			}],
+			returnType: "command",
+		};
+		sb.ScriptBlocksJSON.genusMap[name] = spec;
+		const block = new sb.Block(spec);
+		drawer.addBlock(block);
+		added.push(block);
+	}
+	return {
+		/** Takes them out of the drawer; those in programs stay. */
+		remove() {
+			for (const block of added.splice(0)) drawer.removeBlock(block);
+		},
+	};
+}
+
+/** The class of what the client compiles a block to: a statement that sets a trait of the agent whose program it is in. */
+function nodeOf(ASTNode, trait, read) {
+	const call = (value) => `Execution.Collisions[Symbol.for("${KEY}")]?.changeTraits(__wl_agt, { ${trait}: ${read(value)} });`;
+	return class extends ASTNode {
+		constructor() {
+			super(1, 0);
+		}
+
+		to_js_no_yield() {
+			return call(this.args.data[0].to_js_no_yield());
+		}
+
+		to_js_setup() {
+			return `${this.args.data[0].to_js_setup()};`;
+		}
+
+		to_js_final() {
+			return call(this.args.data[0].to_js_final());
+		}
+	};
+}

@@ -1,0 +1,132 @@
+/** A wireframe of what collides, over the client's view. */
+import { CollisionLines } from "starlogo-collision";
+import { Replaced } from "./replaced.js";
+
+/** The lines of what collides with something, and of what does not. */
+const COLORS = [0xff2020, 0xffcc00];
+
+/** A wireframe over the view of a window's client; not shown to begin with. */
+export class Overlay {
+	#window;
+	#collisions;
+	#lines;
+	#view = null;
+
+	/** Of what NovaCollisions compares. */
+	constructor(window, collisions) {
+		this.#window = window;
+		this.#collisions = collisions;
+		this.#lines = new CollisionLines(collisions.greatLand);
+	}
+
+	/** Shows it, or ceases to. */
+	show(isOn) {
+		if (isOn && this.#view === null) this.#view = new (viewOf(this.#window))(this.#window, (part) => this.#draw(part));
+		if (!isOn && this.#view !== null) {
+			this.#view.remove();
+			this.#view = null;
+		}
+		// there may be other things to show
+		if (this.#window.viewport) this.#window.viewport.needsUpdate = true;
+	}
+
+	/** The lines for each colour, agents being so far on their ways from the last tick's places. */
+	#draw(part) {
+		const lists = COLORS.map(() => []);
+		const { collider } = this.#collisions;
+		this.#collisions.forEachBody(part, (body, isHit) => this.#lines.linesOf(body, collider, lists[isHit ? 0 : 1]));
+		return lists;
+	}
+}
+
+/** The class for a window's view. */
+export function viewOf({ viewport, THREE }) {
+	if (viewport?.scene && THREE) return SolidView;
+	if (viewport?.drawScene && viewport.context) return FlatView;
+	throw new TypeError("the client has no view that a wireframe can be drawn in");
+}
+
+/** The view that three.js draws. */
+class SolidView {
+	#replaced = new Replaced();
+	#scene;
+	#three;
+	#objects;
+
+	constructor({ viewport, THREE }, draw) {
+		this.#scene = viewport.scene;
+		this.#three = THREE;
+		this.#objects = COLORS.map((color) => {
+			// what is within a model, or under the ground, is to be seen too
+			const object = new THREE.LineSegments(geometryOf(THREE, 0), new THREE.LineBasicMaterial({ color, depthTest: false, transparent: true }));
+			object.frustumCulled = false;
+			this.#scene.add(object);
+			return object;
+		});
+		this.#replaced.put(viewport, "render", (render) => (part, ...others) => {
+			if (viewport.needsUpdate || viewport.terrain?.needsUpdate) draw(part ?? 1).forEach((lines, i) => this.#write(this.#objects[i], lines));
+			return render.call(viewport, part, ...others);
+		});
+	}
+
+	remove() {
+		this.#replaced.giveBack();
+		for (const object of this.#objects) {
+			this.#scene.remove(object);
+			object.geometry.dispose();
+			object.material.dispose();
+		}
+	}
+
+	#write(object, lines) {
+		if (lines.length > object.geometry.attributes.position.array.length) {
+			object.geometry.dispose();
+			object.geometry = geometryOf(this.#three, 2 * lines.length);
+		}
+		const { position } = object.geometry.attributes;
+		position.array.set(lines);
+		position.needsUpdate = true;
+		object.geometry.setDrawRange(0, lines.length / 3);
+		object.visible = lines.length > 0;
+	}
+}
+
+/** With room for so many numbers. */
+function geometryOf({ BufferGeometry, BufferAttribute }, length) {
+	const geometry = new BufferGeometry();
+	geometry.addAttribute("position", new BufferAttribute(new Float32Array(length), 3));
+	return geometry;
+}
+
+/** The view in two dimensions, which draws agents at their last places. */
+class FlatView {
+	#replaced = new Replaced();
+
+	constructor({ viewport }, draw) {
+		this.#replaced.put(viewport, "drawScene", (drawScene) => (...given) => {
+			const result = drawScene.apply(viewport, given);
+			draw(1).forEach((lines, i) => strokeLines(viewport, lines, COLORS[i]));
+			return result;
+		});
+	}
+
+	remove() {
+		this.#replaced.giveBack();
+	}
+}
+
+function strokeLines({ context, camera }, lines, color) {
+	context.save();
+	context.strokeStyle = `#${color.toString(16).padStart(6, "0")}`;
+	context.beginPath();
+	for (let i = 0; i < lines.length; i += 6) {
+		const [fromX, fromY, fromFar] = camera.projectPoint(lines[i], lines[i + 1], lines[i + 2]);
+		const [toX, toY, toFar] = camera.projectPoint(lines[i + 3], lines[i + 4], lines[i + 5]);
+		// what is behind the camera has no place
+		if (!(Math.min(fromFar, toFar) > camera.nearDist)) continue;
+		context.moveTo(fromX, fromY);
+		context.lineTo(toX, toY);
+	}
+	context.stroke();
+	context.restore();
+}

@@ -1,0 +1,173 @@
+/** Questions about the space around a model, asked with the pointer and answered in the picture. */
+import { Agent, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
+import { choice, field, h, short, slider, tick } from "../shared/dom.js";
+import { loadModel } from "../shared/models.js";
+import { SHAPES } from "../shared/names.js";
+import { Sight, placeText } from "../shared/sight.js";
+import { TraitSliders, dragAgents } from "../shared/traits.js";
+import { texts } from "../texts.js";
+
+const words = texts.questions;
+const COLOURS = { model: 0x8fa6c8, other: 0xe0a030, touching: 0xd8435a };
+const RAY = { color: 0x7b2ff2, isOnTop: true };
+const NEAREST = { color: 0x12855f, isOnTop: true };
+const MOST = 8;
+const FIRST_SHAPE = "sphere";
+/** Farther away there is nothing that the pointer could mean. */
+const REACH = 8;
+const SIZE = 0.6;
+const STILL = 5;
+
+export class Questions {
+	sight = null;
+	#hit = new RayHit();
+	#isKept = false;
+	#shape = FIRST_SHAPE;
+	#count = 3;
+	#system = CollisionBlocks.EXACT;
+	#isTestedShown = false;
+	#turn = 0;
+
+	/** @param {object} stage whose pointer asks */
+	constructor(stage) {
+		this.stage = stage;
+		this.answers = Object.fromEntries(Object.keys(words.answers).map((name) => [name, h("dd", {}, words.ask)]));
+		this.who = h("select", { onchange: () => this.isOpen && this.#take(this.sight.agents[Number(this.who.value)]) });
+		this.traits = h("div", {});
+		this.element = h("div.sheets", { hidden: true },
+			h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how),
+				h("div", { role: "status" }, h("dl.answers", {}, ...Object.entries(words.answers).map(([name, text]) => h("div", { class: name }, h("dt", {}, text), this.answers[name]))))),
+			h("div.card", {}, h("h2", {}, words.scene),
+				field(words.system, choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), this.#system, (name) => {
+					this.#system = name;
+					this.sight?.use(name);
+					this.#update();
+				})),
+				tick(words.tested, false, (isOn) => {
+					this.#isTestedShown = isOn;
+					this.#update();
+				}),
+				field(words.others, choice(SHAPES.map((name) => [name, texts.shapes[name]]), FIRST_SHAPE, (name) => {
+					this.#shape = name;
+					this.#populate();
+				})),
+				slider(words.count, { min: 1, max: MOST, step: 1, value: this.#count }, (count) => {
+					this.#count = count;
+					this.#populate();
+				}).element,
+				field(words.who, this.who), this.traits));
+		dragAgents(stage, () => this.#update(), (agent) => this.isOpen && this.#take(agent));
+		if (stage.renderer) this.#listen(stage.canvas);
+	}
+
+	/** Whether there is something to ask about. */
+	get isOpen() {
+		return this.sight !== null;
+	}
+
+	/** Puts a model in the middle, which the land knows, and others around it. */
+	async open(model, greatLand) {
+		Object.assign(this, { model, greatLand });
+		this.stage.frame([0, 0, 0.5], 1.8);
+		await this.#populate();
+	}
+
+	/** Takes all that it drew away. */
+	close() {
+		this.#turn++;
+		this.sight = null;
+		this.stage.clearLines("ray", "nearest", "meeting", "tested");
+	}
+
+	async #populate() {
+		if (!this.model) return;
+		const turn = ++this.#turn;
+		const { model, greatLand } = this;
+		const other = await loadModel(this.#shape);
+		if (turn !== this.#turn) return;
+		// a file may have the name of a model of the game
+		if (!greatLand.hasModel(other.name)) greatLand.addModel(other);
+		const agents = [new Agent(model.name)];
+		for (let i = 0; i < this.#count; i++) {
+			const agent = new Agent(other.name);
+			const angle = (2 * Math.PI * (i + 0.5)) / this.#count - Math.PI / 2;
+			agent.moveTo(1.2 * Math.cos(angle), 1.2 * Math.sin(angle), 0);
+			agent.size = SIZE;
+			agents.push(agent);
+		}
+		this.sight = new Sight(this.stage, greatLand, new Map([[other.name, other], [model.name, model]]), agents, this.#system);
+		this.who.replaceChildren(...agents.map((agent, i) => h("option", { value: i }, this.#nameOf(agent))));
+		this.#take(agents[1]);
+		this.#isKept = false;
+		for (const name of ["ray", "nearest"]) this.answers[name].textContent = words.ask;
+	}
+
+	/** What to call an agent: the model's name, or the others' with a number. */
+	#nameOf(agent) {
+		const i = this.sight.agents.indexOf(agent);
+		return i === 0 ? texts.shapes[agent.shape] ?? agent.shape : words.other(texts.shapes[agent.shape], i);
+	}
+
+	#take(agent) {
+		this.chosen = agent;
+		this.who.value = this.sight.agents.indexOf(agent);
+		this.sliders = new TraitSliders(agent, () => this.#update());
+		this.traits.replaceChildren(...this.sliders.elements);
+		this.#update();
+	}
+
+	/** Sees all anew, and says how far apart the chosen one and its neighbour are. */
+	#update() {
+		const { sight, chosen } = this;
+		if (!sight) return;
+		const { queries, agents: [middle] } = sight;
+		queries.update(sight.agents);
+		for (const agent of sight.agents) agent.color = queries.touching(agent).length > 0 ? COLOURS.touching : agent === middle ? COLOURS.model : COLOURS.other;
+		sight.update();
+		sight.showTested(this.#isTestedShown);
+		this.sliders.update();
+		const other = chosen === middle ? queries.nearest(middle) : middle;
+		this.answers.meeting.textContent = `${this.#nameOf(chosen)}, ${this.#nameOf(other)}: ${sight.showMeeting(chosen, other)}`;
+		this.stage.clearLines("ray", "nearest");
+	}
+
+	#listen(canvas) {
+		let down = null;
+		canvas.addEventListener("pointerdown", (event) => {
+			down = event;
+		});
+		canvas.addEventListener("pointermove", (event) => {
+			if (this.isOpen && event.buttons === 0 && !this.#isKept) this.#ask(this.stage.rayAt(event));
+		});
+		canvas.addEventListener("pointerup", (event) => {
+			if (!this.isOpen || !down || Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > STILL) return;
+			this.#isKept = !this.#isKept;
+			this.#ask(this.stage.rayAt(event));
+		});
+		// without a pointer, the middle of the picture
+		this.stage.host.addEventListener("keydown", (event) => {
+			if (!this.isOpen || event.key !== "Enter") return;
+			const box = canvas.getBoundingClientRect();
+			this.#isKept = true;
+			this.#ask(this.stage.rayAt({ clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 }));
+		});
+	}
+
+	/** What a ray meets first, and whose place is nearest to where it ends. */
+	#ask({ origin, direction }) {
+		const { queries } = this.sight;
+		const [from, along] = [origin, direction].map(({ x, y, z }) => new Vector3D(x, y, z));
+		const hit = queries.cast(from, along, Infinity, null, this.#hit);
+		const ray = this.stage.wireframe("ray", RAY);
+		if (hit) ray.showRay(from, along, 1, hit);
+		const isKept = this.#isKept ? words.kept : "";
+		this.answers.ray.textContent = (hit ? words.hit(this.#nameOf(hit.agent), short(hit.distance), placeText(hit.point), placeText(hit.normal)) : words.noHit) + isKept;
+		const ground = -origin.z / direction.z;
+		const point = hit ? hit.point : ground > 0 ? new Vector3D(origin.x + ground * direction.x, origin.y + ground * direction.y, 0) : null;
+		const agent = point && Math.hypot(point.x, point.y) < REACH ? queries.nearestToPoint(point) : null;
+		const nearest = this.stage.wireframe("nearest", NEAREST);
+		if (agent) nearest.showLines([point.x, point.y, point.z, agent.x, agent.y, agent.z]);
+		this.answers.nearest.textContent = agent
+			? words.nearest(this.#nameOf(agent), short(Math.hypot(agent.x - point.x, agent.y - point.y, agent.z - point.z)), placeText(point)) : words.noNearest;
+	}
+}

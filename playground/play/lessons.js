@@ -1,0 +1,110 @@
+/**
+ * The lessons: each a program, and a check of the game that its reader is to make of it. A check is asked after every frame, with a memory of the
+ * game's own; words are in texts.js.
+ */
+import { CollisionBlocks } from "starlogo-collision";
+import { colour, create, each, go, heading, inside, move, nearMiss, number, numbers, paint, program, remove, scatter, size, start, touch, turn } from "./notation.js";
+
+const touching = (world) => world.collisions.collision.statistics.collisions;
+const all = (world, name) => world.agents.filter(({ breed }) => breed === name);
+const total = (world, a, b) => world.totals.get([a, b].sort().join("\n")) ?? 0;
+/** Whether all stand where the lesson has put them, as large. */
+const isUntouched = (world, ...places) => places.every(([breed, x, y, z, large]) => all(world, breed).some((agent) => agent.x === x && agent.y === y && agent.z === z && agent.size === large));
+const use = (SYSTEM) => ({ type: "starlogo_system", fields: { SYSTEM } });
+const collision = (BREED, OTHER, ...blocks) => ({ type: "starlogo_collision", fields: { BREED, OTHER }, inputs: { DO: inside(...blocks) } });
+const add = (score) => ({ type: "starlogo_score_change", inputs: { SCORE: number(score) } });
+const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
+const ball = (...blocks) => create(1, "paintballs", "sphere", size(0.5), paint("me", colour("yellow")), ...blocks);
+
+const ROOM = 4;
+const LONG = 600;
+
+export const LESSONS = {
+	blocks: {
+		program: program(start(create(5, "turtles", "turtle", scatter, size(2))), each("turtles", turn("left", numbers(-4, 4)))),
+		isDone: (world, memory) => {
+			memory.places ??= all(world, "turtles").map(({ x, y }) => [x, y]);
+			return memory.places.length > 0 && all(world, "turtles").filter(({ x, y }, i) => memory.places[i] && Math.hypot(x - memory.places[i][0], y - memory.places[i][1]) > 2).length === memory.places.length;
+		},
+	},
+	helmet: {
+		program: nearMiss("fireman", 3, 0, 0, 6.6, 0.6, use(CollisionBlocks.UNIT_SPHERES)),
+		isDone: (world) => isUntouched(world, ["turtles", 0, 0, 0, 3], ["paintballs", 0, 0, 6.6, 0.6]) && touching(world) === 1,
+	},
+	wing: {
+		program: nearMiss("dragon", 8, 0.8, -2.6, 0.4, 0.8),
+		isDone: (world) => world.frame > 1 && isUntouched(world, ["turtles", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8]) && touching(world) === 0,
+	},
+	main: {
+		// all with trees: precise where it matters is enough
+		program: program(
+			start(use(CollisionBlocks.COMBINATION), create(1, "turtles", "dragon", size(8)), create(1, "paintballs", "sphere", size(0.8), go(0.8, -2.6, 0.4), paint("me", colour("yellow")))),
+			touch("paintballs", "turtles", paint("collidee", colour("red")))),
+		isDone: (world) => world.frame > 1 && world.collisions.systemName === CollisionBlocks.COMBINATION && isUntouched(world, ["turtles", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8])
+			&& all(world, "turtles")[0].hierarchical && touching(world) === 0,
+	},
+	fast: {
+		program: program(
+			start(wall(2, 0, 6), ball(go(-10, 0, 0.5))),
+			each("paintballs", move(3)),
+			touch("paintballs", "walls", paint("collidee", colour("yellow")), remove("me"))),
+		isDone: (world) => world.events.some(({ a, b }) => [a, b].some((one) => one.breed === "paintballs" && one.sweeps) && [a, b].some((one) => one.breed === "walls")),
+	},
+	starts: {
+		program: program(
+			start(wall(-6, 0, 5), wall(0, 0, 5), wall(6, 0, 5), create(1, "turtles", "turtle", size(1.5), go(-10, 0, 0))),
+			each("turtles", move(0.1)),
+			collision("turtles", "walls", add(1))),
+		isDone: (world, memory) => {
+			memory.met = Math.max(memory.met ?? 0, total(world, "turtles", "walls"));
+			return memory.met >= 3 && world.score === memory.met && touching(world) === 0;
+		},
+	},
+	room: {
+		program: program(
+			start(wall(ROOM, 0, 2 * ROOM + 0.5), wall(-ROOM, 0, 2 * ROOM + 0.5), wall(0, ROOM, 2 * ROOM + 0.5, 90), wall(0, -ROOM, 2 * ROOM + 0.5, 90), create(1, "bears", "bear", size(1.2), heading(25))),
+			each("bears", move(0.1))),
+		isDone: (world, memory) => {
+			const [bear] = all(world, "bears");
+			const isInside = bear && Math.abs(bear.x) < ROOM && Math.abs(bear.y) < ROOM;
+			memory.way = isInside ? (memory.way ?? 0) + Math.hypot(bear.x - bear.before[0], bear.y - bear.before[1]) : 0;
+			return world.frame >= LONG && memory.way > 12 && all(world, "walls").length === 4;
+		},
+	},
+	near: {
+		program: program(
+			start(create(1, "bears", "bear", size(1.4)), create(12, "turtles", "turtle", scatter, size(1.3))),
+			each("turtles", move(0.05), turn("left", numbers(-4, 4)))),
+		isDone: (world, memory) => {
+			const [bear] = all(world, "bears");
+			const near = bear ? all(world, "turtles").filter(({ x, y, z }) => Math.hypot(x - bear.x, y - bear.y, z - bear.z) <= 5).length : 0;
+			memory.counts ??= new Set();
+			if (near > 0 && bear.said.text === String(near)) memory.counts.add(near);
+			return memory.counts.size >= 2;
+		},
+	},
+	see: {
+		program: program(
+			start(create(1, "bears", "bear", size(1.4)), wall(4, 0, 5), create(1, "turtles", "turtle", size(1.6), go(8, -6, 0), heading(90))),
+			each("turtles", move(0.05))),
+		isDone: (world, memory) => {
+			const [[bear], [turtle]] = [all(world, "bears"), all(world, "turtles")];
+			memory.said ??= new Set();
+			if (bear && turtle && world.frame > 1 && bear.said.text === String(world.senses.canSee(bear, turtle))) memory.said.add(bear.said.text);
+			return memory.said.has("true") && memory.said.has("false");
+		},
+	},
+	hunt: {
+		program: program(
+			start(create(1, "bears", "bear", size(1.4)), create(8, "turtles", "turtle", scatter, size(1.3))),
+			each("bears", move(0.1)),
+			touch("bears", "turtles", remove("collidee"), add(1)),
+			each("turtles", move(0.03), turn("left", numbers(-4, 4)))),
+		isDone: (world, memory) => {
+			memory.most = Math.max(memory.most ?? 0, all(world, "turtles").length);
+			return memory.most >= 8 && all(world, "turtles").length === 0 && total(world, "bears", "turtles") >= 8 && world.seconds <= 30;
+		},
+	},
+};
+
+export const LESSON_NAMES = Object.keys(LESSONS);

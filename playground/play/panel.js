@@ -1,0 +1,66 @@
+/** What a game has been through, beside its world: figures, who met whom, totals. */
+import { h, short } from "../shared/dom.js";
+import { texts } from "../texts.js";
+import { FRAMES_A_SECOND } from "./world.js";
+
+const words = texts.play;
+const LISTED = 12;
+
+export const breedName = (breed) => texts.breeds[breed] ?? breed;
+
+export class Panel {
+	#ms = 0;
+	#ticks = 0;
+	#frames = 0;
+	#since = 0;
+	/** What was touching in the frames since the figures were shown: the most counts. */
+	#most = { pairs: 0, tests: 0, collisions: 0 };
+	#shown = "";
+
+	constructor(world) {
+		this.world = world;
+		this.figures = Object.fromEntries(Object.keys(words.panel).map((name) => [name, h("dd", {}, "–")]));
+		this.list = h("ol.met", { "aria-label": words.events, tabindex: "0" });
+		this.totals = h("ul.totals", { "aria-label": words.totals });
+		this.element = h("div.panel", {},
+			h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text)))),
+			h("div.meetings", {}, h("h2", {}, words.events), this.totals, this.list));
+	}
+
+	/** Takes a frame into account. */
+	count() {
+		const { collisionMs, collisions } = this.world;
+		this.#ms += collisionMs;
+		this.#ticks++;
+		const { candidatePairs: pairs, tests, hierarchyTests, collisions: touching } = collisions.collision.statistics;
+		for (const [name, value] of Object.entries({ pairs, tests: tests + hierarchyTests, collisions: touching })) this.#most[name] = Math.max(this.#most[name], value);
+	}
+
+	/** Shows what was counted; while the game runs, twice a second. */
+	show(now = 0) {
+		this.#frames++;
+		if (now > 0 && now - this.#since < 500) return;
+		const { agents, state } = this.world;
+		const values = { ms: short(this.#ms / this.#ticks), agents: agents.length, ...this.#most, meetings: state.meetings };
+		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
+		this.figures.fps.textContent = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
+		this.forget(now);
+		this.#list();
+	}
+
+	forget(now = 0) {
+		this.#since = now;
+		this.#ms = this.#ticks = this.#frames = 0;
+		this.#most = { pairs: 0, tests: 0, collisions: 0 };
+	}
+
+	#list() {
+		const { events, totals, state } = this.world;
+		const shown = `${state.meetings} ${state.frame < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
+		if (shown === this.#shown) return;
+		this.#shown = shown;
+		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},
+			h("time", {}, `${(frame / FRAMES_A_SECOND).toFixed(1)} s`), ` ${words.met(`${breedName(names[0])} ${a.id}`, `${breedName(names[1])} ${b.id}`)}`))));
+		this.totals.replaceChildren(...[...totals].sort(([, a], [, b]) => b - a).slice(0, 8).map(([names, count]) => h("li", {}, `${names.split("\n").map(breedName).join(" × ")} `, h("b", {}, String(count)))));
+	}
+}

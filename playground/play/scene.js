@@ -1,0 +1,193 @@
+/** How a game looks: its agents, what they say, where they met, what the engine sees of them, goal, score and end. */
+import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
+import { pairsOf } from "../compare/game.js";
+import { button, h } from "../shared/dom.js";
+import { texts } from "../texts.js";
+import { breedName } from "./panel.js";
+import { HALF_WIDTH } from "./world.js";
+
+const words = texts.play;
+const STRUCTURES = { color: 0xc24a00 };
+const CHOSEN = { color: 0x1d4ed8 };
+/** What the engine sees: what touches nothing, what it finds rightly or wrongly, and what it misses. */
+const COLOURS = { none: 0x2f6fed, hit: 0xe02020, wrong: 0xff9d00, missed: 0x9b1fe8 };
+/** How many frames a flash and a mark last. */
+const [FLASH, MARK] = [9, 45];
+const MOST_SAID = 40;
+
+export class Scene {
+	camera = "all";
+	areAllShown = false;
+	isSeen = false;
+	chosen = null;
+	#said = new Map();
+	#levels = new Map();
+	#heights = new Map();
+
+	/**
+	 * @param {import("../shared/stage.js").Stage} stage
+	 * @param {import("./world.js").World} world
+	 * @param {Map} models by their names
+	 * @param {HTMLElement} screen what lies over the stage
+	 */
+	constructor(stage, world, models, screen) {
+		Object.assign(this, { stage, world, models });
+		this.goal = h("p.goal", { hidden: true });
+		this.score = h("p.score", { hidden: true, "aria-live": "polite" });
+		this.end = h("div.end", { role: "alert", hidden: true });
+		this.legend = h("ul.legend.sees", { hidden: true }, ...["none", "hit", "wrong", "missed"].map((name) => h(`li.${name}`, {}, words.seesNote[name])));
+		this.bubbles = h("div.bubbles");
+		this.facts = h("div.inspector", { hidden: true, role: "region", "aria-label": words.inspector });
+		screen.append(this.goal, this.score, this.bubbles, this.legend, this.facts, this.end);
+		stage.onDrawn = () => this.#placeBubbles();
+	}
+
+	/** A game begins. */
+	begin() {
+		this.chosen = null;
+	}
+
+	/** Sees the agents of a new program, or all of the ground if they are all over it. */
+	seeAll() {
+		const low = [Infinity, Infinity, 0];
+		const high = [-Infinity, -Infinity, 0];
+		for (const agent of this.world.agents) {
+			[agent.x, agent.y].forEach((at, i) => {
+				low[i] = Math.min(low[i], at - agent.size / 2);
+				high[i] = Math.max(high[i], at + agent.size / 2);
+			});
+			high[2] = Math.max(high[2], agent.z + this.#height(agent));
+		}
+		const width = Math.max(high[0] - low[0], high[1] - low[1]);
+		this.stage.showAll(width > 0 && width < 1.5 * HALF_WIDTH ? [...low, ...high] : null);
+	}
+
+	/** Draws the game as it is. */
+	draw(again) {
+		const { stage, world } = this;
+		const { frame } = world;
+		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
+		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
+		const lines = [];
+		if (this.areAllShown) for (const agent of world.agents) world.structures.linesOf(agent, lines);
+		else world.structures.lines(lines);
+		stage.wireframe("structures", STRUCTURES).showLines(lines);
+		stage.wireframe("chosen", CHOSEN).showLines(this.chosen ? world.structures.linesOf(this.chosen) : []);
+		const verdicts = this.isSeen ? this.#verdicts() : null;
+		const solids = verdicts ? world.agents.map((agent) => ({ ...this.#structuresOf(agent), color: COLOURS[verdicts.get(agent) ?? "none"] })) : [];
+		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: 0xffd21f })), solids);
+		const main = this.chosen ?? world.agents[0];
+		if (this.camera !== "all" && main) stage.follow(main, this.#height(main), this.camera === "eyes");
+		this.#show(again);
+		this.#inspect();
+		stage.draw();
+	}
+
+	/** A picture of other agents, which are shown until the game is drawn again. */
+	picture(agents, width, height) {
+		this.stage.showAgents(agents, this.models);
+		this.stage.showMarks([], []);
+		for (const name of ["structures", "chosen"]) this.stage.showLines(name, [], STRUCTURES);
+		return this.stage.picture(width, height);
+	}
+
+	#height(agent) {
+		const model = this.models.get(agent.shape);
+		if (!this.#heights.has(model)) this.#heights.set(model, model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0));
+		return agent.size * this.#heights.get(model);
+	}
+
+	#show(again) {
+		const { goal, score, ended, seconds } = this.world;
+		this.goal.hidden = !goal;
+		this.goal.textContent = goal;
+		this.score.hidden = score === null;
+		if (score !== null && this.score.textContent !== words.score(score)) this.score.textContent = words.score(score);
+		this.legend.hidden = !this.isSeen;
+		if (this.end.hidden === Boolean(ended)) {
+			this.end.hidden = !ended;
+			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.after(seconds.toFixed(1))}`), button(words.again, again, { class: "primary" })] : []));
+			if (ended) this.end.querySelector("button").focus({ preventScroll: true });
+		}
+	}
+
+	/** What each agent that touches, or should, is in: "hit" where the models touch as well, "wrong" where they do not, "missed". */
+	#verdicts() {
+		const { world } = this;
+		const { agents, collisions } = world;
+		const truth = pairsOf(collisions.systemNamed(CollisionBlocks.EXACT), agents);
+		// a system of its own: from where the game's has seen agents, their motions begin
+		this.blocks ??= new CollisionBlocks(world.greatLand, agents);
+		const found = pairsOf(this.blocks.systemNamed(collisions.systemName), agents);
+		const verdicts = new Map();
+		const mark = (pairs, verdict) => {
+			for (const pair of pairs) for (const agent of pair) verdicts.set(agent, verdict);
+		};
+		mark([...truth].filter(([key]) => found.has(key)).map(([, pair]) => pair), "hit");
+		mark([...found].filter(([key]) => !truth.has(key)).map(([, pair]) => pair), "wrong");
+		mark([...truth].filter(([key]) => !found.has(key)).map(([, pair]) => pair), "missed");
+		return verdicts;
+	}
+
+	/** The solids that the collision system tests of an agent; in the model's space, or in the world if no agent is given back. */
+	#structuresOf(agent) {
+		const { collisions, greatLand } = this.world;
+		const { systemName } = collisions;
+		if (systemName === CollisionBlocks.UNIT_SPHERES) {
+			return { agent: null, structures: [new Sphere(new Vector3D(agent.x, agent.y, agent.z + agent.size / 2), agent.size / 2)] };
+		}
+		const isTree = systemName === CollisionBlocks.COMBINATION ? agent.hierarchical : systemName !== CollisionBlocks.TIGHTEST_FITS;
+		if (isTree) {
+			const level = systemName === CollisionBlocks.EXACT ? Infinity : agent.traversalDepth || collisions.collision.collisionSystem.maxDepth;
+			const key = `${agent.shape} ${level}`;
+			if (!this.#levels.has(key)) this.#levels.set(key, boundsAt(greatLand.hierarchies.root(agent.shape), level));
+			return { agent, structures: this.#levels.get(key) };
+		}
+		const library = greatLand.boundingStructures;
+		return { agent, structures: [agent.collideAs === "tightest" ? library.tightestFit(agent.shape) : library[agent.collideAs](agent.shape)] };
+	}
+
+	/** What agents say, over their heads. */
+	#placeBubbles() {
+		const { agents, frame } = this.world;
+		const talking = agents.filter(({ said }) => said.text !== "" && said.until > frame).slice(0, MOST_SAID);
+		for (const [agent, bubble] of this.#said) {
+			if (talking.includes(agent)) continue;
+			bubble.remove();
+			this.#said.delete(agent);
+		}
+		for (const agent of talking) {
+			if (!this.#said.has(agent)) this.#said.set(agent, this.bubbles.appendChild(h("p.bubble")));
+			const bubble = this.#said.get(agent);
+			const { x, y, isSeen } = this.stage.pixelOf(agent.x, agent.y, agent.z + this.#height(agent) + 0.2);
+			bubble.hidden = !isSeen;
+			bubble.textContent = agent.said.text;
+			bubble.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -100%)`;
+		}
+	}
+
+	/** What is known of the agent that was clicked. */
+	#inspect() {
+		const { chosen, world } = this;
+		this.facts.hidden = !chosen;
+		if (!chosen) return;
+		const touched = world.senses.queries.touching(chosen).map(({ breed, id }) => `${breedName(breed)} ${id}`);
+		const values = { x: chosen.x, y: chosen.y, z: chosen.z, heading: chosen.heading, size: chosen.size };
+		this.facts.replaceChildren(
+			h("strong", {}, `${breedName(chosen.breed)} ${chosen.id}`),
+			h("span", {}, `${words.inspected.shape(texts.shapes[chosen.shape] ?? chosen.shape)}, ${words.inspected.as(texts.systems[world.collisions.systemName])}`),
+			h("span", {}, Object.entries(values).map(([name, value]) => `${name} ${Number(value.toFixed(2))}`).join("  ")),
+			h("span", {}, touched.length > 0 ? words.inspected.touching(touched.join(", ")) : words.inspected.alone),
+			button(words.inspected.close, () => {
+				this.chosen = null;
+				this.facts.hidden = true;
+				this.stage.clearLines("chosen");
+			}));
+	}
+}
+
+/** The structures of a tree that a test ends at. */
+function boundsAt(node, level, out = []) {
+	if (level <= 1 || node.isLeaf) return [...out, node.bounds];
+	return boundsAt(node.right, level - 1, boundsAt(node.left, level - 1, out));
+}

@@ -1,0 +1,126 @@
+/** What agents stand on and beneath: chequered ground, sky, soft shadows where they touch the ground. */
+import {
+	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, RepeatWrapping,
+	RingGeometry, SphereGeometry, BackSide, BufferAttribute, SRGBColorSpace,
+} from "three";
+
+/** Ground as light as makes dark outlines stand out three to one, by day and at dusk. */
+export const LANDS = {
+	light: { zenith: 0x6fb3ea, horizon: 0xdff1fb, field: ["#a5de7d", "#95d46c"], around: ["#8fcb74", "#86c36b"], edge: 0xf7fbe9, ambient: 1.9, sun: 2.3 },
+	dark: { zenith: 0x243a6b, horizon: 0xc98f6d, field: ["#7fae6d", "#73a262"], around: ["#6a9660", "#638e59"], edge: 0xe9e3c6, ambient: 1.5, sun: 1.9 },
+};
+const FAR = 360;
+
+export class Land {
+	#shadows = null;
+	#footprints = new Map();
+
+	/**
+	 * @param {object} scene where it is
+	 * @param {number} width of the field that games are played on
+	 * @param {number} cell how wide a square of it is
+	 */
+	constructor(scene, width, cell) {
+		this.scene = scene;
+		this.width = width;
+		this.cell = cell;
+	}
+
+	/** Makes it anew for light or dark. */
+	dress({ zenith, horizon, field, around, edge }) {
+		this.dispose();
+		this.group = new Group();
+		this.scene.fog = new Fog(horizon, 2 * this.width, 7 * this.width);
+		this.scene.background = new Color(horizon);
+		const sky = new SphereGeometry(FAR, 24, 16).rotateX(Math.PI / 2);
+		const position = sky.getAttribute("position");
+		const [low, high] = [new Color(horizon), new Color(zenith)];
+		const colours = Array.from({ length: position.count }, (_, i) => low.clone().lerp(high, Math.min(1, Math.max(0, position.getZ(i) / FAR) * 1.7)).toArray()).flat();
+		sky.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
+		const dome = new Mesh(sky, new MeshBasicMaterial({ vertexColors: true, side: BackSide, depthWrite: false, fog: false }));
+		dome.renderOrder = -3;
+		const half = this.width / 2;
+		const frame = new Mesh(new RingGeometry(half * Math.SQRT2, (half + 0.12) * Math.SQRT2, 4, 1, Math.PI / 4), new MeshBasicMaterial({ color: edge }));
+		frame.position.z = -0.002;
+		this.group.add(dome, this.#ground(2 * FAR, around, -0.03, -2), this.#ground(this.width, field, -0.004, -1), frame);
+		this.scene.add(this.group);
+	}
+
+	#ground(width, colours, height, renderOrder) {
+		const canvas = document.createElement("canvas");
+		canvas.width = canvas.height = 2;
+		const pen = canvas.getContext("2d");
+		for (let i = 0; i < 4; i++) {
+			pen.fillStyle = colours[(i + (i >> 1)) % 2];
+			pen.fillRect(i % 2, i >> 1, 1, 1);
+		}
+		const texture = new CanvasTexture(canvas);
+		texture.colorSpace = SRGBColorSpace;
+		texture.wrapS = texture.wrapT = RepeatWrapping;
+		texture.repeat.set(width / (2 * this.cell), width / (2 * this.cell));
+		texture.magFilter = NearestFilter;
+		texture.minFilter = LinearMipmapLinearFilter;
+		texture.anisotropy = 8;
+		const ground = new Mesh(new PlaneGeometry(width, width), new MeshBasicMaterial({ map: texture }));
+		ground.position.z = height;
+		ground.renderOrder = renderOrder;
+		return ground;
+	}
+
+	/** Puts a soft shadow beneath each agent, as wide as its model, smaller the higher it is. */
+	showShadows(agents, models) {
+		if (!this.#shadows || this.#shadows.instanceMatrix.count < agents.length) this.#makeShadows(2 * agents.length + 16);
+		const { array } = this.#shadows.instanceMatrix;
+		let count = 0;
+		for (const agent of agents) {
+			const { x, y, halfX, halfY } = this.#footprint(models.get(agent.shape));
+			const angle = (agent.heading * Math.PI) / 180;
+			const [cos, sin] = [Math.cos(angle) * agent.size, Math.sin(angle) * agent.size];
+			const spread = 1.35 * Math.max(0.3, 1 - agent.z / 14);
+			array.set([cos * halfX * spread, sin * halfX * spread, 0, 0, -sin * halfY * spread, cos * halfY * spread, 0, 0, 0, 0, 1, 0,
+				agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, 0.004, 1], 16 * count++);
+		}
+		this.#shadows.count = count;
+		this.#shadows.instanceMatrix.needsUpdate = true;
+	}
+
+	#makeShadows(capacity) {
+		this.#shadows?.dispose();
+		this.#shadows?.removeFromParent();
+		const canvas = document.createElement("canvas");
+		canvas.width = canvas.height = 64;
+		const pen = canvas.getContext("2d");
+		const fade = pen.createRadialGradient(32, 32, 4, 32, 32, 32);
+		for (const [at, alpha] of [[0, 0.55], [0.5, 0.4], [0.8, 0.12], [1, 0]]) fade.addColorStop(at, `rgb(10 25 30 / ${alpha})`);
+		pen.fillStyle = fade;
+		pen.fillRect(0, 0, 64, 64);
+		const material = new MeshBasicMaterial({ map: new CanvasTexture(canvas), transparent: true, depthWrite: false, side: DoubleSide });
+		this.#shadows = new InstancedMesh(new CircleGeometry(1, 24), material, capacity);
+		this.#shadows.frustumCulled = false;
+		this.scene.add(this.#shadows);
+	}
+
+	/** The middle and half the width of a model in x and y. */
+	#footprint(model) {
+		if (!this.#footprints.has(model)) {
+			const [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
+			model.vertices.forEach((value, i) => {
+				if (i % 3 === 2) return;
+				low[i % 3] = Math.min(low[i % 3], value);
+				high[i % 3] = Math.max(high[i % 3], value);
+			});
+			this.#footprints.set(model, { x: (low[0] + high[0]) / 2, y: (low[1] + high[1]) / 2, halfX: (high[0] - low[0]) / 2, halfY: (high[1] - low[1]) / 2 });
+		}
+		return this.#footprints.get(model);
+	}
+
+	/** Frees all but the shadows' places. */
+	dispose() {
+		this.group?.removeFromParent();
+		this.group?.traverse(({ geometry, material }) => {
+			geometry?.dispose();
+			material?.map?.dispose();
+			material?.dispose();
+		});
+	}
+}

@@ -1,0 +1,104 @@
+/** Marks in the world: rings where agents met, and translucent solids of what the engine tests. */
+import { BoxGeometry, Color, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, SphereGeometry, Vector3 } from "three";
+
+/** One geometry, many places and colours. */
+class Crowd {
+	mesh = null;
+	count = 0;
+
+	constructor(parent, geometry, material) {
+		Object.assign(this, { parent, geometry, material });
+	}
+
+	add(matrix, color) {
+		if (!this.mesh || this.count === this.mesh.instanceMatrix.count) {
+			const { mesh: old, count } = this;
+			this.mesh = new InstancedMesh(this.geometry, this.material, 2 * count + 16);
+			this.mesh.frustumCulled = false;
+			this.mesh.renderOrder = 5;
+			this.mesh.setColorAt(0, tint.set(0));
+			if (old) {
+				this.mesh.instanceMatrix.array.set(old.instanceMatrix.array);
+				this.mesh.instanceColor.array.set(old.instanceColor.array);
+				old.removeFromParent();
+				old.dispose();
+			}
+			this.parent.add(this.mesh);
+		}
+		this.mesh.setMatrixAt(this.count, matrix);
+		this.mesh.setColorAt(this.count++, tint.set(color));
+	}
+
+	finish() {
+		if (!this.mesh) return;
+		this.mesh.count = this.count;
+		this.mesh.visible = this.count > 0;
+		this.mesh.instanceMatrix.needsUpdate = this.mesh.instanceColor.needsUpdate = true;
+		this.count = 0;
+	}
+
+	dispose() {
+		this.mesh?.dispose();
+		this.geometry.dispose();
+		this.material.dispose();
+	}
+}
+
+const tint = new Color();
+const matrix = new Matrix4();
+const [place, along, factors] = [new Vector3(), new Vector3(), new Vector3()];
+const turn = new Quaternion();
+const UP = new Vector3(0, 0, 1);
+
+export class Marks {
+	constructor(scene) {
+		this.group = new Group();
+		scene.add(this.group);
+		const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.3, depthWrite: false });
+		const ink = new MeshBasicMaterial({ depthTest: false, transparent: true });
+		this.rings = new Crowd(this.group, new RingGeometry(0.72, 1, 28), ink);
+		this.dots = new Crowd(this.group, new SphereGeometry(1, 10, 8), ink);
+		this.boxes = new Crowd(this.group, new BoxGeometry(2, 2, 2), glass);
+		this.balls = new Crowd(this.group, new SphereGeometry(1, 20, 14), glass);
+		// from 0 to 1 along z
+		this.tubes = new Crowd(this.group, new CylinderGeometry(1, 1, 1, 20, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5), glass);
+	}
+
+	/** A dot and a ring that grows; age is from 0 to 1. */
+	addHit(point, age, color, eye) {
+		place.set(point.x, point.y, point.z);
+		if (age < 0.4) this.rings.add(matrix.compose(place, eye, factors.setScalar(0.15 + 1.6 * age)), color);
+		this.dots.add(matrix.compose(place, turn.identity(), factors.setScalar(0.09 * (1 - age * age))), color);
+	}
+
+	/** A Sphere, Box or Capsule of the engine, in the space that a matrix takes to the world. */
+	addSolid(structure, world, color) {
+		const { center, start, end, radius } = structure;
+		if (structure.halfX !== undefined) {
+			const { axisX: a, axisY: b, axisZ: c, halfX, halfY, halfZ } = structure;
+			matrix.set(a.x * halfX, b.x * halfY, c.x * halfZ, center.x, a.y * halfX, b.y * halfY, c.y * halfZ, center.y, a.z * halfX, b.z * halfY, c.z * halfZ, center.z, 0, 0, 0, 1);
+			this.boxes.add(matrix.premultiply(world), color);
+			return;
+		}
+		for (const each of start ? [start, end] : [center]) {
+			this.balls.add(matrix.compose(place.set(each.x, each.y, each.z), turn.identity(), factors.setScalar(radius)).premultiply(world), color);
+		}
+		if (!start) return;
+		along.set(end.x - start.x, end.y - start.y, end.z - start.z);
+		const length = along.length();
+		turn.setFromUnitVectors(UP, along.normalize());
+		this.tubes.add(matrix.compose(place.set(start.x, start.y, start.z), turn, factors.set(radius, radius, length)).premultiply(world), color);
+	}
+
+	finish() {
+		for (const crowd of this.#crowds) crowd.finish();
+	}
+
+	get #crowds() {
+		return [this.rings, this.dots, this.boxes, this.balls, this.tubes];
+	}
+
+	dispose() {
+		for (const crowd of this.#crowds) crowd.dispose();
+	}
+}

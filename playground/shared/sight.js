@@ -1,0 +1,62 @@
+/** Agents on a stage as a collision system sees them. */
+import { AgentQueries, CollisionBlocks, Contact, StructureBlocks, Vector3D } from "starlogo-collision";
+import { texts } from "../texts.js";
+import { short } from "./dom.js";
+import { edgesOf } from "./lab.js";
+
+const TESTED = { color: 0xff8a00 };
+const TRIANGLES = { color: 0xff8a00, opacity: 0.4 };
+const MEETING = { color: 0xd81b60, isOnTop: true };
+const contact = new Contact();
+const [from, to] = [new Vector3D(), new Vector3D()];
+
+export class Sight {
+	constructor(stage, greatLand, models, agents, system) {
+		Object.assign(this, { stage, models, agents });
+		this.blocks = new CollisionBlocks(greatLand, agents);
+		this.structures = new StructureBlocks(this.blocks);
+		this.queries = new AgentQueries(this.blocks.collision);
+		this.use(system);
+	}
+
+	get system() {
+		return this.blocks.systemName;
+	}
+
+	use(name) {
+		this.blocks.useCollisionSystem(name);
+	}
+
+	/** Takes the agents as they are now, for questions and on the stage. */
+	update() {
+		this.queries.update(this.agents);
+		this.stage.showAgents(this.agents, this.models);
+	}
+
+	/** Draws what the collision system tests: of the exact one the triangles. */
+	showTested(isShown = true) {
+		const isExact = this.system === CollisionBlocks.EXACT;
+		const lines = this.stage.wireframe("tested", isExact ? TRIANGLES : TESTED);
+		for (const agent of isShown ? this.agents : []) {
+			const model = this.models.get(agent.shape);
+			if (isExact && model.triangles) lines.showLines(edgesOf(model), agent);
+			else lines.showLines(this.structures.linesOf(agent));
+		}
+	}
+
+	/** Draws how two agents are apart, or touch; what to say of it. */
+	showMeeting(a, b) {
+		const lines = this.stage.wireframe("meeting", MEETING);
+		const distance = this.queries.distance(a, b, from, to);
+		if (distance > 0) {
+			lines.showLines([from.x, from.y, from.z, to.x, to.y, to.z]);
+			return texts.meeting.apart(short(distance), placeText(from), placeText(to));
+		}
+		this.blocks.collision.collisionSystem.contactOf(a, b, contact);
+		lines.showContact(contact);
+		return texts.meeting.contact(short(contact.depth), placeText(contact.point), placeText(contact.normal));
+	}
+}
+
+/** A place, or a direction, in words. */
+export const placeText = ({ x, y, z }) => [x, y, z].map((each) => (Math.abs(each) < 0.005 ? 0 : each).toFixed(2)).join(", ");

@@ -1,0 +1,124 @@
+package starlogo.debug
+{
+    import flash.geom.Vector3D;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Sphere;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.CollisionSystem;
+    import starlogo.collision.CombinationCollider;
+    import starlogo.collision.PreciseCollider;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.models.Model;
+
+    use namespace engine;
+
+    /**
+     * The lines of what a collision system tests of an agent, in the world (§7.3): its unit sphere, its structure, the level of its tree at
+     * which the collider stops, or in exact mode its triangles.
+     */
+    public final class CollisionLines
+    {
+        private var _greatLand:GreatLand;
+
+        // In the models' spaces, by level, kind and model; for one revision of the models.
+        private var _lines:Object = {};
+        private var _revision:int = -1;
+
+        /**
+         * Lines of agents whose models a GreatLand has.
+         *
+         * @throws ArgumentError if it is null
+         */
+        public function CollisionLines(greatLand:GreatLand)
+        {
+            if (greatLand == null)
+            {
+                throw new ArgumentError("a GreatLand is needed, not null");
+            }
+            _greatLand = greatLand;
+        }
+
+        /**
+         * The lines of what a collision system tests of an agent; none while its model is loading. A model's are found when they are first
+         * asked for; after that the time goes with their number.
+         *
+         * @param agent any agent
+         * @param system one of the engine's, of the same GreatLand
+         * @param out the lines are added to it, six numbers each as in Wireframes; made if null
+         * @return out
+         * @throws ArgumentError if what the collision system needs of the agent's model was not loaded
+         */
+        public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
+        {
+            if (system is BinCollider)
+            {
+                var radius:Number = agent.size / 2;
+                return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), out);
+            }
+            var all:Vector.<Number> = out || new Vector.<Number>();
+            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, system as PreciseCollider), agent.worldPlacement(), all) : all;
+        }
+
+        private function linesOfModel(agent:Agent, trees:PreciseCollider):Vector.<Number>
+        {
+            if (_revision != _greatLand.revision)
+            {
+                _revision = _greatLand.revision;
+                _lines = {};
+            }
+            var isTree:Boolean = trees != null && (agent.hierarchical || !(trees is CombinationCollider));
+            var level:int = isTree ? levelOf(agent, trees) : 0;
+            var key:String = level + " " + agent.structureKind + " " + agent.shape;
+            if (_lines[key] == null)
+            {
+                _lines[key] = level > 0 ? linesOfTree(agent.shape, level) : Wireframes.ofStructure(structureOf(agent));
+            }
+            return _lines[key];
+        }
+
+        private function linesOfTree(name:String, level:int):Vector.<Number>
+        {
+            var model:Model = _greatLand.modelOf(name);
+            return level == int.MAX_VALUE && model.triangles != null ? Wireframes.ofTriangles(model.vertices, model.triangles)
+                : Wireframes.ofLevel(_greatLand.hierarchies.root(name), level);
+        }
+
+        // All levels where triangles decide.
+        private static function levelOf(agent:Agent, trees:PreciseCollider):int
+        {
+            if (trees.exact)
+            {
+                return int.MAX_VALUE;
+            }
+            return agent.traversalDepth > 0 ? agent.traversalDepth : trees.maxDepth;
+        }
+
+        private function structureOf(agent:Agent):BoundingStructure
+        {
+            if (agent.structureKind == Agent.ANY_KIND)
+            {
+                return _greatLand.boundingStructures.tightestFit(agent.shape);
+            }
+            return _greatLand.structureOfKind(agent.shape, agent.structureKind);
+        }
+
+        // Not by a Matrix3D, which has single precision.
+        private static function placed(lines:Vector.<Number>, placement:Placement, out:Vector.<Number>):Vector.<Number>
+        {
+            var size:Number = placement.size;
+            for (var i:int = 0; i < lines.length; i += 3)
+            {
+                var x:Number = lines[i];
+                var y:Number = lines[i + 1];
+                var z:Number = lines[i + 2];
+                out.push(placement.x + size * (placement.r00 * x + placement.r01 * y + placement.r02 * z),
+                        placement.y + size * (placement.r10 * x + placement.r11 * y + placement.r12 * z),
+                        placement.z + size * (placement.r20 * x + placement.r21 * y + placement.r22 * z));
+            }
+            return out;
+        }
+    }
+}

@@ -1,0 +1,116 @@
+/**
+ * Prints how many bytes 10,000 questions of each kind leave to the garbage collector, as JSON. Each is asked by agents that have moved since the update,
+ * and by some that are not in the list.
+ *
+ *   node --expose-gc --min-semi-space-size=64 --max-semi-space-size=64 test/module/questions.mjs SYSTEM
+ */
+import { garbageOf } from "./bytes.mjs";
+import { HALF_WIDTH, MODELS, SYSTEMS, engine, makeGreatLand, scatter } from "./games.mjs";
+
+const { Agent, AgentFilter, AgentQueries, Contact, RayHit, Sphere, Vector3D } = engine;
+
+const COUNT = 500;
+const GUESTS = 50;
+const WARM = 20;
+
+const { agents } = scatter(COUNT, MODELS, { halfWidth: HALF_WIDTH / 5 });
+agents.forEach((agent, i) => {
+	agent.hierarchical = i % 10 === 0;
+	agent.breed = i % 2 === 0 ? "turtles" : "sheep";
+});
+const queries = new AgentQueries(new SYSTEMS[process.argv[2]](makeGreatLand()));
+queries.update(agents);
+const askers = agents.slice(GUESTS);
+for (let i = 0; i < GUESTS; i++) {
+	const guest = new Agent(MODELS[i % MODELS.length]);
+	guest.moveTo(agents[i].x, agents[i].y, 0);
+	askers.push(guest);
+}
+
+const filter = AgentFilter.ofBreeds("turtles", "wolves");
+const out = [];
+const hits = [];
+const hit = new RayHit();
+const contact = new Contact();
+const structure = new Sphere(new Vector3D(), 2);
+const [point, ahead, onA, onB] = Array.from({ length: 4 }, () => new Vector3D(1, 0, 0));
+
+// Numbers where none is an object
+const steps = Float64Array.from(askers, (_, i) => 0.1 * Math.sin(i));
+const answer = new Float64Array(1);
+let found = 0;
+
+/** Puts a vector where an agent is: not with setTo, to which Numbers would be passed. */
+function put(vector, agent, height) {
+	vector.x = agent.x;
+	vector.y = agent.y;
+	vector.z = agent.z + height;
+}
+
+/** The kinds of question, each with lists or objects to write to, of an agent and another. */
+const questions = {
+	near: (agent) => { found += queries.near(agent, 3, null, out).length; },
+	"near, filter": (agent) => { found += queries.near(agent, 3, filter, out).length; },
+	countNear: (agent) => { found += queries.countNear(agent, 3); },
+	"countNear, filter": (agent) => { found += queries.countNear(agent, 3, filter); },
+	nearest: (agent) => { found += queries.nearest(agent) === null ? 0 : 1; },
+	"nearest, filter": (agent) => { found += queries.nearest(agent, 3, filter) === null ? 0 : 1; },
+	inCone: (agent) => { found += queries.inCone(agent, 3, 90, null, out).length; },
+	nearPoint: (agent) => {
+		put(point, agent, 0.5);
+		found += queries.nearPoint(point, 3, null, out).length;
+	},
+	touching: (agent) => { found += queries.touching(agent, null, out).length; },
+	overlapping: (agent) => {
+		put(structure.center, agent, 0);
+		found += queries.overlapping(structure, null, out).length;
+	},
+	moved: (agent, other) => {
+		found++;
+		queries.moved(other);
+	},
+	cast: (agent) => {
+		put(point, agent, 0.5);
+		found += queries.cast(point, ahead, 20, null, hit) === null ? 0 : 1;
+	},
+	castAll: (agent) => {
+		put(point, agent, 0.5);
+		found += queries.castAll(point, ahead, 20, null, hits).length;
+	},
+	canSee: (agent, other) => { found += queries.canSee(agent, other) ? 1 : 0; },
+	distance: (agent, other) => {
+		answer[0] = queries.distance(agent, other);
+		found += answer[0] > 0 ? 1 : 0;
+	},
+	"distance, points": (agent, other) => {
+		answer[0] = queries.distance(agent, other, onA, onB);
+		found += answer[0] > 0 ? 1 : 0;
+	},
+	moveUntilTouch: (agent, other, i) => {
+		answer[0] = queries.moveUntilTouch(agent, steps[i], 0.1, 0, null, contact);
+		found += answer[0] > 0 ? 1 : 0;
+	},
+	slide: (agent, other, i) => {
+		answer[0] = queries.slide(agent, steps[i], 0.1, 0);
+		found += answer[0] > 0 ? 1 : 0;
+	},
+};
+
+const turnOf = (ask) => () => {
+	for (let i = 0; i < COUNT; i++) ask(askers[i], agents[(i + 1) % GUESTS], i);
+};
+
+// all of them first: what one has made the compiler expect, another may void
+for (const ask of Object.values(questions)) {
+	for (let turn = 0; turn < WARM; turn++) turnOf(ask)();
+}
+const bytes = {};
+const answers = {};
+for (const [name, ask] of Object.entries(questions)) {
+	// to where they were not at the update
+	for (const agent of agents) agent.moveTo(agent.x + 0.01, agent.y, agent.z);
+	found = 0;
+	bytes[name] = 10000 / COUNT * garbageOf(turnOf(ask), { warm: 2 * WARM, calls: 10000 / COUNT, rounds: 2 });
+	answers[name] = found;
+}
+console.log(JSON.stringify({ bytes, answers }));

@@ -129,8 +129,10 @@ async function playUntil(swf, beginning, picture) {
 	assert.ok(existsSync(swf));
 	const lines = [];
 	let player;
+	let timer;
 	try {
 		await new Promise((resolve, reject) => {
+			timer = setTimeout(() => reject(new Error(`no line begins with "${beginning}":\n${lines.join('\n')}`)), 240000);
 			const trace = (line) => lines.push(line) && line.startsWith(beginning) && resolve();
 			play({ swf, chrome, parameters: { assets: '/assets' }, folders: { '/assets': path.join(folder, 'assets') }, width: 480, height: 360 },
 				{ trace, error: reject, crash: reject, writeFile() {}, exit() {} }).then((started) => {
@@ -139,6 +141,7 @@ async function playUntil(swf, beginning, picture) {
 		});
 		await player.screenshot(picture);
 	} finally {
+		clearTimeout(timer);
 		await player?.close();
 	}
 	return lines;

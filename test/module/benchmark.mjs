@@ -461,4 +461,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -12,6 +12,7 @@ const INSIDE = {
 	pako: { folder: 'module/', where: ['module', 'playground'], what: 'inflates' },
 	saxes: { folder: 'module/', where: ['module', 'playground'], what: 'parses XML' },
 	xmlchars: { folder: 'module/', where: ['module', 'playground'], what: 'knows the characters of XML' },
+	'@blockly/keyboard-navigation': { folder: 'playground/', where: ['playground'], what: 'reaches blocks by keys' },
 	blockly: { folder: 'playground/', where: ['playground'], what: 'shows blocks' },
 	three: { folder: 'playground/', where: ['playground'], what: 'draws' },
 };

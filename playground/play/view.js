@@ -108,10 +108,10 @@ class PlayView {
 					tick(words.sees, false, (on) => {
 						this.scene.isSeen = on;
 						this.draw();
-					}),
-					button(h("span.icon"), () => this.screen.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
+					})),
 				this.screen,
-				h("div.time", {}, this.speed.element, this.rewind.element),
+				h("div.time", {}, this.speed.element, this.rewind.element,
+					button(h("span.icon"), () => this.screen.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
 				this.panel.element));
 	}
 

@@ -366,7 +366,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	await page.locator('.status').getByRole('button', { name: 'Undo' }).focus();
 	await page.keyboard.press('Enter');
 	await page.waitForFunction((before) => globalThis.playground.editor.workspace.getAllBlocks().length === before, count);
-	await page.locator('.fullscreen').focus();
+	await page.getByLabel('Collision system').focus();
 	for (let i = 0; i < 12 && !(await block()); i++) {
 		await page.keyboard.press('Shift+Tab');
 	}

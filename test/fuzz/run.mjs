@@ -7,25 +7,12 @@
  * A list of calls that fails is made shorter as long as it fails in the same way, and printed as a line for found.test.mjs.
  */
 import { randomNumbers } from "../module/games.mjs";
-import { Game, randomCall } from "./game.mjs";
+import { problemOf, randomCall } from "./game.mjs";
 
 const CALLS = 120;
 
 const [minutes = "10", seed = String(Date.now() % 1e9)] = process.argv.slice(2);
 const end = performance.now() + 60000 * Number(minutes);
-
-/** What goes wrong in a game: null, or the error's message. */
-function problemOf(calls) {
-	const game = new Game();
-	for (const call of calls) {
-		try {
-			game.play(call);
-		} catch (error) {
-			return error.message;
-		}
-	}
-	return null;
-}
 
 /** The same wrong, whatever the numbers in it are. */
 const kindOf = (problem) => problem?.replace(/[-\d.e+]+/g, "").slice(0, 24);

@@ -2,9 +2,9 @@
 /**
  * Runs the FlexUnit classes on the ES module's code, in Node.
  *
- *   node test/module/run.mjs TESTS [--test PATTERN] [--full] [--mount /url=folder ...] [--summary FILE]
+ *   node test/module/run.mjs TESTS [--test PATTERN] [--order CLASS,CLASS.test,...] [--first] [--full] [--mount /url=folder ...] [--summary FILE]
  *
- * TESTS is what the build made of the engine and the tests together.
+ * TESTS is what the build made of the engine and the tests together. With --order these run alone, in that order; with --first it ends when one fails.
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -15,7 +15,7 @@ import { NOT_HERE } from "./not-here.mjs";
 
 const { values: options, positionals } = parseArgs({
 	allowPositionals: true,
-	options: { test: { type: "string", default: "" }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
+	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
 });
 const mounts = options.mount.map((mount) => mount.split("="));
 const [classPattern, methodPattern = ""] = options.test.split(/[.#]/);
@@ -59,14 +59,18 @@ const only = new Set(NOT_HERE.keys());
 process.on("uncaughtException", (error) => {
 	failed++;
 	console.log(`FAILED, outside of any test: ${error.stack}`);
+	if (options.first) process.exit(1);
 });
 
-for (const { name, type, metadata } of tests.CLASSES) {
-	if (!name.split(".").pop().includes(classPattern)) continue;
+const simpleName = ({ name }) => name.split(".").pop();
+const ordered = options.order.split(",").filter((text) => text !== "").map((text) => text.split(".")).flatMap(([wanted, method = ""]) => tests.CLASSES.filter((each) => simpleName(each) === wanted).map((each) => ({ ...each, method })));
+const classes = options.order === "" ? tests.CLASSES.filter((each) => simpleName(each).includes(classPattern)).map((each) => ({ ...each, method: methodPattern })) : ordered;
+
+for (const { name, type, metadata, method } of classes) {
 	const methods = (kind) => metadata.filter((each) => each.kind === kind);
 	await new Promise((resolve) => tests.Fixtures.load(type.FIXTURES ?? [], resolve));
 	let problem = null;
-	const chosen = methods("Test").filter((each) => each.name.includes(methodPattern)).sort((a, b) => Number(a.args.order ?? 0) - Number(b.args.order ?? 0));
+	const chosen = methods("Test").filter((each) => each.name.includes(method)).sort((a, b) => Number(a.args.order ?? 0) - Number(b.args.order ?? 0));
 	const here = chosen.filter((each) => {
 		const place = [name, `${name}.${each.name}`].find((key) => NOT_HERE.has(key));
 		only.delete(place);
@@ -88,6 +92,7 @@ for (const { name, type, metadata } of tests.CLASSES) {
 		else {
 			failed++;
 			console.log(`FAILED ${name.split(".").pop()}.${each.name}: ${error.stack ?? error}`);
+			if (options.first) process.exit(1);
 		}
 		if (ms > SLOW_MS) console.log(`  ${name.split(".").pop()}.${each.name}: ${(ms / 1000).toFixed(1)} s`);
 	}
@@ -113,7 +118,7 @@ async function run(type, test, methods) {
 	return expected ? new Error(`expected ${expected}, but nothing was thrown`) : null;
 }
 
-if (options.test === "" && only.size > 0) {
+if (options.test === "" && options.order === "" && only.size > 0) {
 	failed++;
 	console.log(`FAILED: no such test, though not-here.mjs lists it: ${[...only].join(", ")}`);
 }

@@ -261,7 +261,9 @@ package starlogo.collision
             {
                 var search:CollisionSearch = _searched.search;
                 var places:Vector.<int> = search.recordPositions(record);
-                for (var i:int = 0; i < _calls.tracker.count; i++)
+                var pairs:int = _calls.tracker.count;
+                record.beginPairs(pairs);
+                for (var i:int = 0; i < pairs; i++)
                 {
                     var pair:ContactPair = _calls.tracker.pairAt(i);
                     var first:int = search.rowOf(pair.first);
@@ -309,12 +311,12 @@ package starlogo.collision
             }
             var collider:Collider = Collider(_collisionSystem);
             collider.search.restorePositions(agents, record);
-            _calls.tracker.clear();
+            _calls.tracker.clear(record.pairCount);
             for (var i:int = 0; i < record.pairCount; i++)
             {
                 var pair:ContactPair = _calls.tracker.start(agents[record.first[i]], agents[record.second[i]]);
-                pair.firstBreed = record.firstBreed[i];
-                pair.secondBreed = record.secondBreed[i];
+                pair.firstBreed = record.breeds[record.firstBreed[i]];
+                pair.secondBreed = record.breeds[record.secondBreed[i]];
                 pair.isBothWays = record.isBothWays[i];
             }
             _searched = collider;

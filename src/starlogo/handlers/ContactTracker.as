@@ -84,15 +84,24 @@ package starlogo.handlers
             return _pairs[index];
         }
 
-        /** Lets go of all pairs, without an end. */
-        public function clear():void
+        /**
+         * Lets go of all pairs, without an end.
+         *
+         * @param pairs how many will come
+         */
+        public function clear(pairs:int = 0):void
         {
             for (var i:int = 0; i < count; i++)
             {
                 _pairs[i].first = _pairs[i].second = null;
             }
             count = 0;
-            fill(LEAST_LENGTH);
+            var length:int = LEAST_LENGTH;
+            while (length <= 2 * pairs)
+            {
+                length *= 2;
+            }
+            fill(length);
         }
 
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */

@@ -266,7 +266,7 @@ package starlogo.search
         public function recordPositions(record:FrameRecord):Vector.<int>
         {
             var places:Vector.<int> = new Vector.<int>(agents.length);
-            record.count = count;
+            record.beginAgents(count);
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];

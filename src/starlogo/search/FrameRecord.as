@@ -24,40 +24,66 @@ package starlogo.search
         public var count:int = 0;
 
         /** Whether the next frame takes an agent to have moved from where it was. */
-        public var hasMotion:Vector.<Boolean> = new Vector.<Boolean>();
+        public var hasMotion:Vector.<Boolean>;
 
         /** Where an agent was. */
-        public var x:Vector.<Number> = new Vector.<Number>();
+        public var x:Vector.<Number>;
 
         /** @copy #x */
-        public var y:Vector.<Number> = new Vector.<Number>();
+        public var y:Vector.<Number>;
 
         /** @copy #x */
-        public var z:Vector.<Number> = new Vector.<Number>();
+        public var z:Vector.<Number>;
 
         /** How many pairs touch. */
         public var pairCount:int = 0;
 
         /** The agent that was first when a pair's contact began. */
-        public var first:Vector.<int> = new Vector.<int>();
+        public var first:Vector.<int>;
 
         /** The other one. */
-        public var second:Vector.<int> = new Vector.<int>();
+        public var second:Vector.<int>;
 
-        /** The breed that the first had when it began. */
-        public var firstBreed:Vector.<String> = new Vector.<String>();
+        /** The breed that the first had when it began, of <code>breeds</code>. */
+        public var firstBreed:Vector.<int>;
 
         /** The breed of the other one then. */
-        public var secondBreed:Vector.<String> = new Vector.<String>();
+        public var secondBreed:Vector.<int>;
 
         /** Whether the contact has begun in both directions. */
-        public var isBothWays:Vector.<Boolean> = new Vector.<Boolean>();
+        public var isBothWays:Vector.<Boolean>;
 
-        private var _names:Vector.<String> = new Vector.<String>();
+        /** The names of breeds. */
+        public var breeds:Vector.<String> = new Vector.<String>();
 
-        /** Of no agents. */
+        private var _lastBreed:int = -1;
+
+        /** Of no agents and no pairs. */
         public function FrameRecord()
         {
+            beginAgents(0);
+            beginPairs(0);
+        }
+
+        /** Has a number of agents, of which nothing is known yet. */
+        public function beginAgents(agents:int):void
+        {
+            count = agents;
+            hasMotion = new Vector.<Boolean>(agents, true);
+            x = new Vector.<Number>(agents, true);
+            y = new Vector.<Number>(agents, true);
+            z = new Vector.<Number>(agents, true);
+        }
+
+        /** Has room for a number of pairs. */
+        public function beginPairs(pairs:int):void
+        {
+            pairCount = 0;
+            first = new Vector.<int>(pairs, true);
+            second = new Vector.<int>(pairs, true);
+            firstBreed = new Vector.<int>(pairs, true);
+            secondBreed = new Vector.<int>(pairs, true);
+            isBothWays = new Vector.<Boolean>(pairs, true);
         }
 
         /** Adds a pair that touches. */
@@ -65,8 +91,8 @@ package starlogo.search
         {
             first[pairCount] = firstAgent;
             second[pairCount] = secondAgent;
-            firstBreed[pairCount] = breedOfFirst;
-            secondBreed[pairCount] = breedOfSecond;
+            firstBreed[pairCount] = numberOf(breedOfFirst);
+            secondBreed[pairCount] = numberOf(breedOfSecond);
             isBothWays[pairCount] = touchesBothWays;
             pairCount++;
         }
@@ -85,6 +111,7 @@ package starlogo.search
         {
             var bytes:ByteArray = new ByteArray();
             bytes.endian = Endian.LITTLE_ENDIAN;
+            bytes.length = 8 + BYTES_PER_AGENT * count;
             bytes.writeUnsignedInt(MARK);
             bytes.writeInt(count);
             for (var i:int = 0; i < count; i++)
@@ -94,27 +121,22 @@ package starlogo.search
                 bytes.writeDouble(y[i]);
                 bytes.writeDouble(z[i]);
             }
-            _names.length = 0;
-            for (i = 0; i < pairCount; i++)
-            {
-                numberOf(firstBreed[i]);
-                numberOf(secondBreed[i]);
-            }
-            bytes.writeInt(_names.length);
-            for (i = 0; i < _names.length; i++)
+            bytes.writeInt(breeds.length);
+            for (i = 0; i < breeds.length; i++)
             {
                 var name:ByteArray = new ByteArray();
-                name.writeUTFBytes(_names[i]);
+                name.writeUTFBytes(breeds[i]);
                 bytes.writeInt(name.length);
                 bytes.writeBytes(name);
             }
             bytes.writeInt(pairCount);
+            bytes.length += BYTES_PER_PAIR * pairCount;
             for (i = 0; i < pairCount; i++)
             {
                 bytes.writeInt(first[i]);
                 bytes.writeInt(second[i]);
-                bytes.writeInt(numberOf(firstBreed[i]));
-                bytes.writeInt(numberOf(secondBreed[i]));
+                bytes.writeInt(firstBreed[i]);
+                bytes.writeInt(secondBreed[i]);
                 bytes.writeBoolean(isBothWays[i]);
             }
             bytes.position = 0;
@@ -143,12 +165,15 @@ package starlogo.search
 
         private function numberOf(breed:String):int
         {
-            var number:int = _names.indexOf(breed);
-            if (number < 0)
+            if (_lastBreed < 0 || breeds[_lastBreed] != breed)
             {
-                number = _names.push(breed) - 1;
+                _lastBreed = breeds.indexOf(breed);
+                if (_lastBreed < 0)
+                {
+                    _lastBreed = breeds.push(breed) - 1;
+                }
             }
-            return number;
+            return _lastBreed;
         }
 
         private function readAgents(bytes:ByteArray, agentCount:int):Boolean
@@ -158,7 +183,7 @@ package starlogo.search
             {
                 return false;
             }
-            count = agentCount;
+            beginAgents(agentCount);
             for (var i:int = 0; i < count; i++)
             {
                 var flag:int = bytes.readUnsignedByte();
@@ -188,7 +213,7 @@ package starlogo.search
                 {
                     return false;
                 }
-                _names.push(bytes.readUTFBytes(length));
+                breeds.push(bytes.readUTFBytes(length));
                 left--;
             }
             return left == 0;
@@ -205,6 +230,7 @@ package starlogo.search
             {
                 return false;
             }
+            beginPairs(pairs);
             // by the lower agent of a pair: the last pair that has it, and of each pair the one before
             var last:Vector.<int> = new Vector.<int>(count, true);
             var before:Vector.<int> = new Vector.<int>(pairs, true);
@@ -216,7 +242,7 @@ package starlogo.search
                 var breedOfB:int = bytes.readInt();
                 var flag:int = bytes.readUnsignedByte();
                 if (!isBelow(a, count) || !isBelow(b, count) || a == b || flag > 1
-                        || !isBelow(breedOfA, _names.length) || !isBelow(breedOfB, _names.length))
+                        || !isBelow(breedOfA, breeds.length) || !isBelow(breedOfB, breeds.length))
                 {
                     return false;
                 }
@@ -230,7 +256,12 @@ package starlogo.search
                 }
                 before[i] = last[lower];
                 last[lower] = i + 1;
-                addPair(a, b, _names[breedOfA], _names[breedOfB], flag == 1);
+                first[i] = a;
+                second[i] = b;
+                firstBreed[i] = breedOfA;
+                secondBreed[i] = breedOfB;
+                isBothWays[i] = flag == 1;
+                pairCount++;
             }
             return true;
         }

@@ -1,0 +1,80 @@
+#!/usr/bin/env node
+/**
+ * Changes the engine in one place at random, many times, and runs the tests until one fails: what survives is tested by nothing, or changes no
+ * answer. It is the translation that is changed, a line of which is a line of the source.
+ *
+ *   node test/mutations/run.mjs TESTS [COUNT [SEED [all]]]
+ *
+ * TESTS is what the build made of the engine and the tests together. First the hash of all that the soak's game sees is compared, then the test
+ * classes run that name the changed class, and with "all" every other.
+ */
+import { spawnSync } from "node:child_process";
+import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { randomNumbers } from "../module/games.mjs";
+
+const PACKAGES = ["collision", "search", "hierarchy", "intersection", "queries"];
+const PATIENCE_MS = 600000;
+
+/** What is written in place of what: the first that a place has. */
+const CHANGES = [
+	[/ <= /g, " < "], [/ >= /g, " > "], [/ < /g, " <= "], [/ > /g, " >= "], [/ \+ /g, " - "], [/ - /g, " + "], [/ \* /g, " / "],
+	[/ \+= /g, " -= "], [/ -= /g, " += "], [/ && /g, " || "], [/ \|\| /g, " && "], [/ === /g, " !== "], [/ !== /g, " === "], [/ == /g, " != "], [/ != /g, " == "],
+	[/\bif \((?=.*\)\s*\{?$)/g, "if (!1 && "], [/\bif \((?=.*\)\s*\{?$)/g, "if (!0 || "], [/\btrue\b/g, "false"], [/\bfalse\b/g, "true"],
+	[/\bMath\.max\b/g, "Math.min"], [/\bMath\.min\b/g, "Math.max"], [/(?<=[-+*(=,[] ?)\b0\b(?![.x])/g, "1"], [/(?<=[-+*(=,[] ?)\b1\b(?![.x])/g, "2"], [/\+\+(?=;)/g, "--"],
+	[/^\s+(this\.)?[#\w.]+\([^()]*\);$/g, ";"],
+];
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const [tests, count = "100", seed = "1", all = ""] = process.argv.slice(2);
+
+const filesBelow = (folder) => readdirSync(folder, { withFileTypes: true, recursive: true })
+	.filter((entry) => entry.name.endsWith(".as")).map((entry) => path.join(entry.parentPath ?? entry.path, entry.name));
+const classOf = (file) => path.basename(file, ".as");
+
+const lines = readFileSync(tests, "utf8").split("\n");
+const testFiles = filesBelow(path.join(root, "test")).filter((file) => file.endsWith("Test.as")).map((file) => ({ name: classOf(file), text: readFileSync(file, "utf8") }));
+
+/** Every place in a class, and what may be written there. */
+function placesOf(name) {
+	const first = lines.findIndex((line) => new RegExp(`^(const ${name} = .*)?(class|function) ${name}\\b`).test(line));
+	const places = [];
+	for (let i = first + 1; first >= 0 && !/^\}/.test(lines[i]); i++) {
+		const line = lines[i];
+		if (/^\s*(\/\/|\*|\/\*)|throw new|static #?\w+ =|requireType|\$check/.test(line)) continue;
+		for (const [from, to] of CHANGES) for (const { index, 0: text } of line.matchAll(from)) places.push({ name, line: i, changed: line.slice(0, index) + to + line.slice(index + text.length) });
+	}
+	return places;
+}
+
+const places = PACKAGES.flatMap((each) => filesBelow(path.join(root, "src/starlogo", each)).map(classOf)).flatMap(placesOf);
+const random = randomNumbers(Number(seed));
+for (let i = 0; i < 8; i++) random();
+
+function testsOf(name) {
+	const related = testFiles.filter(({ text }) => new RegExp(`\\b${name}\\b`).test(text)).map((each) => each.name);
+	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each)) : [];
+	return ["SoakTest.whatAGameSeesIsTheSameEverywhere", ...related, ...others];
+}
+
+/** The first test that fails; null if none does. */
+function killerOf(file, name) {
+	const run = spawnSync(process.execPath, [path.join(root, "test/module/run.mjs"), file, "--first", `--order=${testsOf(name).join()}`,
+		"--mount=/assets=assets", "--mount=/fixtures=test/fixtures", "--mount=/models=bin/test-models", "--mount=/assimp=/usr/share/assimp/models"],
+	{ cwd: root, encoding: "utf8", timeout: PATIENCE_MS, maxBuffer: 1 << 26 });
+	return run.error ? "no end" : run.status === 0 ? null : /FAILED,? ([\w.]+)/.exec(run.stdout)?.[1] ?? "no start";
+}
+
+const file = path.join(path.dirname(path.resolve(tests)), `mutated-${process.pid}.mjs`);
+const survivors = [];
+console.log(`${count} of ${places.length} changes, from seed ${seed} on`);
+for (let i = 1; i <= Number(count); i++) {
+	const { name, line, changed } = places[Math.floor(random() * places.length)];
+	writeFileSync(file, lines.map((each, at) => (at === line ? changed : each)).join("\n"));
+	const killer = killerOf(file, name);
+	console.log(`${i}. ${name}: ${killer ?? `SURVIVED\n\t${lines[line].trim()}\n\t${changed.trim()}`}`);
+	if (killer === null) survivors.push(name);
+}
+rmSync(file);
+console.log(`${survivors.length} of ${count} survived: ${survivors.join(", ")}`);

@@ -291,6 +291,14 @@ test("the overlay shows what collides where it collides, red what does, as long 
 	for (const end of yellow) assert.ok(far(end, third) < 1.5 + 1e-8);
 	assert.ok(yellow.filter((end) => far(end, third) > 1.5 - 1e-8).length >= 60);
 
+	// from the side: about its place, half of it in the ground
+	const { projectPoint } = viewport.camera;
+	viewport.camera.projectPoint = (x, y, z) => [x, z, 100];
+	viewport.drawScene();
+	const heights = strokes.get("#ffcc00").map(([, z]) => z);
+	assert.ok(Math.abs(Math.min(...heights) + 1.5) < 1e-8 && Math.abs(Math.max(...heights) - 1.5) < 1e-8);
+	viewport.camera.projectPoint = projectPoint;
+
 	// corners of cubes, turned with their agents; edges of boxes and of triangles, which have diagonals too
 	const corners = ({ state: { x, y, size, heading } }) => [45, 135, 225, 315].map((turn) => (turn + heading) * Math.PI / 180)
 		.map((angle) => [x + Math.SQRT1_2 * size * Math.cos(angle), y + Math.SQRT1_2 * size * Math.sin(angle)]);

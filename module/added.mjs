@@ -14,6 +14,6 @@ export const ADDED = {
      * @returns the model, which the receiver has by then
      * @throws ModelError, in the promise, if it can't be loaded; the signal's reason if that is aborted; an AbortError if cancel() is called
      */
-    loadAsync(name: string, url: string, options?: { upAxis?: "x" | "y" | "z" | ModelTransform; scaling?: string; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
+    loadAsync(name: string, url: string, options?: { upAxis?: UpAxis; scaling?: Scaling; signal?: ListenerOptions["signal"] }): Promise<Model>;`,
 	},
 };

@@ -38,16 +38,7 @@ const options = {
 	help: { type: "boolean", default: false },
 };
 
-<<<<<<< HEAD
-const { values, positionals } = parsed();
-if (positionals.length !== 1) {
-	console.error("usage: starlogo-bake FOLDER [--out FOLDER] [--up x|y|z] [--increment DEGREES] [--min-vertices N] [--depth N] [--by-mean]");
-	process.exit(2);
-}
-const folder = resolve(positionals[0]);
-=======
 const { values, folder } = readArguments();
->>>>>>> b6ba8aae83104a33db25dbc0621ac304d240c662
 const out = resolve(values.out ?? folder);
 const list = join(out, "manifest.json");
 const settings = JSON.stringify([version, values.up, values.scaling, values.transforms, values.increment, values["min-vertices"], values.depth, values["by-mean"]]);
@@ -89,17 +80,6 @@ const counts = [`${files.length - failures - kept} cooked`, kept > 0 ? `${kept} 
 console.log(counts.filter((text) => text !== "").join(", "));
 process.exitCode = failures > 0 ? 1 : 0;
 
-<<<<<<< HEAD
-function parsed() {
-	try {
-		return parseArgs({ options, allowPositionals: true });
-	} catch (error) {
-		console.error(error.message.split(". ")[0]);
-		return { positionals: [] };
-	}
-}
-
-=======
 /** The options and the folder; what is wrong with them ends the program with a sentence. */
 function readArguments() {
 	let read;
@@ -173,7 +153,6 @@ function copy(file) {
 	copyFileSync(file, to);
 }
 
->>>>>>> b6ba8aae83104a33db25dbc0621ac304d240c662
 /** A GreatLand with the settings that the game will have. */
 function newGame() {
 	const greatLand = new GreatLand();

@@ -144,6 +144,8 @@ export const texts = {
 		brokenProgram: "This is no program of the playground.",
 		brokenLink: "The program in this link could not be read.",
 		wrongFile: (name) => `${name} is neither a program (.json) nor a model (.obj, .dae, .zae, .glb, .gltf, .stl).`,
+		newShape: (name) => `Agents can have the shape “${name}” now, as long as this page is open: choose it in a “create” block.`,
+		brokenModel: (problem) => `This model cannot be read: ${problem}`,
 		notKept: "This browser keeps no programs: its storage is full or refused. Save yours to a file.",
 		elsewhere: (name) => `“${name}” was changed in another tab. What you change here becomes a program of its own.`,
 		stale: "You have changed the program. It goes on as it was until it starts anew.",

@@ -171,6 +171,7 @@ export class NovaCollisions {
 		this.#cells.clear();
 		this.#suspects.length = 0;
 		this.#bodies.length = 0;
+		this.#found = [];
 	}
 
 	/** Whether there is no agent of a breed. */

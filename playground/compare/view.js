@@ -59,6 +59,8 @@ class CompareView {
 				h("div.screen", {}, this.gameHost)));
 		this.stage = new Lab(this.pairHost, { label: words.world, eye: [2, 2.9, 1.5], target: [0, 0, 0.4], ground: 6 });
 		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
+		// seen from so far, outlines would hide the lines
+		if (this.gameStage.renderer) this.gameStage.agents.materials.outline.visible = false;
 		orbitByKeys(this.stage, this.pairHost);
 		this.sight = new Sight(this.stage, greatLand, models, this.agents, CollisionBlocks.TIGHTEST_FITS);
 		this.blocks = this.sight.blocks;

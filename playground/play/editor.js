@@ -28,6 +28,8 @@ Blockly.Extensions.register("new_breed", function askForBreeds() {
 				const breed = answer?.trim().slice(0, 30);
 				if (!breed) return;
 				meet(name, breed);
+				// else those of before count
+				field.getOptions(false);
 				field.setValue(breed);
 			});
 			return null;

@@ -87,7 +87,7 @@ export class Scene {
 	picture(agents, width, height) {
 		this.stage.showAgents(agents, this.models);
 		this.stage.showMarks([], []);
-		for (const name of ["structures", "chosen"]) this.stage.showLines(name, [], STRUCTURES);
+		this.stage.clearLines("structures", "chosen");
 		return this.stage.picture(width, height);
 	}
 

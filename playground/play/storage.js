@@ -11,9 +11,11 @@ const OLD_KEY = "starlogo-playground.program";
 export class Shelf {
 	/** Whether what was put here last is kept. */
 	isKept = true;
+	/** The programs, if the browser refuses them. */
+	#unkept = null;
 
 	get all() {
-		return read(KEY) ?? this.#taken();
+		return this.#unkept ?? read(KEY) ?? this.#taken();
 	}
 
 	/** What an earlier release has kept. */
@@ -50,6 +52,7 @@ export class Shelf {
 
 	#write(all) {
 		this.#keep(KEY, all);
+		this.#unkept = this.isKept ? null : all;
 	}
 
 	#keep(key, value) {

@@ -1,26 +1,22 @@
 /** Play: a program of blocks beside the world that it moves. */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
 import { button, choice, field, fileButton, h, slider, tick } from "../shared/dom.js";
-import { loadModel } from "../shared/models.js";
+import { loadModel, parseModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { texts } from "../texts.js";
+import { meet } from "./blocks.js";
 import { Editor } from "./editor.js";
-import { EXAMPLES } from "./examples.js";
-import { openGallery } from "./gallery.js";
-import { LessonCard } from "./lessoncard.js";
-import { LESSONS, LESSON_NAMES } from "./lessons.js";
 import { Panel } from "./panel.js";
 import { keysOf } from "./program.js";
 import { Scene } from "./scene.js";
-import { Shelf, download, fromLink, isProgram, toLink } from "./storage.js";
+import { MODEL_FILE, Programs } from "./programs.js";
+import { download } from "./storage.js";
 import { FRAMES_A_SECOND, HALF_WIDTH, World } from "./world.js";
 
 const words = texts.play;
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
 const SIGNS = { up: "▲", down: "▼", left: "◀", right: "▶", space: "●" };
-/** The programs that the page brings, by their names; those of lessons begin as addresses do. */
-const BROUGHT = { ...EXAMPLES, ...Object.fromEntries(LESSON_NAMES.map((name) => [`lesson-${name}`, LESSONS[name].program])) };
 /** How many frames may be made up for between two pictures. */
 const MOST_AT_ONCE = 8;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -36,29 +32,21 @@ export async function createView(main, link) {
 }
 
 class PlayView {
-	#running = false;
+	isRunning = false;
 	#request = 0;
 	#last = 0;
 	#owed = 0;
 	#speed = 1;
-	#broken = false;
-	/** Which program is shown: an example's name, the id of one of the user's, or "link". */
-	#name = "paintball";
+	isBroken = false;
 	#begun = "";
-	/** What was there before the program that replaced it. */
-	#replaced = null;
-	/** What another tab has made of the program that is open. */
-	#isTaken = false;
-	/** The lesson that is open, or null. */
-	#lesson = null;
 
 	constructor(main, models, world) {
 		this.models = models;
 		this.world = world;
-		this.shelf = new Shelf();
+		this.programs = new Programs(this);
 		this.panel = new Panel(world);
 		this.#build(main);
-		this.editor = new Editor(this.blocksHost, (isDeletion) => this.#changed(isDeletion));
+		this.editor = new Editor(this.blocksHost, (isDeletion) => this.programs.changed(isDeletion));
 		this.stage = new Stage(this.worldHost, { label: words.world, eye: [-4, -19, 8.5], target: [0, -1, 0], ground: 2 * HALF_WIDTH, isLand: true });
 		this.scene = new Scene(this.stage, world, models, this.screen);
 		this.#listen();
@@ -70,20 +58,18 @@ class PlayView {
 
 	#build(main) {
 		this.main = main;
-		this.runButton = button(words.run, () => (this.#running ? this.stop() : this.run()), { class: "primary" });
+		this.runButton = button(words.run, () => (this.isRunning ? this.stop() : this.run()), { class: "primary" });
 		this.status = h("p.status", { role: "status" }, words.ready);
 		this.system = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), CollisionBlocks.TIGHTEST_FITS, (name) => {
 			this.world.useSystem(name);
 			// a game that stands still is as the new one sees it
-			if (!this.#running && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
+			if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
 				this.world.collide();
-				this.panel.count();
+				this.#take();
 			});
-			this.#draw();
+			this.draw();
 			this.#playOn();
 		});
-		this.programs = h("select", { onchange: () => this.#choose(this.programs.value) });
-		this.undoButton = button(words.undo, () => this.#undo(), { hidden: true });
 		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocks });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.pad = h("div.pad");
@@ -94,35 +80,34 @@ class PlayView {
 		});
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack((-at / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (at) => this.#goBack(-at));
 		this.screen = h("div.screen", {}, this.worldHost, this.keys, this.pad);
-		this.lessons = new LessonCard((name) => this.#choose(name === null ? "paintball" : `lesson-${name}`));
 		const camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
 			if (name === "all") this.stage.showAll();
-			this.#draw();
+			this.draw();
 			this.#playOn();
 		});
 		// of a small window's two parts, one is in sight
 		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
 		this.#turnTo("game");
 		main.replaceChildren(
-			this.lessons.element,
+			this.programs.lessons.element,
 			h("div.controls.game", { role: "group", "aria-label": words.run },
 				this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status),
 			h("section.program", { "aria-label": words.blocks },
-				h("div.tools", {}, field(words.program, this.programs), button(texts.gallery.open, () => this.#openGallery()),
+				h("div.tools", {}, field(words.program, this.programs.menu), button(texts.gallery.open, () => this.programs.openGallery()),
 					button(words.save, () => download(this.editor.program, words.fileName)),
-					fileButton(words.open, ".json,application/json", (file) => this.openFile(file)),
-					button(words.share, () => this.#share()), this.undoButton),
+					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)),
+					button(words.share, () => this.programs.share()), this.programs.undoButton),
 				this.blocksHost),
 			h("section.game", { "aria-label": words.world },
 				h("div.tools", {}, field(words.system, this.system), field(words.camera, camera),
 					tick(words.structures, false, (on) => {
 						this.scene.areAllShown = on;
-						this.#draw();
+						this.draw();
 					}),
 					tick(words.sees, false, (on) => {
 						this.scene.isSeen = on;
-						this.#draw();
+						this.draw();
 					}),
 					button(h("span.icon"), () => this.screen.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
 				this.screen,
@@ -188,105 +173,22 @@ class PlayView {
 		};
 		worldHost.addEventListener("pointerup", up);
 		worldHost.addEventListener("pointercancel", up);
-		this.forgetShelf = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
 	#click(agent) {
 		if (!agent) return;
 		this.world.click(agent);
 		this.scene.chosen = agent;
-		this.#draw();
+		this.draw();
 	}
 
 	/** Gives the keys back to the game after a choice beside it. */
 	#playOn() {
-		if (this.#running) this.worldHost.focus({ preventScroll: true });
-	}
-
-	/** Opens the program of a link; without one, that which was open last, or else the paintball game. */
-	async open(link) {
-		if (link) {
-			try {
-				this.#show(await fromLink(link), "link");
-				return;
-			} catch {
-				this.#openLast();
-				this.#say(words.brokenLink, true);
-				return;
-			}
-		}
-		this.#openLast();
-	}
-
-	#openLast() {
-		const { last } = this.shelf;
-		const { all } = this.shelf;
-		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
-		try {
-			if (entry && isProgram(entry.program)) this.#show(entry.program, entry.id);
-			else this.#show(BROUGHT[last] ?? EXAMPLES.paintball, last in BROUGHT ? last : "paintball");
-		} catch {
-			// one of another version
-			this.#show(EXAMPLES.paintball, "paintball");
-		}
-	}
-
-	/** Shows a program; throws if it is none, and leaves what was there. */
-	#show(program, name) {
-		const before = this.#begun === "" ? null : { program: this.editor.program, name: this.#name };
-		this.editor.show(program, name in BROUGHT || name === "link");
-		this.#replaced = before;
-		this.undoButton.hidden = before === null;
-		this.#name = name;
-		this.#isTaken = false;
-		// what is made of a lesson's program is in the lesson
-		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? null;
-		this.lessons.show(this.#lesson);
-		if (name !== "link") this.shelf.last = name;
-		this.#listPrograms();
-		this.reset();
-		this.scene.seeAll();
-		if (before) this.#sayOpened();
-	}
-
-	#sayOpened() {
-		if (!this.#broken && this.world.agents.length > 0) this.#say(words.opened(this.#title(this.#name)));
-	}
-
-	/** Takes back what replaced a program. */
-	#undo() {
-		const { program, name } = this.#replaced;
-		this.#show(program, name);
-		this.#replaced = null;
-		this.undoButton.hidden = true;
-	}
-
-	#title(name) {
-		return words.examples[name] ?? texts.lessons.list[lessonOf(name)]?.title ?? this.shelf.find(name)?.name ?? words.fromLink;
-	}
-
-	#openGallery() {
-		if (this.#running) this.stop();
-		const own = this.shelf.all.map(({ id, name }) => ({ id, name }));
-		const programOf = (id) => this.shelf.find(id)?.program ?? BROUGHT[id];
-		openGallery([
-			{ title: texts.gallery.own, isOwn: true, entries: own },
-			{ title: words.brought, entries: Object.entries(words.examples).map(([id, name]) => ({ id, name })) },
-			{ title: texts.gallery.lessons, entries: LESSON_NAMES.map((name) => ({ id: `lesson-${name}`, name: texts.lessons.list[name].title, isDone: this.lessons.isDone(name) })) },
-		], {
-			picture: (id) => this.#picture(programOf(id)),
-			open: (id) => this.#choose(id),
-			rename: (id, name) => {
-				this.shelf.put({ id, name });
-				this.#listPrograms();
-			},
-			remove: (id) => this.#remove(id),
-		});
-		this.#draw();
+		if (this.isRunning) this.worldHost.focus({ preventScroll: true });
 	}
 
 	/** What a program's game looks like when it begins; null if it cannot. */
-	#picture(program) {
+	pictureOf(program) {
 		const world = new World(this.world.greatLand);
 		try {
 			world.begin(program);
@@ -297,116 +199,33 @@ class PlayView {
 		return this.scene.picture(world.agents, ...PICTURE);
 	}
 
-	/** Deletes a program of the user's; it can be taken back. */
-	#remove(id) {
-		const entry = this.shelf.find(id);
-		this.shelf.remove(id);
-		if (this.#name === id) this.#choose("paintball");
-		this.#listPrograms();
-		this.#offer(texts.gallery.removed(entry.name), words.undo, () => {
-			this.shelf.put(entry);
-			this.#choose(id);
-		});
+	/** Opens the program of a link, or that which was open last. */
+	open(link) {
+		return this.programs.open(link);
 	}
 
-	#listPrograms() {
-		const group = (label, entries) => (entries.length > 0 ? [h("optgroup", { label }, ...entries.map(([value, text]) => h("option", { value, selected: value === this.#name }, text)))] : []);
-		this.programs.replaceChildren(
-			...(this.#name === "link" ? [h("option", { value: "link", selected: true }, words.fromLink)] : []),
-			...group(words.own, this.shelf.all.map(({ id, name }) => [id, name])),
-			...group(words.brought, Object.entries(words.examples)),
-			...group(texts.gallery.lessons, LESSON_NAMES.map((name) => [`lesson-${name}`, texts.lessons.list[name].title])));
-	}
-
-	#choose(name) {
-		const entry = this.shelf.find(name);
-		try {
-			this.#show(entry?.program ?? BROUGHT[name], name);
-		} catch {
-			this.#listPrograms();
-			this.#say(words.brokenProgram, true);
-		}
-	}
-
-	/** What the user changes is the user's: an example, and what a link brought, becomes a program with a name of its own. */
-	#changed(isDeletion) {
-		if (!this.shelf.find(this.#name) || this.#isTaken) {
-			const title = words.copyOf(this.#title(this.#name));
-			this.#name = this.#putNew(title, this.editor.program);
-			this.#isTaken = false;
-			// what is kept counts from now on, not what a link brought
-			if (location.hash.includes("/")) history.replaceState(null, "", "#play");
-		} else {
-			this.shelf.put({ id: this.#name, program: this.editor.program, changed: Date.now() });
-		}
-		if (!this.shelf.isKept) this.#say(words.notKept, true);
-		else if (this.#running && this.#isStale()) this.#offer(words.stale, words.startAnew, () => {
-			this.reset();
-			this.run();
-		});
-		else if (isDeletion && !this.#running) this.#offer(words.deleted, words.undo, () => {
-			this.editor.undo();
-			this.#say(words.ready);
-		});
-	}
-
-	/** A program of the user's under a name that no other has; its id. */
-	#putNew(title, program) {
-		const names = new Set(this.shelf.all.map(({ name }) => name));
-		let name = title;
-		for (let number = 2; names.has(name); number++) name = words.another(title, number);
-		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
-		this.shelf.put({ id, name, program, lesson: this.#lesson, changed: Date.now() });
-		this.shelf.last = id;
-		this.#name = id;
-		this.#listPrograms();
-		return id;
+	/** Opens what the user has chosen, or dropped anywhere on the page. */
+	openFile(file) {
+		return this.programs.openFile(file);
 	}
 
 	/** Says something, with what may be done about it. */
-	#offer(text, action, onclick) {
-		this.#say(text);
+	offer(text, action, onclick) {
+		this.say(text);
 		this.status.append(" ", button(action, onclick));
 	}
 
-	#hearOtherTab() {
-		const entry = this.shelf.find(this.#name);
-		this.#listPrograms();
-		if (this.#isTaken || this.#name in BROUGHT || this.#name === "link") return;
-		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.editor.program)) return;
-		this.#isTaken = true;
-		this.#say(words.elsewhere(entry?.name ?? this.programs.selectedOptions[0]?.textContent ?? ""));
-	}
-
-	async openFile(file) {
-		if (!/\.json$/i.test(file.name)) {
-			this.#say(words.wrongFile(file.name), true);
-			return;
-		}
+	async addModel(file) {
+		let name = file.name.replace(MODEL_FILE, "");
+		for (let number = 2; this.models.has(name); number++) name = words.another(file.name.replace(MODEL_FILE, ""), number);
 		try {
-			const program = JSON.parse(await file.text());
-			if (!isProgram(program)) throw new Error("no program");
-			const before = this.#name;
-			this.#show(program, "link");
-			const replaced = this.#replaced;
-			this.#putNew(file.name.replace(/\.json$/i, ""), this.editor.program);
-			this.#replaced = replaced ?? { program: BROUGHT[before], name: before };
-			this.#sayOpened();
-			if (!this.shelf.isKept) this.#say(words.notKept, true);
-		} catch {
-			this.#say(words.brokenProgram, true);
-		}
-	}
-
-	async #share() {
-		const address = new URL(location.href);
-		address.hash = `play/${await toLink(this.editor.program)}`;
-		history.replaceState(null, "", address);
-		try {
-			await navigator.clipboard.writeText(address.href);
-			this.#say(words.shared);
-		} catch {
-			this.#say(words.sharedHere);
+			const model = await parseModel(name, new Uint8Array(await file.arrayBuffer()));
+			this.world.greatLand.addModel(model);
+			this.models.set(name, model);
+			meet("SHAPE", name);
+			this.say(words.newShape(name));
+		} catch (error) {
+			this.say(words.brokenModel(error.message), true);
 		}
 	}
 
@@ -414,27 +233,27 @@ class PlayView {
 	reset() {
 		this.#halt();
 		this.editor.mark(null);
-		this.#broken = false;
-		this.#say(words.ready);
+		this.isBroken = false;
+		this.say(words.ready);
 		const { program } = this.editor;
 		this.#begun = meaning(program);
 		this.#showKeys(program);
 		this.#attempt(() => this.world.begin(program));
-		if (!this.#broken && this.world.agents.length === 0) this.#say(words.empty);
+		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
 		this.panel.forget();
 		this.scene.begin();
-		this.lessons.begin();
-		this.#draw();
+		this.programs.lessons.begin();
+		this.draw();
 	}
 
 	run() {
 		// what was changed since counts from the beginning
-		if (this.#broken || this.world.ended || this.#isStale()) this.reset();
-		if (this.#broken) return;
-		this.#running = true;
+		if (this.isBroken || this.world.ended || this.isStale) this.reset();
+		if (this.isBroken) return;
+		this.isRunning = true;
 		this.#turnTo("game");
 		this.runButton.textContent = words.stop;
-		this.#say(words.running);
+		this.say(words.running);
 		this.worldHost.focus({ preventScroll: true });
 		this.#last = performance.now();
 		this.#owed = 0;
@@ -442,103 +261,105 @@ class PlayView {
 		this.#request = requestAnimationFrame((now) => this.#frame(now));
 	}
 
-	#isStale() {
+	get isStale() {
 		return this.#begun !== meaning(this.editor.program);
 	}
 
 	stop() {
 		this.#halt();
-		this.#say(words.stopped);
-		this.#draw();
+		this.say(words.stopped);
+		this.draw();
 	}
 
 	#halt() {
-		this.#running = false;
+		this.isRunning = false;
 		cancelAnimationFrame(this.#request);
 		this.runButton.textContent = words.run;
 		this.world.releaseAll();
 	}
 
 	#step() {
-		if (this.#running) this.stop();
-		if (this.#broken || this.world.ended || this.#isStale()) this.reset();
-		if (this.#broken) return;
+		if (this.isRunning) this.stop();
+		if (this.isBroken || this.world.ended || this.isStale) this.reset();
+		if (this.isBroken) return;
 		this.#tick();
-		if (!this.#broken) this.#say(words.frame(this.world.frame));
-		this.#draw();
+		if (!this.isBroken) this.say(words.frame(this.world.frame));
+		this.draw();
 	}
 
 	#tick() {
 		this.#attempt(() => this.world.step());
-		this.panel.count();
-		if (!this.#broken && this.lessons.look(this.world)) this.#say(texts.lessons.done);
+		this.#take();
 		if (this.world.ended) this.#end();
+	}
+
+	/** Takes a frame into account. */
+	#take() {
+		this.panel.count();
+		if (!this.isBroken && this.programs.lessons.look(this.world)) this.say(texts.lessons.done);
 	}
 
 	#end() {
 		const { text } = this.world.ended;
 		this.#halt();
-		this.#say(text);
+		this.say(text);
 	}
 
 	#goBack(back) {
-		if (this.#running) this.stop();
-		this.#broken = false;
+		if (this.isRunning) this.stop();
+		this.isBroken = false;
 		this.world.history.show(back);
-		this.#say(words.frame(this.world.frame));
-		this.#draw();
+		this.say(words.frame(this.world.frame));
+		this.draw();
 	}
 
 	#frame(now) {
 		this.#owed = Math.min(MOST_AT_ONCE, this.#owed + ((now - this.#last) * FRAMES_A_SECOND * this.#speed) / 1000);
 		this.#last = now;
-		while (this.#owed >= 1 && this.#running) {
+		while (this.#owed >= 1 && this.isRunning) {
 			this.#owed--;
 			this.#tick();
 		}
-		this.#draw(now);
-		if (this.#running) this.#request = requestAnimationFrame((next) => this.#frame(next));
+		this.draw(now);
+		if (this.isRunning) this.#request = requestAnimationFrame((next) => this.#frame(next));
 	}
 
 	/** Does what a program may fail at; says how. */
 	#attempt(action) {
-		if (this.#broken) return;
+		if (this.isBroken) return;
 		try {
 			action();
 		} catch (error) {
-			this.#broken = true;
+			this.isBroken = true;
 			this.#halt();
 			this.editor.mark(error.block ?? null);
-			this.#say(words.problem(error.message), true);
+			this.say(words.problem(error.message), true);
 		}
 	}
 
-	#say(text, isProblem = false) {
+	say(text, isProblem = false) {
 		this.status.textContent = text;
 		this.status.classList.toggle("problem", isProblem);
 	}
 
-	#draw(now = 0) {
+	draw(now = 0) {
 		const { world } = this;
 		this.scene.draw(() => {
 			this.reset();
 			this.run();
 		});
-		this.panel.show(this.#running ? now : 0);
+		this.panel.show(this.isRunning ? now : 0);
 		this.rewind.input.min = -world.history.length;
 		this.rewind.set(-world.history.back);
 	}
 
 	close() {
 		this.#halt();
-		this.forgetShelf();
+		this.programs.close();
 		this.editor.close();
 		this.stage.close();
 	}
 }
-
-/** The lesson that a program of the page is of, or null. */
-const lessonOf = (name) => (/^lesson-/.test(name) ? name.slice(7) : null);
 
 /** What of a program its game depends on: not where its blocks lie, nor which are folded. */
 const meaning = (program) => JSON.stringify(program, (key, value) => (["x", "y", "collapsed"].includes(key) ? undefined : value));

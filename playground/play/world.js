@@ -1,9 +1,10 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
 import { Agent, AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
-import { OWN_COLOURS } from "../shared/own.js";
+import { OWN_COLOURS } from "../shared/colours.js";
 import { texts } from "../texts.js";
+import { ProgramError, breedOf } from "./actions.js";
 import { History } from "./history.js";
-import { ProgramError, Rounds, Thread, breedOf, compile } from "./program.js";
+import { Rounds, Thread, compile } from "./program.js";
 
 /** Half the width of the ground; who leaves it comes in on the other side. */
 export const HALF_WIDTH = 12;
@@ -149,7 +150,8 @@ export class World {
 	#isDue(event, fields, seconds) {
 		if (event === "each") return true;
 		if (event === "click") return this.#clicked !== null;
-		if (event === "key") return fields.MODE === "pressed" ? this.#pressed.has(fields.KEY) : this.held.has(fields.KEY);
+		// a key that was pressed for less than a frame was held in it
+		if (event === "key") return this.#pressed.has(fields.KEY) || (fields.MODE === "held" && this.held.has(fields.KEY));
 		return event === "timer" && this.frame % Math.max(1, Math.round(seconds() * FRAMES_A_SECOND)) === 0;
 	}
 

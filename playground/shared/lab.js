@@ -3,7 +3,6 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
 import { Stage } from "./stage.js";
 
 const POINT_SIZE = 0.025;
-const edges = new WeakMap();
 
 export class Lab extends Stage {
 	#clouds = [];
@@ -34,22 +33,4 @@ export class Lab extends Stage {
 		this.#forgetClouds();
 		super.close();
 	}
-}
-
-/** The edges of a model's triangles as lines, each once. */
-export function edgesOf(model) {
-	if (!edges.has(model)) {
-		const { vertices, triangles } = model;
-		const lines = [];
-		const known = new Set();
-		triangles.forEach((from, i) => {
-			const to = triangles[i % 3 === 2 ? i - 2 : i + 1];
-			const key = Math.min(from, to) * vertices.length + Math.max(from, to);
-			if (known.has(key)) return;
-			known.add(key);
-			for (const corner of [from, to]) lines.push(...vertices.slice(3 * corner, 3 * corner + 3));
-		});
-		edges.set(model, Float64Array.from(lines));
-	}
-	return edges.get(model);
 }

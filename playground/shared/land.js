@@ -4,11 +4,6 @@ import {
 	RingGeometry, SphereGeometry, BackSide, BufferAttribute, SRGBColorSpace,
 } from "three";
 
-/** Ground as light as makes dark outlines stand out three to one, by day and at dusk. */
-export const LANDS = {
-	light: { zenith: 0x6fb3ea, horizon: 0xdff1fb, field: ["#a5de7d", "#95d46c"], around: ["#8fcb74", "#86c36b"], edge: 0xf7fbe9, ambient: 1.9, sun: 2.3 },
-	dark: { zenith: 0x243a6b, horizon: 0xc98f6d, field: ["#7fae6d", "#73a262"], around: ["#6a9660", "#638e59"], edge: 0xe9e3c6, ambient: 1.5, sun: 1.9 },
-};
 const FAR = 360;
 
 export class Land {
@@ -38,11 +33,12 @@ export class Land {
 		const colours = Array.from({ length: position.count }, (_, i) => low.clone().lerp(high, Math.min(1, Math.max(0, position.getZ(i) / FAR) * 1.7)).toArray()).flat();
 		sky.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
 		const dome = new Mesh(sky, new MeshBasicMaterial({ vertexColors: true, side: BackSide, depthWrite: false, fog: false }));
-		dome.renderOrder = -3;
+		// last, so that nothing is drawn that something hides
+		dome.renderOrder = 3;
 		const half = this.width / 2;
 		const frame = new Mesh(new RingGeometry(half * Math.SQRT2, (half + 0.12) * Math.SQRT2, 4, 1, Math.PI / 4), new MeshBasicMaterial({ color: edge }));
-		frame.position.z = -0.002;
-		this.group.add(dome, this.#ground(2 * FAR, around, -0.03, -2), this.#ground(this.width, field, -0.004, -1), frame);
+		frame.position.z = 0.002;
+		this.group.add(dome, this.#ground(2 * FAR, around, -0.03, 2), this.#ground(this.width, field, -0.006, 1), frame);
 		this.scene.add(this.group);
 	}
 
@@ -78,7 +74,7 @@ export class Land {
 			const [cos, sin] = [Math.cos(angle) * agent.size, Math.sin(angle) * agent.size];
 			const spread = 1.35 * Math.max(0.3, 1 - agent.z / 14);
 			array.set([cos * halfX * spread, sin * halfX * spread, 0, 0, -sin * halfY * spread, cos * halfY * spread, 0, 0, 0, 0, 1, 0,
-				agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, 0.004, 1], 16 * count++);
+				agent.x + cos * x - sin * y, agent.y + sin * x + cos * y, 0.008, 1], 16 * count++);
 		}
 		this.#shadows.count = count;
 		this.#shadows.instanceMatrix.needsUpdate = true;

@@ -2,7 +2,7 @@
 import {
 	BackSide, BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, MeshBasicMaterial, MeshLambertMaterial,
 } from "three";
-import { OWN_COLOURS } from "./own.js";
+import { INK, OWN_COLOURS } from "./colours.js";
 
 /** What a model without colours of its own is drawn in. */
 const PLAIN = 0xa9b3c1;
@@ -113,7 +113,7 @@ export class Agents {
 		this.parent = parent;
 		this.materials = {
 			body: changed(new MeshLambertMaterial({ vertexColors: true, flatShading: true }), "painted", takePaint),
-			outline: changed(new MeshBasicMaterial({ color: 0x14202a, side: BackSide }), "swollen", swell),
+			outline: changed(new MeshBasicMaterial({ color: INK, side: BackSide }), "swollen", swell),
 		};
 	}
 

@@ -2,7 +2,6 @@
 import { AgentQueries, CollisionBlocks, Contact, StructureBlocks, Vector3D } from "starlogo-collision";
 import { texts } from "../texts.js";
 import { short } from "./dom.js";
-import { edgesOf } from "./lab.js";
 
 const TESTED = { color: 0xff8a00 };
 const TRIANGLES = { color: 0xff8a00, opacity: 0.4 };
@@ -33,15 +32,10 @@ export class Sight {
 		this.stage.showAgents(this.agents, this.models);
 	}
 
-	/** Draws what the collision system tests: of the exact one the triangles. */
+	/** Draws what the collision system tests. */
 	showTested(isShown = true) {
-		const isExact = this.system === CollisionBlocks.EXACT;
-		const lines = this.stage.wireframe("tested", isExact ? TRIANGLES : TESTED);
-		for (const agent of isShown ? this.agents : []) {
-			const model = this.models.get(agent.shape);
-			if (isExact && model.triangles) lines.showLines(edgesOf(model), agent);
-			else lines.showLines(this.structures.linesOf(agent));
-		}
+		const lines = this.stage.wireframe("tested", this.system === CollisionBlocks.EXACT ? TRIANGLES : TESTED);
+		for (const agent of isShown ? this.agents : []) lines.showLines(this.structures.linesOf(agent));
 	}
 
 	/** Draws how two agents are apart, or touch; what to say of it. */

@@ -3,8 +3,9 @@ import { AmbientLight, Color, DirectionalLight, GridHelper, Group, Matrix4, Pers
 import { ThreeWireframe } from "starlogo-collision/three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h, isDark, onThemeChange } from "./dom.js";
-import { LANDS, Land } from "./land.js";
+import { Land } from "./land.js";
 import { Marks } from "./marks.js";
+import { LANDS } from "./colours.js";
 import { Agents } from "./paint.js";
 import { texts } from "../texts.js";
 
@@ -36,7 +37,7 @@ export class Stage {
 			return;
 		}
 		this.scene = new Scene();
-		this.camera = new PerspectiveCamera(40, 1, 0.05, 1000);
+		this.camera = new PerspectiveCamera(40, 1, isLand ? 0.1 : 0.05, 1000);
 		this.camera.up.set(0, 0, 1);
 		this.camera.position.set(...eye);
 		this.canvas = this.renderer.domElement;

@@ -14,7 +14,7 @@ test("the example's models collide, turn away and are drawn", { timeout: 120000 
 	const server = await serve(null, { "/module": path.join(root, "bin/module"), "/examples": path.join(root, "examples") });
 	const browser = await launch(ARGUMENTS);
 	try {
-		const page = await browser.newPage({ viewport: { width: 800, height: 500 } });
+		const page = await browser.newPage({ viewport: { width: 480, height: 300 } });
 		const said = [];
 		page.on("console", (message) => !/GPU stall/.test(message.text()) && said.push(message.text()));
 		page.on("pageerror", (error) => said.push(String(error)));
@@ -26,7 +26,7 @@ test("the example's models collide, turn away and are drawn", { timeout: 120000 
 		});
 		await page.goto(`${server.url}examples/three/`);
 		const turns = /^frame (\d+): a (?:bear|seagull) turns away from a \w+$/;
-		await page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 40, turns.source, { timeout: 90000 });
+		await page.waitForFunction((text) => new RegExp(text).exec(document.querySelector("output").textContent)?.[1] >= 25, turns.source, { timeout: 90000 });
 		const colours = await page.evaluate(async () => {
 			const canvas = document.querySelector("canvas");
 			const bitmap = await new Promise((resolve) => {

@@ -1,7 +1,8 @@
 #!/usr/bin/env node
 /**
  * What collisions cost the StarLogo Nova client, its own beside the engine's: the client's code in Node, where the environment's NOVA names its
- * folder. The fastest tenth, in milliseconds a tick (update of all, which all move, and getCollisions) and microseconds a question.
+ * folder. Games of the same agents take turns, tick by tick; the fastest tenth, in milliseconds a tick (update of all, which all move, and
+ * getCollisions) and microseconds a question, and how much of the client's own that is.
  *
  *   NOVA=... node test/adapters/nova-cost.mjs [system ...]
  */
@@ -14,61 +15,50 @@ const systems = process.argv.length > 2 ? process.argv.slice(2) : ["bins"];
 const typical = (list) => list.sort((a, b) => a - b)[Math.floor(list.length / 10)];
 const random = randomNumbers(7);
 
-function tickCost(window, agents, ticks) {
-	const { Collisions } = window.Execution;
-	const times = [];
-	for (let tick = 0; tick < ticks; tick++) {
-		for (const { state } of agents) {
-			state.x = Math.min(50.5, Math.max(-50.5, state.x + random() - 0.5));
-			state.y = Math.min(50.5, Math.max(-50.5, state.y + random() - 0.5));
+/** Games of as many agents in the same places: the client's own, and one for each system. */
+function makeGames(count, systems) {
+	const [own, ...others] = [null, ...systems].map((system) => {
+		const window = loadEngine();
+		const agents = makeAgents(window, count, random);
+		if (system !== null) installInto(window, { system });
+		return { name: system ?? "own", window, agents, times: [] };
+	});
+	const move = (far) => own.agents.forEach(({ state }, i) => {
+		for (const axis of ["x", "y"]) state[axis] = Math.min(50.5, Math.max(-50.5, state[axis] + far * (random() - 0.5)));
+		for (const { agents } of others) Object.assign(agents[i].state, { x: state.x, y: state.y });
+	});
+	return { games: [own, ...others], move };
+}
+
+/** Has each game do something in turn, and gives the times of each, per tick or question. */
+function timesOf({ games, move }, rounds, act, scale) {
+	for (let round = 0; round < rounds; round++) {
+		move(1);
+		for (const { window, agents, times } of games) {
+			const start = performance.now();
+			act(window.Execution.Collisions, agents);
+			times.push((performance.now() - start) * scale);
+			window.Common.State.clock++;
 		}
-		const start = performance.now();
-		for (const agent of agents) Collisions.update(agent);
-		Collisions.getCollisions();
-		times.push(performance.now() - start);
-		window.Common.State.clock++;
 	}
-	return typical(times.slice(ticks >> 1));
+	const [own, ...others] = games.map(({ name, times }) => [name, typical(times.slice(times.length >> 2))]);
+	return Object.fromEntries([own, ...others.flatMap(([name, time]) => [[name, time], [`${name} / own`, time / own[1]]])]
+		.map(([name, value]) => [name, Number(value.toFixed(3))]));
 }
 
-function askCost(window, agents, question, radius) {
-	const { Collisions } = window.Execution;
-	const times = [];
-	for (let round = 0; round < 60; round++) {
-		const start = performance.now();
-		for (const agent of agents) Collisions[question](agent, "Fish", radius);
-		times.push((performance.now() - start) * 1000 / agents.length);
-		window.Common.State.clock++;
-	}
-	return typical(times.slice(10));
-}
-
-const rows = [];
+const tick = (Collisions, agents) => {
+	for (const agent of agents) Collisions.update(agent);
+	Collisions.getCollisions();
+};
 // the first is for the compiler
-for (const count of [300, 100, 300, 1000, 3000]) {
-	const window = loadEngine();
-	const agents = makeAgents(window, count, random);
-	const ticks = count > 1000 ? 60 : 200;
-	const row = { agents: count, own: tickCost(window, agents, ticks) };
-	for (const system of systems) {
-		const installation = installInto(window, { system });
-		row[system] = tickCost(window, agents, ticks);
-		installation.uninstall();
-	}
-	rows.push(row);
-}
-const fixed = (row) => Object.fromEntries(Object.entries(row).map(([name, value]) => [name, typeof value === "number" && !Number.isInteger(value) ? Number(value.toFixed(3)) : value]));
-console.table(rows.slice(1).map(fixed));
+const rows = [300, 100, 300, 1000, 3000].map((count) => ({ agents: count, ...timesOf(makeGames(count, systems), Math.min(1000, 200000 / count), tick, 1) }));
+console.table(rows.slice(1));
 
-const window = loadEngine();
-const agents = makeAgents(window, 1000, random);
-const asks = [];
-for (const question of ["count", "nearest"]) {
-	for (const radius of [5, 20, 50]) {
-		const own = askCost(window, agents, question, radius);
-		const installation = installInto(window);
-		asks.push({ question, radius, own, ours: askCost(window, agents, question, radius) });
-		installation.uninstall();
-	}
-}
-console.table(asks.map(fixed));
+console.table(["count", "nearest"].flatMap((question) => [5, 20, 50].map((radius) => {
+	const ask = (Collisions, agents) => {
+		for (const agent of agents) Collisions[question](agent, "Fish", radius);
+	};
+	const games = makeGames(1000, ["bins"]);
+	for (const { window, agents } of games.games) for (const agent of agents) window.Execution.Collisions.update(agent);
+	return { question, radius, ...timesOf({ ...games, move() {} }, 80, ask, 1) };
+})));

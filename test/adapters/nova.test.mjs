@@ -1,4 +1,4 @@
-/** Tests of the adapter to the StarLogo Nova client, in a small client of their own; nova-real.test.mjs has those in the real one. */
+/** Tests of the adapter to the StarLogo Nova client, in a small client of their own; nova-page.test.mjs and nova-view.test.mjs have those in the real one. */
 import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";

@@ -29,7 +29,7 @@ const MOST_OF_QUESTIONS = 24 * 1024;
 // How boxes overlap is found with Numbers that are passed from function to function.
 const MORE = {
 	bins: { moveUntilTouch: 6e5, slide: 6e5 },
-	"tightest fit": { distance: 2e5, "distance, points": 2e5, moveUntilTouch: 12e6, slide: 12e6 },
+	"tightest fit": { moveUntilTouch: 12e6, slide: 12e6 },
 };
 
 for (const [system, more] of Object.entries(MORE)) {

@@ -38,6 +38,11 @@ export async function drawnOf(bytes, buffers = {}) {
 		if (buffer.uri === undefined && chunk) buffer.uri = dataUri(chunk);
 		else if (buffers[buffer.uri]) buffer.uri = dataUri(buffers[buffer.uri]);
 	}
+	// three.js draws nothing of a file without scenes; the engine takes all of its nodes
+	if (!json.scenes?.length) {
+		const children = new Set((json.nodes ?? []).flatMap((node) => node.children ?? []));
+		json.scenes = [{ nodes: [...(json.nodes ?? []).keys()].filter((node) => !children.has(node)) }];
+	}
 	// there is nothing here that decodes pictures
 	delete json.materials;
 	delete json.textures;
@@ -48,7 +53,7 @@ export async function drawnOf(bytes, buffers = {}) {
 	const triangles = [];
 	for (const each of json.scene === undefined ? scenes : [scene]) {
 		each.updateMatrixWorld(true);
-		each.traverse((object) => object.isMesh && triangles.push(...trianglesOf(object)));
+		each.traverse((object) => object.isMesh && trianglesOf(object).forEach((triangle) => triangles.push(triangle)));
 	}
 	return triangles;
 }

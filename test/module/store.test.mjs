@@ -214,6 +214,25 @@ test("the baker leaves what is there, cooks what has changed, and says what is w
 	assert.match(broken.stderr, /broken\.obj: model "broken", line 1/);
 	assert.match(broken.stdout, /^0 cooked, 4 as they were, 1 that are no models$/m);
 	assert.match(run("--help").stdout, /--min-vertices N/);
+	// what belongs to a model counts as its source, and is copied with it
+	rmSync(path.join(plain, "broken.obj"));
+	const gltf = (uri) => JSON.stringify({ asset: { version: "2.0" }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1, 1, 0] }], bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ uri, byteLength: 36 }] });
+	mkdirSync(path.join(plain, "deep"));
+	writeFileSync(path.join(plain, "deep/three.gltf"), gltf("its%20data.bin"));
+	writeFileSync(path.join(plain, "deep/its data.bin"), new Uint8Array(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer));
+	writeFileSync(path.join(plain, "kelp.slb"), "rotate 90 0 0\n");
+	const transformed = () => run(plain, "--out", path.join(plain, "out"), "--transforms").stdout;
+	assert.match(transformed(), /^5 cooked$/m);
+	assert.match(transformed(), /^0 cooked, 5 as they were$/m);
+	assert.deepEqual(readdirSync(path.join(plain, "out/deep")).sort(), ["its data.bin", "three.gltf", "three.gltf.cooked"]);
+	assert.deepEqual(readFileSync(path.join(plain, "out/kelp.slb"), "utf8"), "rotate 90 0 0\n");
+	writeFileSync(path.join(plain, "kelp.slb"), "rotate 0 90 0\n");
+	assert.match(transformed(), /^1 cooked, 4 as they were$/m);
+	writeFileSync(path.join(plain, "deep/its data.bin"), new Uint8Array(36));
+	assert.match(transformed(), /^1 cooked, 4 as they were$/m);
+	writeFileSync(path.join(plain, "deep/three.gltf"), gltf("../../its.bin"));
+	assert.match(run(plain, "--out", again).stderr, /three\.gltf: its data is not in the folder: \.\.\/\.\.\/its\.bin/);
 	for (const [args, problem] of [[[], /needs a folder/], [["nowhere"], /nowhere is no folder/], [[plain, "--up", "w"], /--up is x, y or z, not w/],
 		[[plain, "--depth", "0"], /--depth is a whole number/], [[plain, "--bad"], /--bad/], [[plain, "--increment", "x"], /--increment is/]]) {
 		const refused = run(...args);

@@ -97,6 +97,26 @@ test('a program does what its blocks say', async () => {
 	assert.equal(turtle.size, 2);
 	await press(page, 'Reset');
 	assert.equal((await agents(page, 'turtles'))[0].x, 0);
+	// a breed of one's own, that says something
+	const hello = { type: 'starlogo_say', inputs: { TEXT: { shadow: { type: 'text', fields: { TEXT: 'Hello!' } } } } };
+	await openProgram(page, program(start(create('turtles', 'turtle', hello))));
+	page.once('dialog', (dialog) => dialog.accept('dogs'));
+	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('new breed', 'BREED'));
+	await page.waitForFunction(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].getFieldValue('BREED') === 'dogs');
+	await step(page, 1);
+	assert.equal((await agents(page, 'dogs')).length, 1);
+	assert.equal(await page.textContent('.bubble'), 'Hello!');
+	await page.getByRole('button', { name: 'Full screen' }).click();
+	await page.waitForFunction(() => document.fullscreenElement?.className === 'screen');
+	await page.evaluate(() => document.exitFullscreen());
+	// ten times slower
+	await page.getByLabel('Speed').fill('0');
+	await press(page, 'Run');
+	const [frame, begun] = await page.evaluate(() => [globalThis.playground.world.frame, performance.now()]);
+	await page.waitForFunction((before) => globalThis.playground.world.frame > before + 3, frame);
+	const seconds = await page.evaluate((before) => (performance.now() - before) / 1000, begun);
+	assert.ok(seconds > 0.4, `4 frames at a tenth of 60 in ${seconds} s`);
+	await press(page, 'Stop');
 	assert.deepEqual(said, []);
 	await context.close();
 });
@@ -454,13 +474,30 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	assert.deepEqual(await own(page), ['mine']);
 	await drop('picture.png', 'x');
 	assert.match(await say(page), /^picture\.png is neither a program/);
+	// a model of one's own is a shape
+	await drop('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+	assert.match(await say(page), /^Agents can have the shape “cone” now/);
+	assert.equal(await page.evaluate(() => {
+		const [made] = globalThis.playground.editor.workspace.getBlocksByType('starlogo_create');
+		// as when its menu opens
+		made.getField('SHAPE').getOptions(false);
+		made.setFieldValue('cone', 'SHAPE');
+		return made.getFieldValue('SHAPE');
+	}), 'cone');
+	await press(page, 'Step');
+	assert.equal(await page.evaluate(() => globalThis.playground.world.agents[0].shape), 'cone');
+	await drop('broken.obj', 'v 1 2 x\n');
+	assert.match(await say(page), /^This model cannot be read: model "broken", line 1/);
 	const other = await context.newPage();
 	await other.goto(`${site.url}#play`);
 	await ready(other, 'play');
+	// there it has no such model, and says so
+	assert.match(await say(other), /there is no model “cone” here/);
 	await other.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
 	await page.waitForFunction(() => /^“mine” was changed in another tab/.test(document.querySelector('.game .status').textContent));
+	await page.bringToFront();
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('bears', 'BREED'));
-	await settle(page);
+	await page.waitForFunction(() => document.querySelectorAll('optgroup[label="Your programs"] option').length === 2);
 	assert.deepEqual(await own(page), ['mine', 'mine (mine)']);
 	await other.close();
 	await page.evaluate(() => {

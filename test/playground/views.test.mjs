@@ -49,6 +49,17 @@ for (const view of VIEWS) {
 				await faultless(page, 'light');
 			});
 		}
+		if (view === 'play') {
+			await t.test('axe-core finds no fault in a lesson and the gallery', async () => {
+				await page.getByRole('button', { name: 'Lessons' }).click();
+				await page.waitForSelector('.lesson:visible');
+				await faultless(page, 'light');
+				await page.getByRole('button', { name: 'Gallery' }).click();
+				await page.waitForSelector('.gallery img');
+				await faultless(page, 'dark');
+				await page.keyboard.press('Escape');
+			});
+		}
 		await t.test('it fits narrow and wide windows', async () => {
 			for (const width of [360, 700, 1000, 2560]) {
 				await page.setViewportSize({ width, height: 500 });

@@ -21,7 +21,7 @@ let greatLand;
 before(async () => {
 	const out = path.join(root, 'bin/generated/playground-world.mjs');
 	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'texts.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'texts.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	buildSync({
 		stdin: { contents: [...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
 		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', alias: { 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
@@ -450,6 +450,19 @@ test('models are drawn in the colours that their parts have', () => {
 		for (const colour of Object.keys(wanted)) {
 			const [part, is] = [wanted[colour] / all(wanted), drawn[colour] / all(drawn)];
 			assert.ok(Math.abs(part - is) < 0.002 + 0.01 * part, `${name} ${colour}: ${is} of it, not ${part}`);
+		}
+	}
+});
+
+test('outlines stand out from ground and sky three to one, by day and at dusk', () => {
+	const bright = (colour) => {
+		const [red, green, blue] = [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255).map((each) => (each <= 0.04045 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4));
+		return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+	};
+	for (const [name, { zenith, horizon, field, around }] of Object.entries(parts.LANDS)) {
+		for (const colour of [zenith, horizon, ...[...field, ...around].map((each) => Number.parseInt(each.slice(1), 16))]) {
+			const ratio = (bright(colour) + 0.05) / (bright(parts.INK) + 0.05);
+			assert.ok(ratio >= 3, `${name} ${colour.toString(16)}: ${ratio}`);
 		}
 	}
 });

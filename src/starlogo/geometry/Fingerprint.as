@@ -1,7 +1,6 @@
 package starlogo.geometry
 {
     import flash.utils.ByteArray;
-    import flash.utils.Endian;
 
     /**
      * Tells data apart: 64 bits that depend on every bit of the data and on their order. Made of two of Bob Jenkins's one-at-a-time
@@ -65,16 +64,6 @@ package starlogo.geometry
             }
             _low = low;
             _high = high;
-        }
-
-        /** Adds a number: every bit of it counts. */
-        public function addNumber(value:Number):void
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.endian = Endian.LITTLE_ENDIAN;
-            bytes.writeDouble(value);
-            bytes.position = 0;
-            addBytes(bytes, 1);
         }
 
         /** Writes it. */

@@ -244,6 +244,33 @@ package starlogo.geometry
          */
         public static const CONE:Number = 2e-14;
 
+        /**
+         * The squared length up to which a motion is free whatever is in its way: the squares of its parts have no digits left. Below 1e-300: directions
+         * are lost. Larger: agents may be put as deep as that into others.
+         */
+        public static const VANISHING:Number = 1e-290;
+
+        /**
+         * A factor on shapes that are tried before those that decide. Below 1 + 1e-14: rounding lets them separate shapes that touch. Larger: they decide
+         * less often.
+         */
+        public static const OUTER:Number = 1 + 1e-12;
+
+        /**
+         * How much wider the boxes are by which questions find agents, as a fraction of their size; besides, EXTENTS_GAPS times what touchingGap says.
+         * Below 1e-14: agents that touch by rounding may not be found. Larger: more are looked at.
+         */
+        public static const EXTENTS:Number = 1e-13;
+
+        /** See EXTENTS. */
+        public static const EXTENTS_GAPS:Number = 100;
+
+        /**
+         * How far apart structures are, as a fraction of their size, that certainly do not touch. Below 1e-13: rounding may give those that touch a
+         * distance. Larger: more pairs are tested for touching as well.
+         */
+        public static const APART:Number = 1e-9;
+
         /** Tolerances are constants; there are no instances. */
         public function Tolerances()
         {

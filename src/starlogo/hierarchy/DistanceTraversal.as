@@ -50,13 +50,9 @@ package starlogo.hierarchy
         /** How far the last pair measured is apart, or a little less. */
         protected var measured:Number;
 
-        /** The pair that decides about the bound of the one under way: that pair, or one above. */
-        protected var decidingA:HierarchyNode;
-
-        /** @copy #decidingA */
-        protected var decidingB:HierarchyNode;
-
-        // The pair that decides about the least distance.
+        // The pair that decides about the bound of the one under way: that pair, or one above; and the one that decides about the least distance.
+        private var _decidingA:HierarchyNode;
+        private var _decidingB:HierarchyNode;
         private var _nearestA:HierarchyNode;
         private var _nearestB:HierarchyNode;
 
@@ -109,8 +105,8 @@ package starlogo.hierarchy
                 nodeVisits++;
                 a = nodes[top];
                 b = nodes[int(top + 1)];
-                decidingA = nodes[int(top + 2)];
-                decidingB = nodes[int(top + 3)];
+                _decidingA = nodes[int(top + 2)];
+                _decidingB = nodes[int(top + 3)];
                 var aEnds:Boolean = a.cutoffLevel >= depthA;
                 var bEnds:Boolean = b.cutoffLevel >= depthB;
                 if (!aEnds || !bEnds)
@@ -131,8 +127,8 @@ package starlogo.hierarchy
                     if (bound < least)
                     {
                         least = bound;
-                        _nearestA = decidingA;
-                        _nearestB = decidingB;
+                        _nearestA = _decidingA;
+                        _nearestB = _decidingB;
                         directionX = _points.bX - _points.aX;
                         directionY = _points.bY - _points.aY;
                         directionZ = _points.bZ - _points.aZ;
@@ -192,8 +188,8 @@ package starlogo.hierarchy
             if (measured >= bound)
             {
                 bound = measured;
-                decidingA = a;
-                decidingB = b;
+                _decidingA = a;
+                _decidingB = b;
             }
         }
 
@@ -207,8 +203,8 @@ package starlogo.hierarchy
         // Puts a node's children, each with the other node, on the stack: the nearer one on top.
         private function divide(a:HierarchyNode, b:HierarchyNode, isFirst:Boolean):void
         {
-            var aboveA:HierarchyNode = decidingA;
-            var aboveB:HierarchyNode = decidingB;
+            var aboveA:HierarchyNode = _decidingA;
+            var aboveB:HierarchyNode = _decidingB;
             var lower:int = _count;
             var above:Number = bound;
             push(isFirst ? a.left : a, isFirst ? b : b.left, aboveA, aboveB);
@@ -230,14 +226,14 @@ package starlogo.hierarchy
 
         private function push(a:HierarchyNode, b:HierarchyNode, aboveA:HierarchyNode, aboveB:HierarchyNode):void
         {
-            decidingA = aboveA;
-            decidingB = aboveB;
+            _decidingA = aboveA;
+            _decidingB = aboveB;
             estimate(a, b);
             var top:int = 4 * _count;
             _nodes[top] = a;
             _nodes[int(top + 1)] = b;
-            _nodes[int(top + 2)] = decidingA;
-            _nodes[int(top + 3)] = decidingB;
+            _nodes[int(top + 2)] = _decidingA;
+            _nodes[int(top + 3)] = _decidingB;
             _bounds[_count] = bound;
             _count++;
         }

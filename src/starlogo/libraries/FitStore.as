@@ -116,7 +116,7 @@ package starlogo.libraries
          * Reads in steps what is kept of a model.
          *
          * @param model the model
-         * @param geometry its fingerprint, not begun
+         * @param geometry what it is found by, not begun
          * @param settings what it is wanted for
          * @param fits gets what is kept; what it has already stays
          *
@@ -217,7 +217,12 @@ package starlogo.libraries
             return geometry.toString() + settings.toString();
         }
 
-        private static function geometryOf(model:Model, settings:FitSettings):GeometryFingerprint
+        /**
+         * What a model is found by, not begun.
+         *
+         * @private
+         */
+        engine function geometryOf(model:Model, settings:FitSettings):GeometryFingerprint
         {
             if (model == null || settings == null)
             {

@@ -12,7 +12,6 @@ package starlogo.libraries
     import starlogo.models.cooked.CookedShape;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
-    import starlogo.steps.finish;
 
     use namespace engine;
 
@@ -46,14 +45,14 @@ package starlogo.libraries
             _structures = structures;
             _hierarchy = hierarchy;
             _settings = settings;
-            _store = store;
-            _geometry = new GeometryFingerprint(model.vertices, model.triangles);
             if (model.cooked != null)
             {
                 FitsReader.read(model.cooked, model, settings, _fits);
             }
-            if (store != null && !isComplete)
+            _store = isComplete ? null : store;
+            if (_store != null)
             {
+                _geometry = store.geometryOf(model, settings);
                 _work.add(store.reading(model, _geometry, settings, _fits));
             }
             _work.call(useFits);
@@ -65,7 +64,7 @@ package starlogo.libraries
             {
                 _work.begin(divide);
             }
-            if (store != null)
+            if (_store != null)
             {
                 _work.call(keep);
             }
@@ -139,7 +138,6 @@ package starlogo.libraries
                 || wantsSurface && _hierarchy.hierarchy.notes !== _fits.notes;
             if (isNew && _store.mayHold(_model))
             {
-                finish(_geometry);
                 _store.keep(_geometry.fingerprint, _settings, fits);
             }
         }

@@ -115,7 +115,7 @@ package starlogo.models
         }
 
         /**
-         * Whether points, turned and scaled as the model's were, are its vertices to the last bit.
+         * Whether points, turned and scaled as the model's were, are its vertices to the last bit, and in the same place of its source.
          *
          * @private
          */
@@ -123,7 +123,7 @@ package starlogo.models
         {
             var shape:NormalisedShape = new NormalisedShape(_name, points, _triangles, _source.scaling, _source.transform);
             finish(shape);
-            return String(shape.triangles) == String(_triangles) && VertexData.areSame(shape.vertices, _vertices);
+            return String(shape.triangles) == String(_triangles) && VertexData.areSame(shape.vertices, _vertices) && shape.frame.isAs(_source);
         }
 
         /** Gives the model its shape, all steps of which are done. */

@@ -4,6 +4,7 @@ package starlogo.models
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import starlogo.engine;
+    import starlogo.geometry.VertexData;
     import starlogo.geometry.cubeRoot;
 
     use namespace engine;
@@ -29,12 +30,8 @@ package starlogo.models
          */
         engine var transform:ModelTransform = null;
 
-        // row by row: a point p of the source is at rows * (p - (x, y, z)) in the model
-        private var _rows:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-        private var _x:Number = 0;
-        private var _y:Number = 0;
-        private var _z:Number = 0;
-        private var _unit:Number = 1;
+        // Nine row by row, x, y and z: a point p of the source is at rows * (p - (x, y, z)) in the model. And the unit.
+        private var _numbers:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
 
         /** The frame of a model that is its source, unchanged. Frames come from <code>Model.source</code>. */
         public function SourceFrame()
@@ -44,19 +41,19 @@ package starlogo.models
         /** The point of the source that is the model's origin. */
         public function get offset():Vector3D
         {
-            return new Vector3D(_x, _y, _z);
+            return new Vector3D(_numbers[9], _numbers[10], _numbers[11]);
         }
 
         /** The length of the model's unit, in units of the source; of an uneven scale its geometric mean. */
         public function get unit():Number
         {
-            return _unit;
+            return _numbers[12];
         }
 
         /** The matrix that takes points of the source to where the model has them. */
         public function get matrix():Matrix3D
         {
-            var rows:Vector.<Number> = _rows;
+            var rows:Vector.<Number> = _numbers;
             var columns:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < 3; i++)
             {
@@ -64,7 +61,7 @@ package starlogo.models
             }
             for (i = 0; i < 9; i += 3)
             {
-                columns.push(-rows[i] * _x - rows[i + 1] * _y - rows[i + 2] * _z);
+                columns.push(-rows[i] * rows[9] - rows[i + 1] * rows[10] - rows[i + 2] * rows[11]);
             }
             columns.push(1);
             return new Matrix3D(columns);
@@ -78,21 +75,34 @@ package starlogo.models
         engine function pointsOf(points:Vector.<Number>):Vector.<Number>
         {
             var all:Vector.<Number> = new Vector.<Number>();
+            var rows:Vector.<Number> = _numbers;
             var inverse:Vector.<Number> = new Vector.<Number>(9);
             for (var i:int = 0; i < 9; i++)
             {
                 var row:int = i - i % 3;
-                inverse[i] = _rows[i] / (_rows[row] * _rows[row] + _rows[row + 1] * _rows[row + 1] + _rows[row + 2] * _rows[row + 2]);
+                inverse[i] = rows[i] / (rows[row] * rows[row] + rows[row + 1] * rows[row + 1] + rows[row + 2] * rows[row + 2]);
             }
             for (i = 0; i < points.length; i += 3)
             {
                 var x:Number = points[i];
                 var y:Number = points[i + 1];
                 var z:Number = points[i + 2];
-                all.push(_x + inverse[0] * x + inverse[3] * y + inverse[6] * z, _y + inverse[1] * x + inverse[4] * y + inverse[7] * z,
-                        _z + inverse[2] * x + inverse[5] * y + inverse[8] * z);
+                for (var k:int = 0; k < 3; k++)
+                {
+                    all.push(rows[9 + k] + inverse[k] * x + inverse[k + 3] * y + inverse[k + 6] * z);
+                }
             }
             return all;
+        }
+
+        /**
+         * Whether another is the same to the last bit.
+         *
+         * @private
+         */
+        engine function isAs(other:SourceFrame):Boolean
+        {
+            return VertexData.areSame(_numbers, other._numbers);
         }
 
         /**
@@ -102,7 +112,7 @@ package starlogo.models
          */
         engine function writeTo(bytes:ByteArray):void
         {
-            for each (var number:Number in _rows.concat(new <Number>[_x, _y, _z, _unit]))
+            for each (var number:Number in _numbers)
             {
                 bytes.writeDouble(number);
             }
@@ -120,22 +130,14 @@ package starlogo.models
         engine static function read(bytes:ByteArray, scaling:String):SourceFrame
         {
             var frame:SourceFrame = new SourceFrame();
-            frame.scaling = scaling;
             var sum:Number = 0;
             for (var i:int = 0; i < 13; i++)
             {
-                var number:Number = bytes.readDouble();
-                sum += number - number;
-                if (i < 9)
-                {
-                    frame._rows[i] = number;
-                }
-                frame._x = i == 9 ? number : frame._x;
-                frame._y = i == 10 ? number : frame._y;
-                frame._z = i == 11 ? number : frame._z;
-                frame._unit = number;
+                frame._numbers[i] = bytes.readDouble();
+                sum += frame._numbers[i] - frame._numbers[i];
             }
-            return sum == 0 && frame._unit > 0 ? frame : null;
+            frame.scaling = scaling;
+            return sum == 0 && frame.unit > 0 ? frame : null;
         }
 
         /**
@@ -148,19 +150,18 @@ package starlogo.models
             // the inverse of a turn with factors along the axes that it ends in
             for (var row:int = 0; row < 9; row += 3)
             {
-                var rowX:Number = _rows[row];
-                var rowY:Number = _rows[row + 1];
-                var rowZ:Number = _rows[row + 2];
+                var rowX:Number = _numbers[row];
+                var rowY:Number = _numbers[row + 1];
+                var rowZ:Number = _numbers[row + 2];
                 var along:Number = row == 0 ? x : (row == 3 ? y : z);
                 var share:Number = along / (rowX * rowX + rowY * rowY + rowZ * rowZ);
-                _x += rowX * share;
-                _y += rowY * share;
-                _z += rowZ * share;
-                _rows[row] /= divisor;
-                _rows[row + 1] /= divisor;
-                _rows[row + 2] /= divisor;
+                for (var k:int = 0; k < 3; k++)
+                {
+                    _numbers[9 + k] += _numbers[row + k] * share;
+                    _numbers[row + k] /= divisor;
+                }
             }
-            _unit *= divisor;
+            _numbers[12] *= divisor;
         }
 
         /**
@@ -170,13 +171,12 @@ package starlogo.models
          */
         internal function turn(rows:Vector.<Number>):void
         {
-            var before:Vector.<Number> = _rows;
-            _rows = new Vector.<Number>();
+            var before:Vector.<Number> = _numbers.slice();
             for (var i:int = 0; i < 9; i++)
             {
                 var row:int = i - i % 3;
                 var column:int = i % 3;
-                _rows.push(rows[row] * before[column] + rows[row + 1] * before[column + 3] + rows[row + 2] * before[column + 6]);
+                _numbers[i] = rows[row] * before[column] + rows[row + 1] * before[column + 3] + rows[row + 2] * before[column + 6];
             }
         }
 
@@ -189,11 +189,11 @@ package starlogo.models
         {
             for (var i:int = 0; i < 3; i++)
             {
-                _rows[i] *= factors.x;
-                _rows[i + 3] *= factors.y;
-                _rows[i + 6] *= factors.z;
+                _numbers[i] *= factors.x;
+                _numbers[i + 3] *= factors.y;
+                _numbers[i + 6] *= factors.z;
             }
-            _unit /= cubeRoot(Math.abs(factors.x)) * cubeRoot(Math.abs(factors.y)) * cubeRoot(Math.abs(factors.z));
+            _numbers[12] /= cubeRoot(Math.abs(factors.x)) * cubeRoot(Math.abs(factors.y)) * cubeRoot(Math.abs(factors.z));
         }
     }
 }

@@ -20,10 +20,6 @@ package starlogo.queries
      */
     public final class ExtentsTree
     {
-        // How much wider a box is, as a fraction of its size, and in margins of touching at its place.
-        private static const SLACK:Number = 1e-13;
-        private static const MARGINS:Number = 100;
-
         private static const PER_BOX:int = PlaceTree.PER_BOX;
 
         /** The box that a search is about. */
@@ -151,8 +147,8 @@ package starlogo.queries
         /** Makes the box that a search is about those of extents as BoundingStructure.extentsInto writes them, wider by what rounding comes to. */
         public function setBoxTo(extents:Vector.<Number>):void
         {
-            var slack:Number = SLACK * (extents[1] - extents[0] + extents[3] - extents[2] + extents[5] - extents[4])
-                + MARGINS * touchingGap(extents[0], extents[2], extents[4], 0, 0, 0);
+            var slack:Number = Tolerances.EXTENTS * (extents[1] - extents[0] + extents[3] - extents[2] + extents[5] - extents[4])
+                + Tolerances.EXTENTS_GAPS * touchingGap(extents[0], extents[2], extents[4], 0, 0, 0);
             minX = extents[0] - slack;
             maxX = extents[1] + slack;
             minY = extents[2] - slack;
@@ -172,7 +168,7 @@ package starlogo.queries
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
             // touchingGap written out: V8 makes objects of what it is given
-            var slack:Number = SLACK * (halfX + halfY + halfZ) + MARGINS * Tolerances.PLACES * (Math.abs(atX) + Math.abs(atY) + Math.abs(atZ));
+            var slack:Number = Tolerances.EXTENTS * (halfX + halfY + halfZ) + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(atX) + Math.abs(atY) + Math.abs(atZ));
             if (_isRound)
             {
                 halfX = halfY = extents.radius[row];
@@ -255,7 +251,7 @@ package starlogo.queries
         public function beginRay():void
         {
             // as in setBox
-            _slack = MARGINS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+            _slack = Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
             _at = _end = 0;
             _waiting = begin();
         }

@@ -156,8 +156,8 @@ package starlogo.queries
             _offsetX = _offsetY = _offsetZ = 0;
             _planeCount = 0;
             _hasContact = false;
-            var length:Number = Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
-            if (length > 0)
+            var squared:Number = _restX * _restX + _restY * _restY + _restZ * _restZ;
+            if (squared > Tolerances.VANISHING)
             {
                 clear();
                 _all = _count;
@@ -170,14 +170,16 @@ package starlogo.queries
                     goUntilTouch();
                 }
                 end(slides);
-                part = slides ? _gone / length : _gone;
+                part = slides ? _gone / Math.sqrt(squared) : _gone;
+                part = part < 1 ? part : 1;
+            }
+            else
+            {
+                advance(1);
+                part = 1;
             }
             table.putBack(row, atX, atY, atZ, revision);
             _table = null;
-            if (!(length > 0) || part > 1)
-            {
-                part = 1;
-            }
         }
 
         /** Moves an agent to x, y, z. */

@@ -19,7 +19,7 @@ package starlogo.queries
     public final class PlaceTree
     {
         /** Rows in a leaf, at most. */
-        private static const LEAF_SIZE:int = 16;
+        private static const LEAF_SIZE:int = 24;
 
         // How a box and a sphere are to each other.
         private static const APART:int = 0;
@@ -73,6 +73,9 @@ package starlogo.queries
         // By number of the list: where it is in the order of the leaves.
         private var _order:Vector.<int> = new Vector.<int>();
 
+        // By leaf: where its rows begin; behind the last one, where they end.
+        private var _starts:Vector.<int> = new Vector.<int>();
+
         private var _boxes:Vector.<Number> = new Vector.<Number>();
 
         // Nodes that are to be visited yet, and their squared distances.
@@ -115,6 +118,10 @@ package starlogo.queries
                 _y[i] = fromY[row];
                 _z[i] = fromZ[row];
             }
+            for (i = 0; i <= firstLeaf; i++)
+            {
+                _starts[i] = i * count / firstLeaf;
+            }
             divideAll();
             for (i = 0; i < count; i++)
             {
@@ -127,7 +134,7 @@ package starlogo.queries
         /** Where a leaf's rows begin in the order of the leaves; they end where those of the next begin. */
         public function startOf(leaf:int):int
         {
-            return (leaf - firstLeaf) * count / firstLeaf;
+            return _starts[leaf - firstLeaf];
         }
 
         /** The leaf that has a place in the order of the leaves. */
@@ -183,7 +190,7 @@ package starlogo.queries
             var nodeSquares:Vector.<Number> = _squares;
             var nearest:int = -1;
             var least:Number = limit;
-            var waiting:int = begin();
+            var waiting:int = skipped < 0 ? begin() : beginBeside(skipped);
             while (waiting > 0)
             {
                 waiting--;
@@ -408,6 +415,29 @@ package starlogo.queries
             return count > 0 ? 1 : 0;
         }
 
+        // Puts the leaf of a row on the stack, which is likely to have the nearest, and below it all that is beside the way there from the root.
+        private function beginBeside(member:int):int
+        {
+            var leaf:int = leafOf(_order[member]);
+            var up:int = 0;
+            while (leaf >> up > 1)
+            {
+                up++;
+            }
+            var waiting:int = 0;
+            while (up > 0)
+            {
+                up--;
+                var node:int = leaf >> up ^ 1;
+                measure(node, waiting);
+                _nodes[waiting] = node;
+                waiting++;
+            }
+            _nodes[waiting] = leaf;
+            _squares[waiting] = 0;
+            return waiting + 1;
+        }
+
         private function squareAt(at:int):Number
         {
             var toX:Number = _x[at] - x;
@@ -547,6 +577,10 @@ package starlogo.queries
                 found.length = squares.length = count;
                 _x.length = _y.length = _z.length = count;
             }
+            if (_starts.length <= firstLeaf)
+            {
+                _starts.length = firstLeaf + 1;
+            }
             var numbers:int = 2 * firstLeaf * PER_BOX;
             if (_boxes.length < numbers)
             {
@@ -671,7 +705,7 @@ package starlogo.queries
         {
             for (var i:int = 0; i < firstLeaf; i++)
             {
-                boundRows(firstLeaf + i, i * count / firstLeaf, (i + 1) * count / firstLeaf);
+                boundRows(firstLeaf + i, _starts[i], _starts[i + 1]);
             }
         }
 

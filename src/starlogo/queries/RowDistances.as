@@ -7,7 +7,6 @@ package starlogo.queries
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.touchingGap;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
@@ -26,9 +25,6 @@ package starlogo.queries
      */
     public final class RowDistances
     {
-        // How far apart structures are, as a fraction of their size, that certainly do not touch: more than rounding comes to.
-        private static const NEAR:Number = 1e-9;
-
         /** The distance of the rows that were asked about last, and their closest points, in the world. */
         public var closest:ClosestPair = new ClosestPair();
 
@@ -73,7 +69,7 @@ package starlogo.queries
                 var extents:Extents = table.extents;
                 var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
                 // boxes of which only the faces are tested may touch across a gap
-                var isNear:Boolean = strategy.isRound || closest.distance <= NEAR * size;
+                var isNear:Boolean = strategy.isRound || closest.distance <= Tolerances.APART * size;
                 closest.settle(isNear && strategy.areTouching(table, a, b));
                 return;
             }
@@ -109,7 +105,9 @@ package starlogo.queries
             sphere.center.x = table.extents.x[row];
             sphere.center.y = table.extents.y[row];
             sphere.center.z = table.extents.z[row];
-            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING + touchingGap(table.x[row], table.y[row], table.z[row], 0, 0, 0);
+            // touchingGap written out: V8 makes objects of what it is given
+            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING
+                + Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
             return sphere;
         }
     }

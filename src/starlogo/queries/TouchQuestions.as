@@ -4,6 +4,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.search.AgentTable;
 
     use namespace engine;
@@ -15,9 +16,6 @@ package starlogo.queries
      */
     public final class TouchQuestions
     {
-        // More than rounding comes to.
-        private static const WIDER:Number = 1 + 1e-12;
-
         private var _seen:SeenAgents;
         private var _rows:FilteredRows;
         private var _answers:Answers;
@@ -117,10 +115,10 @@ package starlogo.queries
             if (table.isBox(a) && table.isBox(b))
             {
                 var reach:Number = extents.radius[a] + extents.radius[b];
-                return x * x + y * y <= reach * reach * WIDER;
+                return x * x + y * y <= reach * reach * Tolerances.OUTER;
             }
-            var reachX:Number = (extents.halfX[a] + extents.halfX[b]) * WIDER;
-            var reachY:Number = (extents.halfY[a] + extents.halfY[b]) * WIDER;
+            var reachX:Number = (extents.halfX[a] + extents.halfX[b]) * Tolerances.OUTER;
+            var reachY:Number = (extents.halfY[a] + extents.halfY[b]) * Tolerances.OUTER;
             return x <= reachX && x >= -reachX && y <= reachY && y >= -reachY;
         }
     }

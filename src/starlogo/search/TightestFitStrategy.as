@@ -8,6 +8,7 @@ package starlogo.search
     import starlogo.bounding.Sphere;
     import starlogo.broadphase.Bins;
     import starlogo.engine;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.capsuleCapsule;
     import starlogo.intersection.contact.ContactFinder;
@@ -29,9 +30,6 @@ package starlogo.search
      */
     public final class TightestFitStrategy extends ShapeStrategy
     {
-        // the outer structures must not separate structures that touch
-        private static const OUTER:Number = 1 + 1e-12;
-
         /** See StructureTests, whose settings these are. */
         public var spheresFirst:Boolean = true;
 
@@ -77,8 +75,8 @@ package starlogo.search
                 shape.outer = new OuterStructures();
                 shape.outer.sphere = library.sphere(model).clone() as Sphere;
                 shape.outer.capsule = library.capsule(model).clone() as Capsule;
-                shape.outer.sphere.radius *= OUTER;
-                shape.outer.capsule.radius *= OUTER;
+                shape.outer.sphere.radius *= Tolerances.OUTER;
+                shape.outer.capsule.radius *= Tolerances.OUTER;
             }
         }
 

@@ -84,6 +84,52 @@ package starlogo.queries
         }
 
         [Test]
+        public function motionsOfAllSmallnesses():void
+        {
+            var stopped:int = 0;
+            var free:int = 0;
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collider:Collider = EachCollider.make(name, sGreatLand);
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var i:int = Effort.choose(200, 5000); i > 0; i--)
+                {
+                    var agents:Vector.<Agent> = anyAgents(6, 1.5);
+                    var mover:Agent = agents[0];
+                    if (_random.chance())
+                    {
+                        mover.moveTo(0, 0, 0);
+                    }
+                    queries.update(agents);
+                    var isFree:Boolean = !touchesAny(collider, mover, agents);
+                    var contact:Contact = new Contact();
+                    var smallness:Number = Math.pow(10, -_random.between(0, 320));
+                    var dx:Number = _random.between(-1, 1) * smallness;
+                    var dy:Number = _random.between(-1, 1) * smallness;
+                    var dz:Number = _random.chance() ? 0 : _random.between(-1, 1) * smallness;
+                    var x:Number = mover.x;
+                    var slides:Boolean = _random.chance();
+                    var part:Number = slides ? queries.slide(mover, dx, dy, dz) : queries.moveUntilTouch(mover, dx, dy, dz, null, contact);
+                    if (!(part >= 0 && part <= 1) || !(contact.time >= 0 && contact.time <= 1))
+                    {
+                        _wrong.add(name + ": no part", part + " of " + [dx, dy, dz] + " at " + contact.time);
+                    }
+                    if (!(Math.abs(mover.x - x) <= smallness + 1e-8))
+                    {
+                        _wrong.add(name + ": elsewhere", mover.x + " from " + x + " by " + dx);
+                    }
+                    if (part == 1 && isFree && mover.x != x + dx)
+                    {
+                        _wrong.add(name + ": free, and not there", mover.x + " from " + x + " by " + dx);
+                    }
+                    part == 1 ? free++ : stopped++;
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(stopped + " stopped, " + free + " free", stopped > 60 && free > 300);
+        }
+
+        [Test]
         public function goesAsFarAsNothingTouches():void
         {
             var stopped:int = 0;

@@ -17,16 +17,12 @@ package starlogo.models.cooked
     public final class CookedShape
     {
         /** How vertices are written besides as whole multiples of a power of 1/10, whose exponent is smaller: in 32 bits. */
-        internal static const SINGLE:int = 16;
+        internal static const SINGLE:int = 9;
 
         /** In 64 bits, and as the model has them. */
-        internal static const DOUBLE:int = 17;
+        internal static const DOUBLE:int = 10;
 
-        private static const MOST_DECIMALS:int = 8;
         private static const LARGEST:Number = 1000000000;
-
-        // how far numbers of the source may be from what the model's say, in proportion to the largest
-        private static const ROUNDING:Number = 1e-11;
 
         /** All is static. */
         public function CookedShape()
@@ -37,16 +33,19 @@ package starlogo.models.cooked
         public static function of(model:Model):ByteArray
         {
             var source:Vector.<Number> = model.source.pointsOf(model.vertices);
-            for (var form:int = 0; form <= MOST_DECIMALS; form++)
+            for (var form:int = 0; form <= SINGLE; form++)
             {
-                var multiples:Vector.<Number> = multiplesIn(source, divisorOf(form));
-                if (multiples != null && isMadeOf(model, multiples, divisorOf(form)))
+                var points:Vector.<Number> = new Vector.<Number>();
+                for each (var value:Number in source)
                 {
-                    return write(model, form, multiples);
+                    points.push(nearest(value, form));
+                }
+                if (model.isMadeOf(points))
+                {
+                    return write(model, form, points);
                 }
             }
-            var single:Vector.<Number> = rounded(source);
-            return isMadeOf(model, single, 1) ? write(model, SINGLE, single) : write(model, DOUBLE, model.vertices);
+            return write(model, DOUBLE, model.vertices);
         }
 
         /** What the numbers of a form are to be divided by. */
@@ -60,44 +59,24 @@ package starlogo.models.cooked
             return divisor;
         }
 
-        // null if they are none
-        private static function multiplesIn(source:Vector.<Number>, divisor:Number):Vector.<Number>
+        // Of the numbers that a form has.
+        private static function nearest(value:Number, form:int):Number
         {
-            var largest:Number = 0;
-            var apart:Number = 0;
-            var multiples:Vector.<Number> = new Vector.<Number>();
-            for each (var value:Number in source)
+            if (form < SINGLE)
             {
-                var multiple:Number = Math.round(value * divisor);
-                largest = Math.max(largest, Math.abs(multiple));
-                apart = Math.max(apart, Math.abs(value * divisor - multiple));
-                multiples.push(multiple);
+                var multiple:Number = multipleOf(value, form);
+                return Math.abs(multiple) < LARGEST ? multiple / divisorOf(form) : 0;
             }
-            return largest < LARGEST && apart <= ROUNDING * (1 + largest) ? multiples : null;
+            var bytes:ByteArray = new ByteArray();
+            bytes.writeFloat(value);
+            bytes.position = 0;
+            var single:Number = bytes.readFloat();
+            return isFinite(single) ? single : 0;
         }
 
-        private static function rounded(source:Vector.<Number>):Vector.<Number>
+        private static function multipleOf(value:Number, form:int):Number
         {
-            var single:ByteArray = CookedFile.newBytes();
-            var all:Vector.<Number> = new Vector.<Number>();
-            for each (var value:Number in source)
-            {
-                single.position = 0;
-                single.writeFloat(value);
-                single.position = 0;
-                all.push(single.readFloat());
-            }
-            return all;
-        }
-
-        private static function isMadeOf(model:Model, multiples:Vector.<Number>, divisor:Number):Boolean
-        {
-            var points:Vector.<Number> = new Vector.<Number>();
-            for each (var multiple:Number in multiples)
-            {
-                points.push(multiple / divisor);
-            }
-            return model.isMadeOf(points);
+            return Math.round(value * divisorOf(form));
         }
 
         private static function write(model:Model, form:int, numbers:Vector.<Number>):ByteArray
@@ -140,7 +119,7 @@ package starlogo.models.cooked
                     out.writeDouble(value);
                     break;
                 default:
-                    CookedNumbers.write(value - before, out);
+                    CookedNumbers.write(multipleOf(value, form) - multipleOf(before, form), out);
             }
         }
     }

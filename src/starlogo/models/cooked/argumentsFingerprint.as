@@ -13,10 +13,9 @@ package starlogo.models.cooked
      */
     public function argumentsFingerprint(upAxis:Object, scaling:String, usesTransforms:Boolean):Fingerprint
     {
-        // a transform is no name: join() takes its text, so that what never loads one need not have the class
-        var isName:Boolean = upAxis == null || upAxis is String;
+        // join() takes the text of a transform, so that what never loads one need not have the class
         var fingerprint:Fingerprint = new Fingerprint();
-        fingerprint.addText([upAxis, scaling, isName && usesTransforms].join());
+        fingerprint.addText([upAxis, scaling, upAxis is String && usesTransforms].join());
         return fingerprint;
     }
 }

@@ -1,0 +1,236 @@
+/** What single blocks do, and what values they have: functions that act upon a world. Nothing here needs Blockly or a page. */
+import { Collision } from "starlogo-collision";
+import { texts } from "../texts.js";
+import { COLOURS } from "./colours.js";
+
+/** What a student did wrong, and where. */
+export class ProgramError extends Error {
+	constructor(message, block) {
+		super(message);
+		this.block = block;
+	}
+}
+
+/** A block's words, without what is put into it. */
+const wordsOf = (type) => texts.blocks[type].replaceAll(/ ?%\d/g, " …").replace(/^ … |[ :]*…$/g, "").trim();
+
+/** The breed that a collision block names. */
+export const breedOf = (field) => (field === "anyone" ? Collision.ANY_BREED : field);
+
+/** What is in an input: the block put there, or else the shadow. */
+const inputOf = (block, name) => block.inputs?.[name]?.block ?? block.inputs?.[name]?.shadow;
+
+export function value(block, name, world, missing = 0) {
+	const input = inputOf(block, name);
+	if (!input) return () => missing;
+	const make = VALUES[input.type];
+	if (!make) throw new ProgramError(`${input.type}?`, input.id);
+	return make(input, world);
+}
+
+export function number(block, name, world) {
+	const get = value(block, name, world);
+	return () => {
+		const result = Number(get());
+		if (!Number.isFinite(result)) throw new ProgramError(texts.play.notANumber(wordsOf(block.type)), block.id);
+		return result;
+	};
+}
+
+export function me(block, world) {
+	return world.me ?? fail(texts.play.nobody(wordsOf(block.type)), block);
+}
+
+export function fail(message, block) {
+	throw new ProgramError(message, block.id);
+}
+
+/** Whom a block is about: me, the collidee, or a breed's name. */
+function whom(block, world) {
+	const who = block.fields.WHO;
+	if (who === "me") return me(block, world);
+	if (who === "collidee") return world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block);
+	return who;
+}
+
+export const STATEMENTS = {
+	starlogo_system: (block, world) => () => world.useSystem(block.fields.SYSTEM),
+	starlogo_hierarchical: (block, world) => () => world.traits.setHierarchical(whom(block, world), block.fields.ON === "on"),
+	starlogo_depth: (block, world) => {
+		const depth = value(block, "DEPTH", world);
+		return () => world.traits.setCollisionDepth(whom(block, world), Number(depth()));
+	},
+	starlogo_collide_as: (block, world) => () => world.traits.collideAs(whom(block, world), block.fields.AS),
+	starlogo_show: (block, world) => () => world.structures.show(whom(block, world), block.fields.ON === "on"),
+	starlogo_sweep: (block, world) => () => {
+		for (const agent of world.subjects(whom(block, world))) agent.sweeps = block.fields.ON === "on";
+	},
+	starlogo_until: (block, world) => {
+		const steps = number(block, "STEPS", world);
+		return () => world.advance(me(block, world), steps(), breedOf(block.fields.BREED), block.fields.HOW);
+	},
+	starlogo_face: (block, world) => {
+		const agent = value(block, "AGENT", world, null);
+		return () => world.face(me(block, world), agent());
+	},
+	starlogo_bounce: (block, world) => () => world.bounce(me(block, world), world.collidee ?? fail(texts.play.noCollidee(wordsOf(block.type)), block)),
+	starlogo_become: (block, world) => () => {
+		for (const agent of world.subjects(whom(block, world))) world.become(agent, block.fields.BREED);
+	},
+	starlogo_say: (block, world) => {
+		const text = value(block, "TEXT", world, "");
+		return () => world.say(me(block, world), said(text()));
+	},
+	starlogo_score_set: (block, world) => {
+		const score = number(block, "SCORE", world);
+		return () => {
+			world.score = score();
+		};
+	},
+	starlogo_score_change: (block, world) => {
+		const by = number(block, "SCORE", world);
+		return () => {
+			world.score = (world.score ?? 0) + by();
+		};
+	},
+	starlogo_goal: (block, world) => () => {
+		world.goal = block.fields.TEXT;
+	},
+	starlogo_end: (block, world) => () => {
+		world.ended ??= { how: block.fields.HOW, text: block.fields.TEXT };
+	},
+	starlogo_forward: (block, world) => {
+		const steps = number(block, "STEPS", world);
+		return () => world.forward(me(block, world), steps());
+	},
+	starlogo_turn: (block, world) => {
+		const degrees = number(block, "DEGREES", world);
+		const sign = block.fields.DIRECTION === "left" ? 1 : -1;
+		return () => {
+			me(block, world).heading += sign * degrees();
+		};
+	},
+	starlogo_up: (block, world) => {
+		const steps = number(block, "STEPS", world);
+		return () => {
+			me(block, world).z += steps();
+		};
+	},
+	starlogo_go: (block, world) => {
+		const [x, y, z] = ["X", "Y", "Z"].map((name) => number(block, name, world));
+		return () => me(block, world).jumpTo(x(), y(), z());
+	},
+	starlogo_scatter: (block, world) => () => world.scatter(me(block, world)),
+	starlogo_back: (block, world) => () => world.goBack(me(block, world), world.collidee),
+	starlogo_delete: (block, world) => () => {
+		for (const agent of world.subjects(whom(block, world))) world.remove(agent);
+	},
+	starlogo_size: (block, world) => {
+		const size = number(block, "SIZE", world);
+		return () => {
+			me(block, world).size = size();
+		};
+	},
+	starlogo_heading: (block, world) => {
+		const heading = number(block, "HEADING", world);
+		return () => {
+			me(block, world).heading = heading();
+		};
+	},
+	starlogo_colour: (block, world) => {
+		const colour = value(block, "COLOUR", world);
+		return () => world.paint(whom(block, world), Number(colour()));
+	},
+	variables_set: (block, world) => {
+		const get = value(block, "VALUE", world);
+		return () => {
+			world.variables[block.fields.VAR.id] = get();
+		};
+	},
+	math_change: (block, world) => {
+		const by = number(block, "DELTA", world);
+		const { id } = block.fields.VAR;
+		return () => {
+			world.variables[id] = Number(world.variables[id] ?? 0) + by();
+		};
+	},
+};
+
+/** How far nothing is. */
+const FAR = 1000000;
+
+/** What an agent says: numbers without tails. */
+const said = (value) => String(typeof value === "number" ? Number(value.toFixed(2)) : value ?? "").slice(0, 80);
+
+const ARITHMETIC = { ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / b, POWER: (a, b) => a ** b };
+const COMPARISONS = { EQ: (a, b) => a === b, NEQ: (a, b) => a !== b, LT: (a, b) => a < b, LTE: (a, b) => a <= b, GT: (a, b) => a > b, GTE: (a, b) => a >= b };
+
+const two = (block, world, table, wrap = value, names = ["A", "B"]) => {
+	const [a, b] = names.map((name) => wrap(block, name, world));
+	const operation = table[block.fields.OP];
+	return () => operation(a(), b());
+};
+
+const VALUES = {
+	math_number: (block) => () => block.fields.NUM,
+	math_arithmetic: (block, world) => two(block, world, ARITHMETIC, number),
+	math_random_int: (block, world) => {
+		const [low, high] = ["FROM", "TO"].map((name) => number(block, name, world));
+		return () => {
+			const from = Math.min(low(), high());
+			return from + Math.floor(world.random() * (Math.abs(high() - low()) + 1));
+		};
+	},
+	math_modulo: (block, world) => {
+		const [a, b] = ["DIVIDEND", "DIVISOR"].map((name) => number(block, name, world));
+		return () => a() % b();
+	},
+	logic_compare: (block, world) => two(block, world, COMPARISONS),
+	logic_operation: (block, world) => two(block, world, { AND: (a, b) => a && b, OR: (a, b) => a || b }),
+	logic_negate: (block, world) => {
+		const get = value(block, "BOOL", world, false);
+		return () => !get();
+	},
+	logic_boolean: (block) => () => block.fields.BOOL === "TRUE",
+	variables_get: (block, world) => () => world.variables[block.fields.VAR.id] ?? 0,
+	text: (block) => () => block.fields.TEXT,
+	starlogo_trait: (block, world) => () => world.traitOf(me(block, world), block.fields.TRAIT),
+	starlogo_agent: (block, world) => () => whom(block, world),
+	starlogo_count: (block, world) => {
+		const distance = number(block, "DISTANCE", world);
+		return () => world.senses.countWithin(me(block, world), breedOf(block.fields.BREED), distance());
+	},
+	starlogo_number_of: (block, world) => {
+		const colour = value(block, "COLOUR", world);
+		return () => world.senses.countWith(me(block, world), breedOf(block.fields.BREED), "color", colour());
+	},
+	starlogo_nearest: (block, world) => {
+		const distance = number(block, "DISTANCE", world);
+		return () => world.senses.nearestWithin(me(block, world), breedOf(block.fields.BREED), distance());
+	},
+	starlogo_distance: (block, world) => {
+		const agent = value(block, "AGENT", world, null);
+		return () => {
+			const other = agent();
+			return other ? world.senses.distanceTo(me(block, world), other) : FAR;
+		};
+	},
+	starlogo_can_see: (block, world) => {
+		const agent = value(block, "AGENT", world, null);
+		return () => {
+			const other = agent();
+			return other !== null && world.senses.canSee(me(block, world), other);
+		};
+	},
+	starlogo_touching: (block, world) => () => world.senses.isTouching(me(block, world), breedOf(block.fields.BREED)),
+	starlogo_key_down: (block, world) => () => world.held.has(block.fields.KEY),
+	starlogo_mouse: (block, world) => () => (block.fields.MOUSE === "down" ? world.mouse.isDown : world.mouse[block.fields.MOUSE]),
+	starlogo_score: (block, world) => () => world.score ?? 0,
+	starlogo_clock: (block, world) => () => world.seconds,
+	starlogo_pick: (block) => () => COLOURS[block.fields.COLOUR],
+	starlogo_any_colour: (block, world) => () => Object.values(COLOURS)[Math.floor(world.random() * 6)],
+	starlogo_colour_of: (block, world) => () => {
+		const who = whom(block, world);
+		return typeof who === "string" ? 0 : who.color;
+	},
+};

@@ -3,12 +3,15 @@
  * Runs the tests that need no player (every *.test.mjs below test/), and writes their counts. Prints what a failed one says. Exit
  * status: 1 if one failed.
  *
- *   node test/node-tests.mjs bin/test-reports/summary-node.txt
+ *   node test/node-tests.mjs bin/test-reports/summary-node.txt [pages]
+ *
+ * With "pages" those alone that open pages, in the browser that TEST_BROWSER names; where that is not installed they are skipped, and counted.
  */
 import { spawnSync } from 'node:child_process';
-import { readdirSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { missing } from './headless/browsers.mjs';
 
 const folder = path.dirname(fileURLToPath(import.meta.url));
 
@@ -24,8 +27,16 @@ function count(output, name) {
 	return Number(new RegExp(`^\\S ${name} (\\d+)$`, 'm').exec(output)?.[1] ?? 0);
 }
 
-const [summary] = process.argv.slice(2);
-const run = spawnSync(process.execPath, ['--test', ...testsBelow(folder).sort()], { encoding: 'utf8' });
+const opensPages = (file) => /\/browsers?\.mjs['"]/.test(readFileSync(file, 'utf8'));
+
+const [summary, which] = process.argv.slice(2);
+const files = testsBelow(folder).sort().filter((file) => which !== 'pages' || opensPages(file));
+if (which === 'pages' && missing) {
+	console.log(`tests of pages: ${missing}`);
+	writeFileSync(summary, `0 passed, 0 failed, ${files.length} skipped\n`);
+	process.exit();
+}
+const run = spawnSync(process.execPath, ['--test', ...files], { encoding: 'utf8' });
 const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);
 if (failed > 0) {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { chromium } from "playwright-core";
+import { launch } from "../headless/browsers.mjs";
 import { serve } from "../headless/server.mjs";
 import { root } from "./peers.mjs";
 
@@ -12,7 +12,7 @@ const CDN = /^https:\/\/cdn\.jsdelivr\.net\/npm\/three@0\.(\d+)\.\d+\/(.*)$/;
 
 test("the example's models collide, turn away and are drawn", { timeout: 120000 }, async () => {
 	const server = await serve(null, { "/module": path.join(root, "bin/module"), "/examples": path.join(root, "examples") });
-	const browser = await chromium.launch({ executablePath: process.env.CHROME || "/usr/bin/chromium", args: ARGUMENTS });
+	const browser = await launch(ARGUMENTS);
 	try {
 		const page = await browser.newPage({ viewport: { width: 480, height: 300 } });
 		const said = [];

@@ -1,5 +1,5 @@
 /** The StarLogo Nova client's pages in headless Chromium; all hosts but the loopback are blocked. */
-import { chromium } from "playwright-core";
+import { launch } from "../headless/browsers.mjs";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -13,7 +13,7 @@ const ARGUMENTS = ["--no-sandbox", "--js-flags=--expose-gc", "--use-gl=angle", "
 /** A browser and a server. */
 export async function begin() {
 	const server = await serve(null, { "": NOVA });
-	const browser = await chromium.launch({ executablePath: process.env.CHROME || "/usr/bin/chromium", args: ARGUMENTS });
+	const browser = await launch(ARGUMENTS);
 	return {
 		/**
 		 * Opens a project, with nova.js; it does not tick by itself. The captured pages draw in two dimensions; in three if that is asked for.

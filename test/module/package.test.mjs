@@ -7,7 +7,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import vm from "node:vm";
-import { chromium } from "playwright-core";
+import { launch } from "../headless/browsers.mjs";
 import { serve } from "../headless/server.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -202,8 +202,8 @@ test("bundled by esbuild it runs in Node, and what is not used is left out", asy
 	assert.ok(readFileSync(path.join(work, "unused.js")).length < 200);
 });
 
-test("it runs in Chromium and in a Worker there, bundled or not, under a strict content security policy", async () => {
-	const browser = await chromium.launch({ executablePath: process.env.CHROME || "/usr/bin/chromium", args: ["--no-sandbox"] });
+test("it runs in a browser and in a Worker there, bundled or not, under a strict content security policy", async () => {
+	const browser = await launch();
 	try {
 		const page = await browser.newPage();
 		const complaints = [];

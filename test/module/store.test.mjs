@@ -5,7 +5,7 @@ import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSy
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
+import { launch } from "../headless/browsers.mjs";
 import { serve } from "../headless/server.mjs";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -59,7 +59,7 @@ before(async () => {
 	for (const file of FILES) copyFileSync(path.join(root, "assets", file), path.join(work, "plain", file));
 	execFileSync(process.execPath, [path.join(folder, "bake.mjs"), path.join(work, "plain"), "--out", path.join(work, "models")]);
 	server = await serve(PAGE, { "/module": folder, "/models": path.join(work, "models") });
-	browser = await chromium.launch({ executablePath: process.env.CHROME || "/usr/bin/chromium", args: ["--no-sandbox"] });
+	browser = await launch();
 });
 
 after(async () => {

@@ -1,8 +1,8 @@
-/** The playground in headless Chromium with software GL, as a desktop's and a phone's browser show it. */
+/** The playground in a headless browser with software GL, as a desktop's and a phone's browser show it. */
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import { isChromium, launch } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 
 export const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -14,7 +14,7 @@ const ARGUMENTS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', 
 /** The sizes that everything is tried at. The processor draws: of each two by two pixels one is enough. */
 export const SIZES = {
 	desktop: { viewport: { width: 1366, height: 820 }, deviceScaleFactor: 0.5 },
-	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, isMobile: true },
+	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, ...(isChromium && { isMobile: true }) },
 };
 
 /** Begins: a server below a path of its own, and a browser. */
@@ -23,7 +23,7 @@ export async function begin() {
 		throw new Error(`${folder} is not built: ./antw test builds it`);
 	}
 	const server = await serve(null, { '/any/where': folder });
-	const browser = await chromium.launch({ executablePath: process.env.CHROME || '/usr/bin/chromium', args: ARGUMENTS });
+	const browser = await launch(ARGUMENTS);
 	return {
 		browser,
 		url: `${server.url}any/where/`,

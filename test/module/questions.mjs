@@ -12,6 +12,7 @@ const { Agent, AgentFilter, AgentQueries, Contact, RayHit, Sphere, Vector3D } = 
 const COUNT = 500;
 const GUESTS = 50;
 const WARM = 20;
+const PASSES = 4;
 
 const { agents } = scatter(COUNT, MODELS, { halfWidth: HALF_WIDTH / 5 });
 agents.forEach((agent, i) => {
@@ -100,17 +101,17 @@ const turnOf = (ask) => () => {
 	for (let i = 0; i < COUNT; i++) ask(askers[i], agents[(i + 1) % GUESTS], i);
 };
 
-// all of them first: what one has made the compiler expect, another may void
-for (const ask of Object.values(questions)) {
-	for (let turn = 0; turn < WARM; turn++) turnOf(ask)();
-}
 const bytes = {};
 const answers = {};
-for (const [name, ask] of Object.entries(questions)) {
-	// to where they were not at the update
-	for (const agent of agents) agent.moveTo(agent.x + 0.01, agent.y, agent.z);
-	found = 0;
-	bytes[name] = 10000 / COUNT * garbageOf(turnOf(ask), { warm: 2 * WARM, calls: 10000 / COUNT, rounds: 2 });
-	answers[name] = found;
+// the least of some passes: what one kind has made the compiler expect, another may void
+for (let pass = 0; pass < PASSES; pass++) {
+	for (const [name, ask] of Object.entries(questions)) {
+		// to where they were not at the update
+		for (const agent of agents) agent.moveTo(agent.x + 0.01, agent.y, agent.z);
+		found = 0;
+		const left = garbageOf(turnOf(ask), { warm: WARM, calls: 10000 / COUNT, rounds: 1 }) * 10000 / COUNT;
+		bytes[name] = Math.min(left, bytes[name] ?? Infinity);
+		answers[name] = found;
+	}
 }
 console.log(JSON.stringify({ bytes, answers }));

@@ -7,6 +7,7 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
+    import starlogo.collision.Contact;
     import starlogo.models.BuiltInModel;
     import support.EachCollider;
     import support.Garbage;
@@ -31,6 +32,7 @@ package starlogo.queries
         private var _point:Vector3D = new Vector3D();
         private var _direction:Vector3D = new Vector3D();
         private var _hit:RayHit = new RayHit();
+        private var _contact:Contact = new Contact();
         private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
         private var _answers:int;
 
@@ -45,6 +47,7 @@ package starlogo.queries
                 assertAllocatesNothing(name + ", touching", askWhoTouches);
                 assertAllocatesNothing(name + ", moved", askAgain);
                 assertAllocatesNothing(name + ", rays", askWhatRaysMeet);
+                assertAllocatesNothing(name + ", motions", askHowFar);
             }
         }
 
@@ -142,6 +145,27 @@ package starlogo.queries
             _answers += _queries.cast(_point, _direction, Infinity, _filter, _hit) == null ? 0 : 1;
             _answers += _queries.canSee(agent, _agents[1]) ? 1 : 0;
             _point.setTo(0, 0, 0);
+        }
+
+        // To and fro, until it touches and along what it touches; then back. Some agents only: among triangles it takes long.
+        private function askHowFar(agent:Agent):void
+        {
+            var place:int = _agents.indexOf(agent);
+            if (place > 0 && place % 40 != 0)
+            {
+                return;
+            }
+            var x:Number = agent.x;
+            var y:Number = agent.y;
+            var z:Number = agent.z;
+            _answers += _queries.moveUntilTouch(agent, 0.3, 0.1, 0, _filter, _contact) < 1 ? 1 : 0;
+            _answers += _queries.slide(agent, -0.2, 0.3, 0) > 0 ? 1 : 0;
+            _answers += _queries.slide(agent, 0.1, -0.3, 0.1, _filter) > 0 ? 1 : 0;
+            agent.moveTo(x, y, z);
+            if (place >= 0)
+            {
+                _queries.moved(agent);
+            }
         }
 
         // The agent asks from where it is, and is told to have moved.

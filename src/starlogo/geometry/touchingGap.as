@@ -5,7 +5,7 @@ package starlogo.geometry
      * collision system, for agents that stand, that sweep, and for questions about two agents. For the rounding of the sizes of shapes there
      * are Tolerances.TOUCHING, SURFACES and NESTING.
      *
-     * <p>Where V8 would make objects of the Numbers that are passed, ShapeStrategy.areSpheresTouching and RowDistances write it out to the last
+     * <p>Where V8 would make objects of the Numbers that are passed, ShapeStrategy.areSpheresTouching, AgentTable.place and RowDistances write it out to the last
      * bit; Mover and ExtentsTree make margins of it, which are wider.</p>
      *
      * @param aX where one agent is, in patches

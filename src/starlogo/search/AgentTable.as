@@ -7,7 +7,7 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.touchingGap;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -392,7 +392,14 @@ package starlogo.search
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
             // its part of the gap
-            var margin:Number = touchingGap(x[row], y[row], z[row], 0, 0, 0);
+            // touchingGap written out: V8 makes objects of what it is given
+            var atX:Number = x[row];
+            var atY:Number = y[row];
+            var atZ:Number = z[row];
+            atX = atX < 0 ? -atX : atX;
+            atY = atY < 0 ? -atY : atY;
+            atZ = atZ < 0 ? -atZ : atZ;
+            var margin:Number = Tolerances.PLACES * (atX + atY + atZ);
             shape.structure.place(placement, _placed[row]);
             _placed[row].widen(margin);
             if (shape.outer != null)

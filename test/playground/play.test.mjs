@@ -359,7 +359,10 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	// past the toolbox, and what it offers
 	for (let i = 0; i < 6 && !(await block()); i++) {
 		await page.keyboard.press('Tab');
+		// Blockly moves the focus on by itself
+		await page.waitForTimeout(100);
 	}
+	assert.ok(await block(), 'a block has the focus');
 	await page.keyboard.press('Delete');
 	await page.waitForFunction(() => /^A block is deleted/.test(document.querySelector('.game .status').textContent));
 	assert.ok(await blocks(page) < count, 'the block is gone');
@@ -369,6 +372,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 	await page.getByLabel('Collision system').focus();
 	for (let i = 0; i < 12 && !(await block()); i++) {
 		await page.keyboard.press('Shift+Tab');
+		await page.waitForTimeout(100);
 	}
 	const seen = new Set([await block()]);
 	for (let i = 0; i < 6; i++) {

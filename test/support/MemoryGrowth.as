@@ -5,11 +5,11 @@ package support
 
     /**
      * How much the player's memory grows by what is done. The player collects nothing while a test runs, so that whatever is allocated
-     * counts once the room that there was is full.
+     * counts. Memory grows by pages: what fits into the last one is told by how many small objects fit in beside it.
      */
     public final class MemoryGrowth
     {
-        private static var sKept:Array = [];
+        private static var sLast:SmallObject;
 
         /**
          * Does something many times.
@@ -25,33 +25,22 @@ package support
             {
                 action(i);
             }
+            var full:Number = Host.memory;
+            assertTrue("the runner tells the memory", full > 0);
+            var room:int;
             if (!Garbage.isCounted)
             {
-                takeAllRoom();
+                fillRoom();
+                full = Host.memory;
+                room = fillRoom();
             }
             var before:Number = Host.memory;
-            assertTrue("the runner tells the memory", before > 0);
             for (i = 0; i < times; i++)
             {
                 action(i);
             }
             var grown:Number = Host.memory - before;
-            sKept = [];
-            return grown;
-        }
-
-        /**
-         * As <code>during</code>, done again while memory has grown, three times at most: where nothing is allocated, it may grow by a page now
-         * and then, but not each time.
-         */
-        public static function lasting(times:int, warmUp:int, action:Function):Number
-        {
-            var grown:Number = during(times, warmUp, action);
-            for (var again:int = 0; again < 3 && grown > 0; again++)
-            {
-                grown = Math.min(grown, during(times, 0, action));
-            }
-            return grown;
+            return Garbage.isCounted ? grown : grown + (before - full) * (1 - fillRoom() / room);
         }
 
         /** Makes small objects and forgets all but the last: what the measure must see. */
@@ -59,22 +48,21 @@ package support
         {
             for (var i:int = 0; i < count; i++)
             {
-                sKept[0] = new SmallObject();
+                sLast = new SmallObject();
             }
         }
 
-        // Until the player has to ask for more.
-        private static function takeAllRoom():void
+        // Until the player has to ask for more: how many objects that takes.
+        private static function fillRoom():int
         {
-            sKept = [];
             var before:Number = Host.memory;
+            var count:int = 0;
             while (Host.memory == before)
             {
-                for (var i:int = 0; i < 1000; i++)
-                {
-                    sKept.push(new SmallObject());
-                }
+                makeObjects(1);
+                count++;
             }
+            return count;
         }
     }
 }

@@ -5,7 +5,6 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import evaluation.pairs.SeededRandom;
-    import support.Effort;
     import support.Garbage;
     import support.MemoryGrowth;
 
@@ -26,7 +25,10 @@ package starlogo.collision
         private static const PAGES:Number = 3 * 4096;
         private static const UPDATE:Number = 256;
 
-        private var _frames:int = Garbage.isCounted ? 1000 : Effort.choose(400, 1000);
+        // frames in which all turn about once, an even number: then they are where they were
+        private static const TURN:int = 12;
+
+        private var _frames:int = Garbage.isCounted ? 1000 : 2 * TURN;
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
 
@@ -176,7 +178,7 @@ package starlogo.collision
             for (var i:int = 0; i < _agents.length; i++)
             {
                 var agent:Agent = _agents[i];
-                agent.heading += 7;
+                agent.heading += 360 / TURN;
                 agent.moveTo(-agent.x, agent.y, agent.z);
             }
         }
@@ -186,7 +188,7 @@ package starlogo.collision
         {
             Garbage.assumeKept();
             // after a whole turn of all agents no list has to grow
-            return MemoryGrowth.during(_frames, Garbage.isCounted ? 360 : 10, frame);
+            return MemoryGrowth.during(_frames, TURN, frame);
         }
     }
 }

@@ -13,8 +13,12 @@ package starlogo.queries
     /** Distances leave nothing for the collector, in any system; see collision.AllocationTest. */
     public class DistanceAllocationTest
     {
-        // in Adobe's VM, some pages in all
+        // bytes in all, less than a small object for each question; in Adobe's VM some pages
+        private static const NOTHING:Number = 2000;
         private static const PAGES:Number = 3 * 4096;
+
+        // rounds in which all turn about once
+        private static const TURN:int = 6;
 
         [Test]
         public function allocatesNothing():void
@@ -45,18 +49,18 @@ package starlogo.queries
             queries.update(agents);
             var pointA:Vector3D = new Vector3D();
             var pointB:Vector3D = new Vector3D();
-            var times:int = Garbage.isCounted ? 200 : 60;
-            var grown:Number = MemoryGrowth.lasting(times, Garbage.isCounted ? 50 : 10, function(round:int):void
+            var times:int = Garbage.isCounted ? 200 : TURN;
+            var grown:Number = MemoryGrowth.during(times, TURN, function(round:int):void
                 {
                     for (var k:int = 1; k < 20; k++)
                     {
                         queries.distance(agents[k], agents[k - 1], pointA, pointB);
-                        agents[k].heading += 7;
+                        agents[k].heading += 360 / TURN;
                         queries.moved(agents[k]);
                     }
                 });
             trace("  " + name + ": " + grown + " bytes in " + 20 * times + " questions");
-            assertTrue(name + ": " + grown + " bytes", grown <= (Garbage.isCounted ? PAGES : 0));
+            assertTrue(name + ": " + grown + " bytes", grown <= (Garbage.isCounted ? PAGES : NOTHING));
         }
     }
 }

@@ -12,10 +12,10 @@ package support
          */
         public static var isInterpreted:Boolean = false;
 
-        /** The number for this run. */
-        public static function choose(everyDay:int, full:int):int
+        /** The number for this run; the last, if it is given, where the player interprets. */
+        public static function choose(everyDay:int, full:int, interpreted:int = 0):int
         {
-            return isFull ? full : everyDay;
+            return isFull ? full : isInterpreted && interpreted > 0 ? interpreted : everyDay;
         }
     }
 }

@@ -65,7 +65,11 @@ package starlogo.libraries
         {
             for each (var model:Model in SteppedModels.twelve().concat(SteppedModels.odd()))
             {
-                assertReadAsComputed(model, model.name);
+                // large ones, where the player interprets, in anotherAlgorithmIsAnotherRevision alone
+                if (!Effort.isInterpreted || model.vertices.length < 3000)
+                {
+                    assertReadAsComputed(model, model.name);
+                }
             }
         }
 
@@ -216,7 +220,8 @@ package starlogo.libraries
             var random:SeededRandom = new SeededRandom(19);
             var refused:int = 0;
             var sound:int = 0;
-            var forging:Slices = new Slices(Effort.choose(400, 10000), 1, function(first:int, end:int):void
+            var count:int = Effort.choose(400, 10000, 120);
+            var forging:Slices = new Slices(count, 1, function(first:int, end:int):void
                 {
                     var land:GreatLand = new GreatLand();
                     try
@@ -235,7 +240,7 @@ package starlogo.libraries
             FrameByFrame.run(this, forging, 10, function():void
                 {
                     trace("  " + refused + " forged files refused, " + sound + " that make a model");
-                    assertTrue(refused > 50 && sound > 50);
+                    assertTrue(Math.min(refused, sound) > count / 8);
                 });
         }
 

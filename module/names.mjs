@@ -7,7 +7,7 @@ import { readSignatures } from "./signatures.mjs";
 export const ROOT = fileURLToPath(new URL("..", import.meta.url));
 
 /** Where the module's sources are; what an earlier folder has stands for others of its name. */
-const SOURCES = ["standins/module", "standins/common", "src"].map((folder) => join(ROOT, folder));
+export const SOURCES = ["standins/module", "standins/common", "src"].map((folder) => join(ROOT, folder));
 
 /** What the translated classes call beside themselves, and the stand-in's file that has it. */
 export const EXTERNALS = {

@@ -334,6 +334,8 @@ export class Program {
 				return `function ${node.id.name}${this.#functionText(node, "")}`;
 			case "SwitchCase":
 				return `${node.test ? `case ${this.#text(node.test)}` : "default"}:\n${this.#statements(node.consequent).map((line) => `  ${line.replaceAll("\n", "\n  ")}`).join("\n")}`;
+			case "CatchClause":
+				return this.#catchText(node);
 			case "Identifier":
 				return this.#identifierText(node);
 			case "Property":
@@ -358,6 +360,12 @@ export class Program {
 		const body = node.body.length === 1 && node.body[0].type === "BlockStatement" ? node.body[0].body : node.body;
 		const lines = this.#statements(body).map((line) => `  ${line.replaceAll("\n", "\n  ")}`);
 		return lines.length === 0 ? "{\n}" : `{\n${lines.join("\n")}\n}`;
+	}
+
+	// Errors of other classes go on.
+	#catchText(node) {
+		const { name, type } = this.#unit.caught[this.#unit.source.slice(0, node.start).split(/\bcatch \(\w/).length - 1];
+		return type && `catch (${name}) {\n  if (!(${name} instanceof ${this.#reference(type)})) throw ${name};${this.#text(node.body).slice(1)}`;
 	}
 
 	#identifierText(node) {

@@ -1,5 +1,6 @@
 /** Reads what one of the compiler's files defines. */
 import { parse } from "acorn";
+import { caughtIn } from "./caught.mjs";
 import { isWithin, lazyValue, nameOf, pathOf } from "./syntax.mjs";
 
 /** What one of the compiler's files defines: what it is named for first, then what only that file sees. */
@@ -7,17 +8,19 @@ export function unitsOf(file, source) {
 	const comments = [];
 	const program = parse(source, { ecmaVersion: 2022, preserveParens: true, onComment: comments });
 	const qnames = [...source.matchAll(/^goog\.provide\('([\w.]+)'\)/gm)].map((match) => match[1]);
+	const caught = caughtIn(file, source);
 	return qnames.map((qname) => {
 		const isOwn = (path) => path === qname || path.startsWith(`${qname}.`) && !qnames.some((other) => other.length > qname.length && isWithin(path, other));
-		return new Unit({ file, source, comments, qname, isOwn, isInner: qname !== qnames[0] }, program);
+		return new Unit({ file, source, caught, comments, qname, isOwn, isInner: qname !== qnames[0] }, program);
 	}).filter((unit) => unit.main !== null);
 }
 
 /** A class, an interface, a function of a package, or a variable of a file. */
 class Unit {
-	constructor({ file, source, comments, qname, isOwn, isInner }, program) {
+	constructor({ file, source, caught, comments, qname, isOwn, isInner }, program) {
 		this.source = source;
 		this.file = file;
+		this.caught = caught;
 		this.comments = comments;
 		this.qname = qname;
 		this.isOwn = isOwn;

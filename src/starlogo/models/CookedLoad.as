@@ -42,13 +42,9 @@ package starlogo.models
             {
                 return super.step();
             }
-            catch (error:Error)
+            catch (error:ModelError)
             {
-                problem = error as ModelError;
-                if (problem == null)
-                {
-                    throw error;
-                }
+                problem = error;
             }
             return false;
         }

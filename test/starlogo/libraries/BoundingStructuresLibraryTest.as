@@ -15,6 +15,7 @@ package starlogo.libraries
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
     import support.PointSets;
+    import support.assertThrows;
     import evaluation.pairs.SeededRandom;
 
     public class BoundingStructuresLibraryTest
@@ -157,11 +158,18 @@ package starlogo.libraries
             assertRefused(_library.add, ["cube", _cube], "Cylinder");
             _library.fitters = new Vector.<Fitter>();
             assertRefused(_library.add, ["cube", _cube], "fitters");
-            _library.fitters = new <Fitter>[new FailingFitter()];
+            _library.fitters = new <Fitter>[new FailingFitter(new ArgumentError("failed"))];
             assertRefused(_library.add, ["cube", _cube], "failed");
             assertEquals(before, _library.tightestFit("cube"));
             assertTrue(_library.hasAll("cube"));
             assertFalse(_library.has("other"));
+        }
+
+        [Test]
+        public function otherErrorsOfAFitterComeAsTheyAre():void
+        {
+            _library.fitters = new <Fitter>[new FailingFitter(new RangeError("mine"))];
+            assertThrows(RangeError, /^mine$/, _library.add, "cube", _cube);
         }
 
         [Test]
@@ -217,6 +225,13 @@ import starlogo.fitting.Fitter;
 
 class FailingFitter extends Fitter
 {
+    private var _error:Error;
+
+    public function FailingFitter(error:Error)
+    {
+        _error = error;
+    }
+
     override public function begin(session:FitSession):Fit
     {
         return new Fit(session, find);
@@ -224,6 +239,6 @@ class FailingFitter extends Fitter
 
     private function find(session:FitSession):BoundingStructure
     {
-        throw new ArgumentError("failed");
+        throw _error;
     }
 }

@@ -80,13 +80,9 @@ package starlogo.libraries.cooked
             {
                 return _work.step() && !_isRefused;
             }
-            catch (error:Error)
+            catch (error:EOFError)
             {
-                _isRefused = error is EOFError;
-                if (!_isRefused)
-                {
-                    throw error;
-                }
+                _isRefused = true;
             }
             return false;
         }

@@ -59,11 +59,9 @@ package starlogo.models.cooked
             {
                 return super.step();
             }
-            catch (error:Error)
+            catch (error:EOFError)
             {
-                // of a catch the compiler to JavaScript drops the class
-                refuseIf(error is EOFError, name, "the cooked file has fewer numbers than it says");
-                throw error;
+                refuseIf(true, name, "the cooked file has fewer numbers than it says");
             }
             return false;
         }

@@ -1,0 +1,20 @@
+/** Which classes of errors the sources catch: the compiler drops them, so that what it writes catches everything. */
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { ROOT, SOURCES } from "./names.mjs";
+
+const FOLDERS = [...SOURCES, join(ROOT, "test")];
+
+/** Of each catch of what the compiler wrote of a file, in order: what the error is called, and its class; null for every error. */
+export function caughtIn(file, written) {
+	const path = FOLDERS.map((folder) => join(folder, file.replace(/js$/, "as"))).find(existsSync);
+	const source = path ? readFileSync(path, "utf8") : "";
+	const caught = [...source.matchAll(/\bcatch \((\w+):([\w*]+)\)/g)].map(([, name, type]) => ({ name, type: /^(Error|\*)$/.test(type) ? null : qualified(type, source) }));
+	const names = [...written.matchAll(/\bcatch \((\w+)\)/g)].map((match) => match[1]);
+	if (String(names) !== String(caught.map(({ name }) => name))) throw new Error(`${file}: what it catches is not in the order of its source`);
+	return caught;
+}
+
+function qualified(name, source) {
+	return new RegExp(String.raw`^\s*import ([\w.]+\.${name});`, "m").exec(source)?.[1] ?? (/^(ArgumentError|RangeError|TypeError)$/.test(name) ? name : `${/^package ([\w.]+)/.exec(source)[1]}.${name}`);
+}

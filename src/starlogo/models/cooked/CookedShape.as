@@ -35,11 +35,7 @@ package starlogo.models.cooked
             var source:Vector.<Number> = model.source.pointsOf(model.vertices);
             for (var form:int = 0; form <= SINGLE; form++)
             {
-                var points:Vector.<Number> = new Vector.<Number>();
-                for each (var value:Number in source)
-                {
-                    points.push(nearest(value, form));
-                }
+                var points:Vector.<Number> = form < SINGLE ? multiples(source, divisorOf(form)) : singles(source);
                 if (model.isMadeOf(points))
                 {
                     return write(model, form, points);
@@ -51,32 +47,33 @@ package starlogo.models.cooked
         /** What the numbers of a form are to be divided by. */
         internal static function divisorOf(form:int):Number
         {
-            var divisor:Number = 1;
-            for (var i:int = 0; i < form && form < SINGLE; i++)
-            {
-                divisor *= 10;
-            }
-            return divisor;
+            return form < SINGLE ? Number("1e" + form) : 1;
         }
 
-        // Of the numbers that a form has.
-        private static function nearest(value:Number, form:int):Number
+        private static function multiples(source:Vector.<Number>, divisor:Number):Vector.<Number>
         {
-            if (form < SINGLE)
+            var points:Vector.<Number> = new Vector.<Number>();
+            for each (var value:Number in source)
             {
-                var multiple:Number = multipleOf(value, form);
-                return Math.abs(multiple) < LARGEST ? multiple / divisorOf(form) : 0;
+                var multiple:Number = Math.round(value * divisor);
+                points.push(Math.abs(multiple) < LARGEST ? multiple / divisor : 0);
             }
+            return points;
+        }
+
+        private static function singles(source:Vector.<Number>):Vector.<Number>
+        {
+            var points:Vector.<Number> = new Vector.<Number>();
             var bytes:ByteArray = new ByteArray();
-            bytes.writeFloat(value);
-            bytes.position = 0;
-            var single:Number = bytes.readFloat();
-            return isFinite(single) ? single : 0;
-        }
-
-        private static function multipleOf(value:Number, form:int):Number
-        {
-            return Math.round(value * divisorOf(form));
+            for each (var value:Number in source)
+            {
+                bytes.position = 0;
+                bytes.writeFloat(value);
+                bytes.position = 0;
+                var single:Number = bytes.readFloat();
+                points.push(isFinite(single) ? single : 0);
+            }
+            return points;
         }
 
         private static function write(model:Model, form:int, numbers:Vector.<Number>):ByteArray
@@ -97,30 +94,24 @@ package starlogo.models.cooked
             {
                 frame.writeTo(out);
             }
+            var write:Function = form == DOUBLE ? out.writeDouble : out.writeFloat;
+            var divisor:Number = divisorOf(form);
             for (var i:int = 0; i < numbers.length; i++)
             {
-                writeNumber(numbers[i], i < 3 ? 0 : numbers[i - 3], form, out);
+                if (form < SINGLE)
+                {
+                    CookedNumbers.write(Math.round(numbers[i] * divisor) - (i < 3 ? 0 : Math.round(numbers[i - 3] * divisor)), out);
+                }
+                else
+                {
+                    write(numbers[i]);
+                }
             }
             for (i = 0; i < 3 * triangleCount; i++)
             {
-                writeNumber(model.triangles[i], i == 0 ? 0 : model.triangles[i - 1], 0, out);
+                CookedNumbers.write(model.triangles[i] - (i == 0 ? 0 : model.triangles[i - 1]), out);
             }
             return out;
-        }
-
-        private static function writeNumber(value:Number, before:Number, form:int, out:ByteArray):void
-        {
-            switch (form)
-            {
-                case SINGLE:
-                    out.writeFloat(value);
-                    break;
-                case DOUBLE:
-                    out.writeDouble(value);
-                    break;
-                default:
-                    CookedNumbers.write(multipleOf(value, form) - multipleOf(before, form), out);
-            }
         }
     }
 }

@@ -123,7 +123,7 @@ package starlogo.models
         {
             var shape:NormalisedShape = new NormalisedShape(_name, points, _triangles, _source.scaling, _source.transform);
             finish(shape);
-            return String(shape.triangles) == String(_triangles) && VertexData.areSame(shape.vertices, _vertices) && shape.frame.isAs(_source);
+            return VertexData.areSame(shape.vertices, _vertices) && shape.frame.isAs(_source) && String(shape.triangles) == String(_triangles);
         }
 
         /** Gives the model its shape, all steps of which are done. */

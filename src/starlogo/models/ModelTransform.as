@@ -106,15 +106,9 @@ package starlogo.models
         }
 
         /** The text of a transform file that says the same. */
-        public function toText():String
-        {
-            return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
-        }
-
-        /** As toText() has it. */
         public function toString():String
         {
-            return toText();
+            return "rotate " + wordsOf(_rotation) + "\nscale " + wordsOf(_scale) + "\ntranslate " + wordsOf(_translation) + "\n";
         }
 
         /**

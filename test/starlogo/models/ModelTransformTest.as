@@ -48,7 +48,7 @@ package starlogo.models
         public function saysTheSameAgain():void
         {
             var transform:ModelTransform = new ModelTransform(new Vector3D(10, 20.5, -30), new Vector3D(1, -2, 0.1), new Vector3D(0, 0, 1e-7));
-            var again:ModelTransform = ModelTransform.fromText(transform.toText());
+            var again:ModelTransform = ModelTransform.fromText(transform.toString());
             assertEquals(String(transform.rotation), String(again.rotation));
             assertEquals(String(transform.scale), String(again.scale));
             assertEquals(String(transform.translation), String(again.translation));

@@ -10,9 +10,9 @@ package starlogo
     import starlogo.libraries.ShapeEntry;
     import starlogo.libraries.ShapeTable;
     import starlogo.libraries.StructuresBuild;
+    import starlogo.models.Model;
     import starlogo.models.ModelReceiver;
     import starlogo.models.cooked.argumentsFingerprint;
-    import starlogo.models.Model;
     import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;

@@ -1,8 +1,8 @@
 package starlogo.bounding
 {
+    import flash.errors.IllegalOperationError;
     import flash.geom.Matrix3D;
     import flash.geom.Vector3D;
-    import flash.errors.IllegalOperationError;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;

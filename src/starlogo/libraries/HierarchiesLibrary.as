@@ -3,10 +3,10 @@ package starlogo.libraries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.geometry.VertexData;
-    import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.models.Model;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.finish;
 
     use namespace engine;

@@ -4,12 +4,12 @@ package starlogo.libraries
     import starlogo.engine;
     import starlogo.geometry.Fingerprint;
     import starlogo.geometry.GeometryFingerprint;
-    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.libraries.cooked.FitsReader;
     import starlogo.libraries.cooked.FitsWriter;
     import starlogo.libraries.cooked.TreeReader;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedShape;
+    import starlogo.solid.SolidHierarchyBuilder;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 

@@ -1,8 +1,8 @@
 package starlogo.libraries
 {
+    import starlogo.models.Model;
     import starlogo.solid.SolidHierarchy;
     import starlogo.solid.SolidHierarchyBuilder;
-    import starlogo.models.Model;
 
     /**
      * What is known under the name of one shape.

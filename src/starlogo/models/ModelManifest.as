@@ -1,7 +1,7 @@
 package starlogo.models
 {
-    import flash.utils.ByteArray;
     import flash.net.URLLoader;
+    import flash.utils.ByteArray;
 
     /** The list of the cooked files of a folder and those below it, fetched when it is first asked for. */
     internal final class ModelManifest

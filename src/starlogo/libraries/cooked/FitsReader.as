@@ -8,12 +8,12 @@ package starlogo.libraries.cooked
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.solid.SurfaceNotes;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.ModelFits;
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedNumbers;
+    import starlogo.solid.SurfaceNotes;
 
     use namespace engine;
 

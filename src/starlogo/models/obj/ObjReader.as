@@ -8,8 +8,8 @@ package starlogo.models.obj
     import starlogo.models.TextTokens;
     import starlogo.models.UpAxis;
     import starlogo.models.VertexFilter;
-    import starlogo.models.refuseIf;
     import starlogo.models.polygons.Triangulator;
+    import starlogo.models.refuseIf;
     import starlogo.steps.Steps;
 
     /**

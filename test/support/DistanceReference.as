@@ -22,6 +22,7 @@ package support
     public final class DistanceReference
     {
         private var _greatLand:GreatLand;
+        private var _hierarchies:HierarchyReference;
         private var _pair:ClosestPair = new ClosestPair();
 
         /**
@@ -30,12 +31,13 @@ package support
         public function DistanceReference(greatLand:GreatLand)
         {
             _greatLand = greatLand;
+            _hierarchies = new HierarchyReference(greatLand);
         }
 
         /** Of hierarchies, visited to these depths. */
         public function ofNodes(a:Agent, depthA:int, b:Agent, depthB:int):Number
         {
-            return least(endsOf(a, depthA), endsOf(b, depthB));
+            return least(_hierarchies.endsOf(a, depthA), _hierarchies.endsOf(b, depthB));
         }
 
         /** Of an agent's hierarchy and the tightest fit of another. */
@@ -100,7 +102,7 @@ package support
         /** Of a point and an agent's hierarchy. */
         public function fromNodes(agent:Agent, depth:int, point:Vector3D):Number
         {
-            return least(endsOf(agent, depth), new <BoundingStructure>[new Sphere(point, 0)]);
+            return least(_hierarchies.endsOf(agent, depth), new <BoundingStructure>[new Sphere(point, 0)]);
         }
 
         /** Of a point and an agent's surface. */
@@ -149,24 +151,6 @@ package support
                 }
             }
             return distance;
-        }
-
-        private function endsOf(agent:Agent, depth:int):Vector.<BoundingStructure>
-        {
-            var ends:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            collect(agent, _greatLand.hierarchies.root(agent.shape), depth, ends);
-            return ends;
-        }
-
-        private static function collect(agent:Agent, node:HierarchyNode, depth:int, out:Vector.<BoundingStructure>):void
-        {
-            if (node.isLeaf || depth == 1)
-            {
-                out.push(node.bounds.place(agent.worldPlacement()));
-                return;
-            }
-            collect(agent, node.left, depth - 1, out);
-            collect(agent, node.right, depth - 1, out);
         }
     }
 }

@@ -53,7 +53,8 @@ package support
             return false;
         }
 
-        private function endsOf(agent:Agent, depth:int):Vector.<BoundingStructure>
+        /** The nodes at which an agent's hierarchy ends, visited to a depth, in the world. */
+        public function endsOf(agent:Agent, depth:int):Vector.<BoundingStructure>
         {
             var ends:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
             collect(agent, _greatLand.hierarchies.root(agent.shape), depth, ends);

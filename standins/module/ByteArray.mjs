@@ -9,8 +9,7 @@ export class ByteArray {
 	#view;
 	#length;
 
-	/** The byte order of numbers: "bigEndian" or "littleEndian". */
-	endian = "bigEndian";
+	#isLittle = false;
 
 	/** Where the next byte is read or written. */
 	position = 0;
@@ -25,6 +24,15 @@ export class ByteArray {
 	/** The bytes of a ByteArray, an ArrayBuffer or a view of one, as a ByteArray. */
 	static from(source) {
 		return source === null || source === undefined || source instanceof ByteArray ? source : new ByteArray(source);
+	}
+
+	/** The byte order of numbers: "bigEndian" or "littleEndian". */
+	get endian() {
+		return this.#isLittle ? "littleEndian" : "bigEndian";
+	}
+
+	set endian(value) {
+		this.#isLittle = value === "littleEndian";
 	}
 
 	get length() {
@@ -157,10 +165,6 @@ export class ByteArray {
 	/** The bytes as text. */
 	toString() {
 		return new TextDecoder().decode(this.toUint8Array());
-	}
-
-	get #isLittle() {
-		return this.endian === "littleEndian";
 	}
 
 	#take(bytes) {

@@ -2,16 +2,15 @@ package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
+    import flash.utils.Endian;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.agents.AgentChoice;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
-    import starlogo.handlers.ContactPair;
+    import starlogo.handlers.ContactTracker;
     import starlogo.handlers.HandlerCalls;
     import starlogo.handlers.HandlerTable;
-    import starlogo.search.CollisionSearch;
-    import starlogo.search.FrameRecord;
 
     use namespace engine;
 
@@ -55,6 +54,7 @@ package starlogo.collision
         private var _tableIsStale:Boolean = true;
         private var _contacts:FrameContacts = new FrameContacts();
         private var _calls:HandlerCalls = new HandlerCalls(_contacts);
+        private var _restored:ContactTracker = new ContactTracker();
         private var _isUpdating:Boolean = false;
 
         // What found the last frame's pairs, or null; whether it refused the list.
@@ -256,30 +256,7 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
-            var record:FrameRecord = new FrameRecord();
-            if (_searched != null)
-            {
-                var search:CollisionSearch = _searched.search;
-                var places:Vector.<int> = search.recordPositions(record);
-                var pairs:int = _calls.tracker.count;
-                record.beginPairs(pairs);
-                for (var i:int = 0; i < pairs; i++)
-                {
-                    var pair:ContactPair = _calls.tracker.pairAt(i);
-                    var first:int = search.rowOf(pair.first);
-                    var second:int = search.rowOf(pair.second);
-                    if (first < 0 || second < 0)
-                    {
-                        throw new IllegalOperationError("the collision system has searched another list since the last frame");
-                    }
-                    record.addPair(places[first], places[second], pair.firstBreed, pair.secondBreed, pair.isBothWays);
-                }
-                if (_searched != _collisionSystem)
-                {
-                    record.forgetMotions();
-                }
-            }
-            return record.toBytes();
+            return new FrameRecord(_calls.tracker).write(_searched == null ? null : _searched.search, _searched == _collisionSystem);
         }
 
         /**
@@ -304,23 +281,32 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var record:FrameRecord = FrameRecord.fromBytes(bytes, agents.length);
-            if (record == null)
-            {
-                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
-            }
             var collider:Collider = Collider(_collisionSystem);
-            collider.search.restorePositions(agents, record);
-            _calls.tracker.clear(record.pairCount);
-            for (var i:int = 0; i < record.pairCount; i++)
+            var position:uint = bytes.position;
+            var endian:String = bytes.endian;
+            bytes.position = 0;
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            try
             {
-                var pair:ContactPair = _calls.tracker.start(agents[record.first[i]], agents[record.second[i]]);
-                pair.firstBreed = record.breeds[record.firstBreed[i]];
-                pair.secondBreed = record.breeds[record.secondBreed[i]];
-                pair.isBothWays = record.isBothWays[i];
+                collider.search.check(agents);
+                if (!new FrameRecord(_restored, bytes).read(agents))
+                {
+                    throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
+                }
+                bytes.position = FrameRecord.AGENTS_AT;
+                collider.search.restorePositions(agents, bytes);
+                var before:ContactTracker = _calls.tracker;
+                _calls.tracker = _restored;
+                _restored = before;
+                _searched = collider;
+                _isRefused = false;
             }
-            _searched = collider;
-            _isRefused = false;
+            finally
+            {
+                _restored.clear();
+                bytes.position = position;
+                bytes.endian = endian;
+            }
         }
 
         private function requireSearch(what:String):void

@@ -54,28 +54,23 @@ package starlogo.handlers
         public function start(first:Agent, second:Agent):ContactPair
         {
             var place:int = placeOf(first, second);
-            var pair:ContactPair = _table[place];
-            if (pair == null)
+            return _table[place] || add(place, first, second, first.breed, second.breed, false);
+        }
+
+        /**
+         * Has a contact of two agents that began in an earlier frame.
+         *
+         * @return false if there is one already
+         */
+        public function resume(first:Agent, second:Agent, firstBreed:String, secondBreed:String, isBothWays:Boolean):Boolean
+        {
+            var place:int = placeOf(first, second);
+            if (_table[place] != null)
             {
-                if (count == _pairs.length)
-                {
-                    _pairs[count] = new ContactPair();
-                }
-                pair = _pairs[count];
-                pair.first = first;
-                pair.second = second;
-                pair.firstBreed = first.breed;
-                pair.secondBreed = second.breed;
-                pair.beganIn = pair.seenIn = frame;
-                pair.isBothWays = false;
-                _table[place] = pair;
-                count++;
-                if (2 * count > _table.length)
-                {
-                    fill(2 * _table.length);
-                }
+                return false;
             }
-            return pair;
+            add(place, first, second, firstBreed, secondBreed, isBothWays);
+            return true;
         }
 
         /** A pair that touches, of <code>count</code>, in the order in which the contacts began. */
@@ -84,24 +79,15 @@ package starlogo.handlers
             return _pairs[index];
         }
 
-        /**
-         * Lets go of all pairs, without an end.
-         *
-         * @param pairs how many will come
-         */
-        public function clear(pairs:int = 0):void
+        /** Lets go of all pairs, without an end. */
+        public function clear():void
         {
             for (var i:int = 0; i < count; i++)
             {
                 _pairs[i].first = _pairs[i].second = null;
             }
             count = 0;
-            var length:int = LEAST_LENGTH;
-            while (length <= 2 * pairs)
-            {
-                length *= 2;
-            }
-            fill(length);
+            fill(_table.length);
         }
 
         /** Moves the pairs that do not touch in this frame into <code>ended</code>. */
@@ -147,6 +133,28 @@ package starlogo.handlers
             {
                 _pairs.length = 2 * count + LEAST_LENGTH;
             }
+        }
+
+        private function add(place:int, first:Agent, second:Agent, firstBreed:String, secondBreed:String, isBothWays:Boolean):ContactPair
+        {
+            if (count == _pairs.length)
+            {
+                _pairs[count] = new ContactPair();
+            }
+            var pair:ContactPair = _pairs[count];
+            pair.first = first;
+            pair.second = second;
+            pair.firstBreed = firstBreed;
+            pair.secondBreed = secondBreed;
+            pair.beganIn = pair.seenIn = frame;
+            pair.isBothWays = isBothWays;
+            _table[place] = pair;
+            count++;
+            if (2 * count > _table.length)
+            {
+                fill(2 * _table.length);
+            }
+            return pair;
         }
 
         // Makes the table of this length, a power of two, and enters all pairs anew.

@@ -107,6 +107,12 @@ package starlogo.handlers
             return _tracker;
         }
 
+        /** @private */
+        public function set tracker(value:ContactTracker):void
+        {
+            _tracker = value;
+        }
+
         // Computes the contacts that handlers take, and finds the pairs that touched before.
         private function prepare():void
         {

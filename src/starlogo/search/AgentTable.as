@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.utils.ByteArray;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
@@ -259,45 +260,50 @@ package starlogo.search
         }
 
         /**
-         * Writes where the last search saw its agents into a record.
+         * Writes where the last search saw its agents: of each whether it has a motion from there, and the place.
          *
+         * @param keepsMotions false: none has
          * @return of each row, the place of its agent in the list
          */
-        public function recordPositions(record:FrameRecord):Vector.<int>
+        public function writePositions(bytes:ByteArray, keepsMotions:Boolean):Vector.<int>
         {
             var places:Vector.<int> = new Vector.<int>(agents.length);
-            record.beginAgents(count);
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
                 places[row] = i;
-                record.hasMotion[i] = shapes[row] != null && agents[row].jumpRevision <= revisions[row];
-                record.x[i] = x[row];
-                record.y[i] = y[row];
-                record.z[i] = z[row];
+                bytes.writeBoolean(keepsMotions && shapes[row] != null && agents[row].jumpRevision <= revisions[row]);
+                bytes.writeDouble(x[row]);
+                bytes.writeDouble(y[row]);
+                bytes.writeDouble(z[row]);
             }
             return places;
         }
 
         /**
-         * Reads a list of agents as if the last search had seen them where a record says.
+         * Reads a list of agents as if the last search had seen them where bytes say.
          *
+         * @param bytes what writePositions has written, of as many agents
          * @throws ArgumentError as <code>read()</code>
          */
-        public function restorePositions(list:Vector.<Agent>, record:FrameRecord):void
+        public function restorePositions(list:Vector.<Agent>, bytes:ByteArray):void
         {
             read(list);
             for (var i:int = 0; i < count; i++)
             {
                 var row:int = rows[i];
-                var agent:Agent = agents[row];
-                var seen:int = agent.revision;
-                if (agent.placement.x != record.x[i] || agent.placement.y != record.y[i] || agent.placement.z != record.z[i])
+                var seen:int = bytes.readBoolean() ? revisions[row] : NOT_SEEN;
+                var seenX:Number = bytes.readDouble();
+                var seenY:Number = bytes.readDouble();
+                var seenZ:Number = bytes.readDouble();
+                if (x[row] != seenX || y[row] != seenY || z[row] != seenZ)
                 {
                     // it has moved since: in one step more, if the game has put it there by a jump
-                    agent.revision++;
+                    agents[row].revision++;
+                    putAt(row, seenX, seenY, seenZ);
                 }
-                putBack(row, record.x[i], record.y[i], record.z[i], record.hasMotion[i] ? seen : NOT_SEEN);
+                revisions[row] = seen;
+                placedRevisions[row] = STALE;
             }
         }
 

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.utils.ByteArray;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Bins;
@@ -104,16 +105,28 @@ package starlogo.search
             out.end(2 * _pairCount);
         }
 
-        /** As AgentTable.recordPositions. */
-        public function recordPositions(record:FrameRecord):Vector.<int>
+        /** How many agents the last search has seen. */
+        public function get count():int
         {
-            return _table.recordPositions(record);
+            return _table.count;
+        }
+
+        /** As AgentTable.check. */
+        public function check(agents:Vector.<Agent>):void
+        {
+            _table.check(agents);
+        }
+
+        /** As AgentTable.writePositions. */
+        public function writePositions(bytes:ByteArray, keepsMotions:Boolean):Vector.<int>
+        {
+            return _table.writePositions(bytes, keepsMotions);
         }
 
         /** As AgentTable.restorePositions. */
-        public function restorePositions(agents:Vector.<Agent>, record:FrameRecord):void
+        public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {
-            _table.restorePositions(agents, record);
+            _table.restorePositions(agents, bytes);
             _isSwept = false;
         }
 

@@ -4,10 +4,10 @@
  *
  *   node playground/build.mjs MODULE OUT      MODULE is the npm package of the engine (bin/module)
  */
-import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { build } from "esbuild";
 import { models } from "../assets/generator/models/index.mjs";
 import { palette } from "../assets/generator/palette.mjs";
@@ -17,6 +17,8 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
 const npm = path.join(here, "node_modules");
 const { exports } = JSON.parse(readFileSync(path.join(engine, "package.json"), "utf8"));
+const readable = path.join(engine, exports["./readable"].default);
+const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(readable));
 
 const STYLE = 'style:"display: none;"';
 const WARNING = /[\w$]+\("Blockly\.Workspace\.getAllVariables","v12","v13","[^"]+"\);/;
@@ -38,6 +40,30 @@ const tameBlockly = {
 	},
 };
 
+/** The readers of model files are needed for the user's own alone: of an engine that is bundled beside the other one, and loads with the first such file. */
+const formatsApart = {
+	name: "formats-apart",
+	setup({ onResolve }) {
+		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: readable, suffix: importer.endsWith("formats.js") ? "?formats" : "" }));
+	},
+};
+
+/** Of Blockly's messages, those that something bundled names. */
+const fewMessages = {
+	name: "few-messages",
+	setup({ onLoad }) {
+		onLoad({ filter: /blockly\/msg\/en\.js$/ }, ({ path: file }) => {
+			const plugin = path.join(npm, "@blockly/keyboard-navigation/src");
+			const files = [path.join(npm, "blockly/blockly_compressed.js"), ...readdirSync(plugin, { recursive: true }).filter((each) => each.endsWith(".ts")).map((each) => path.join(plugin, each))];
+			const sources = files.map((each) => readFileSync(each, "utf8")).join("\n");
+			const text = readFileSync(file, "utf8");
+			const kept = text.replace(/^Blockly\.Msg\["(\w+)"\] = .*$/gm, (line, name) => (new RegExp(`\\b${name}\\b`).test(sources) ? line : ""));
+			if (kept.length > 0.8 * text.length) throw new Error(`${file} is not as it was: look how its messages are written`);
+			return { contents: kept, loader: "js" };
+		});
+	},
+};
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 const result = await build({
@@ -51,25 +77,25 @@ const result = await build({
 	metafile: true,
 	legalComments: "none",
 	chunkNames: "parts/[name]-[hash]",
-	// the readable one: bundlers leave out what is not used of it
-	alias: { "blockly/msg/en": path.join(npm, "blockly/msg/en.js"), "starlogo-collision": path.join(engine, exports["./readable"].default), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
+	alias: { "blockly/msg/en": path.join(npm, "blockly/msg/en.js"), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
-	plugins: [tameBlockly],
+	plugins: [tameBlockly, formatsApart, fewMessages],
 	logLevel: "warning",
 });
 for (const file of ["index.html", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
 cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
-cpSync(path.join(here, "../assets"), path.join(out, "models"), { recursive: true, filter: (file) => !file.includes("generat") && !file.endsWith("README.md") });
-writeFileSync(path.join(out, "models/colours.json"), JSON.stringify(Object.fromEntries(models.map((model) => [model.name, coloursOf(model)]))));
+mkdirSync(path.join(out, "models"));
+for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js" })) {
-	const files = neededFor(entry);
-	console.log(`${view}: ${kilobytes(files, (bytes) => bytes.length)} KB of script, ${kilobytes(files, (bytes) => gzipSync(bytes).length)} KB compressed`);
+	const first = neededFor(`playground/${entry}`);
+	const editor = view === "play" ? neededFor("playground/play/editor.js").filter((file) => !first.includes(file)) : [];
+	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);
 }
 console.log(`written: ${path.relative(process.cwd(), out)}`);
 
-/** The script files that a view loads. */
+/** The script files that a part needs before anything of it runs, the page's first one among them. */
 function neededFor(entry) {
 	const { outputs } = result.metafile;
 	const files = new Set();
@@ -78,12 +104,25 @@ function neededFor(entry) {
 		files.add(file);
 		for (const { path: other, kind } of outputs[file].imports) if (kind === "import-statement") add(other);
 	};
-	for (const [file, { entryPoint }] of Object.entries(outputs)) if (entryPoint?.endsWith("playground/main.js") || entryPoint?.endsWith(`playground/${entry}`)) add(file);
+	for (const [file, { entryPoint }] of Object.entries(outputs)) if (entryPoint?.endsWith("playground/main.js") || entryPoint?.endsWith(entry)) add(file);
 	return [...files];
 }
 
-function kilobytes(files, size) {
-	return Math.round(files.reduce((sum, file) => sum + size(readFileSync(file)), 0) / 1024);
+function sizes(files) {
+	const kilobytes = (size) => Math.round(files.reduce((sum, file) => sum + size(readFileSync(file)), 0) / 1024);
+	return `${kilobytes((bytes) => bytes.length)} KB of script, ${kilobytes((bytes) => gzipSync(bytes).length)} KB compressed`;
+}
+
+/** A model as its file has it, in short: coordinates in the file's unit with six decimals, triangles, colours. */
+function baked(model) {
+	const { name, format } = model;
+	const [reader, ending] = format === "COLLADA" ? [ColladaModel, "dae"] : [ObjModel, "obj"];
+	const { vertices, triangles, source: { unit, offset } } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(here, `../assets/${name}.${ending}`))));
+	const middle = [offset.x, offset.y, offset.z];
+	const written = vertices.map((value, i) => Number((value * unit + middle[i % 3]).toFixed(6)));
+	const again = new Model(name, written, triangles).vertices;
+	if (vertices.some((value, i) => Math.abs(value - again[i]) > 1e-6)) throw new Error(`${name} needs more decimals`);
+	return { vertices: written, triangles, colours: coloursOf(model) };
 }
 
 /** The colours of a model's triangles, in the order that the engine has them in: how many of one, and that. */

@@ -54,7 +54,7 @@ function whom(block, world) {
 }
 
 export const STATEMENTS = {
-	starlogo_system: (block, world) => () => world.useSystem(block.fields.SYSTEM),
+	starlogo_system: (block, world) => () => world.isSystemFixed || world.useSystem(block.fields.SYSTEM),
 	starlogo_hierarchical: (block, world) => () => world.traits.setHierarchical(whom(block, world), block.fields.ON === "on"),
 	starlogo_depth: (block, world) => {
 		const depth = value(block, "DEPTH", world);

@@ -156,6 +156,11 @@ export class Editor {
 		Blockly.Events.fire(new (Blockly.Events.get(Blockly.Events.FINISHED_LOADING))(this.workspace));
 	}
 
+	/** Whether the user has changed anything since this program is shown. */
+	get canUndo() {
+		return this.workspace.getUndoStack().length > 0;
+	}
+
 	/** Takes back the user's last change. */
 	undo() {
 		this.workspace.undo(false);

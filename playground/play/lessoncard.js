@@ -38,14 +38,15 @@ export class LessonCard {
 			return;
 		}
 		const at = LESSON_NAMES.indexOf(name);
-		const { title, text, challenge } = words.list[name];
+		const { title, text, challenge, hint } = words.list[name];
 		const go = (to) => () => this.onOpen(LESSON_NAMES[to]);
 		this.sign = h("strong.done", { role: "status" }, this.isDone(name) ? words.done : "");
 		this.next = button(words.next, go(at + 1), { disabled: at === LESSON_NAMES.length - 1, class: this.isDone(name) ? "primary" : "" });
 		this.element.replaceChildren(h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
 			h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), h("h2", {}, title), h("p", {}, text),
 			h("p", {}, h("strong", {}, `${words.challenge} `), challenge),
-			h("div.steps", {}, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next, button(words.leave, () => this.onOpen(null)), this.sign)));
+			h("div.steps", {}, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next, button(words.leave, () => this.onOpen(null)), this.sign),
+			h("details.hint", {}, h("summary", {}, words.hint), h("p", {}, hint))));
 	}
 
 	/** A game begins anew. */

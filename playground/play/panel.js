@@ -1,12 +1,15 @@
 /** What a game has been through, beside its world: figures, who met whom, totals. */
-import { h, short } from "../shared/dom.js";
+import { button, h, short } from "../shared/dom.js";
 import { texts } from "../texts.js";
 import { FRAMES_A_SECOND } from "./world.js";
 
 const words = texts.play;
 const LISTED = 12;
 
-export const breedName = (breed) => texts.breeds[breed] ?? breed;
+const breedName = (breed) => texts.breeds[breed] ?? breed;
+
+/** What an agent is called: its breed, and its number in the game. */
+export const nameOf = ({ breed, number }) => `${breedName(breed)} ${number}`;
 
 export class Panel {
 	#ms = 0;
@@ -16,15 +19,23 @@ export class Panel {
 	/** What was touching in the frames since the figures were shown: the most counts. */
 	#most = { pairs: 0, tests: 0, collisions: 0 };
 	#shown = "";
+	#chosen = "";
+	#next = 0;
 
-	constructor(world) {
+	/**
+	 * @param {import("./world.js").World} world
+	 * @param {(agent: object) => void} onChoose called with an agent that is to be looked at
+	 */
+	constructor(world, onChoose) {
 		this.world = world;
+		this.onChoose = onChoose;
 		this.figures = Object.fromEntries(Object.keys(words.panel).map((name) => [name, h("dd", {}, "–")]));
 		this.list = h("ol.met", { "aria-label": words.events, tabindex: "0" });
+		this.cast = h("ul.cast");
 		this.totals = h("ul.totals", { "aria-label": words.totals });
 		this.element = h("div.panel", {},
 			h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text)))),
-			h("div.meetings", {}, h("h2", {}, words.events), this.totals, this.list));
+			h("div.meetings", {}, h("div", {}, h("h2", {}, words.cast), this.cast), h("div", {}, h("h2", {}, words.events), this.totals), this.list));
 	}
 
 	/** Takes a frame into account. */
@@ -41,11 +52,14 @@ export class Panel {
 		this.#frames++;
 		if (now > 0 && now - this.#since < 500) return;
 		const { agents, state } = this.world;
-		const values = { ms: short(this.#ms / this.#ticks), agents: agents.length, ...this.#most, meetings: state.meetings };
+		// of a game that stands still, the figures are those of what was last
+		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), ...this.#most } : {};
+		const values = { ...counted, agents: agents.length, meetings: state.meetings };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
 		this.figures.fps.textContent = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
 		this.forget(now);
 		this.#list();
+		this.#listCast();
 	}
 
 	forget(now = 0) {
@@ -54,13 +68,31 @@ export class Panel {
 		this.#most = { pairs: 0, tests: 0, collisions: 0 };
 	}
 
+	/** Who is there, by breeds: what they are called chooses one after the other. */
+	#listCast() {
+		const counts = new Map();
+		for (const { breed } of this.world.agents) counts.set(breed, (counts.get(breed) ?? 0) + 1);
+		const shown = [...this.cast.children].map(({ dataset }) => dataset.breed);
+		if ([...counts.keys()].join("\n") !== shown.join("\n")) {
+			this.cast.replaceChildren(...[...counts.keys()].map((breed) => h("li", { "data-breed": breed }, button("", () => this.#choose(breed), { title: words.castNote }))));
+		}
+		for (const { dataset, firstChild } of this.cast.children) firstChild.textContent = `${breedName(dataset.breed)} ${counts.get(dataset.breed)}`;
+	}
+
+	#choose(breed) {
+		const all = this.world.agents.filter((agent) => agent.breed === breed);
+		this.#next = this.#chosen === breed ? this.#next + 1 : 0;
+		this.#chosen = breed;
+		this.onChoose(all[this.#next % all.length]);
+	}
+
 	#list() {
 		const { events, totals, state } = this.world;
 		const shown = `${state.meetings} ${state.frame < (events[0]?.frame ?? 0)} ${events[0]?.frame}`;
 		if (shown === this.#shown) return;
 		this.#shown = shown;
 		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},
-			h("time", {}, `${(frame / FRAMES_A_SECOND).toFixed(1)} s`), ` ${words.met(`${breedName(names[0])} ${a.id}`, `${breedName(names[1])} ${b.id}`)}`))));
+			h("time", {}, `${(frame / FRAMES_A_SECOND).toFixed(1)} s`), ` ${words.met(nameOf({ breed: names[0], number: a.number }), nameOf({ breed: names[1], number: b.number }))}`))));
 		this.totals.replaceChildren(...[...totals].sort(([, a], [, b]) => b - a).slice(0, 8).map(([names, count]) => h("li", {}, `${names.split("\n").map(breedName).join(" × ")} `, h("b", {}, String(count)))));
 	}
 }

@@ -2,13 +2,15 @@
 import { button, h } from "../shared/dom.js";
 import { texts } from "../texts.js";
 import { EXAMPLES } from "./examples.js";
-import { openGallery } from "./gallery.js";
+import { MODEL_FILE } from "./kept.js";
 import { LessonCard } from "./lessoncard.js";
 import { LESSONS, LESSON_NAMES } from "./lessons.js";
+import { create, program as programOf, size, start } from "./notation.js";
 import { Shelf, fromLink, isProgram, toLink } from "./storage.js";
 
 const words = texts.play;
-export const MODEL_FILE = /\.(obj|dae|zae|glb|gltf|stl)$/i;
+/** What the gallery's names of models begin with. */
+const MODEL = "model ";
 
 /** The programs that the page brings, by their names; those of lessons begin as addresses do. */
 const BROUGHT = { ...EXAMPLES, ...Object.fromEntries(LESSON_NAMES.map((name) => [`lesson-${name}`, LESSONS[name].program])) };
@@ -49,13 +51,27 @@ export class Programs {
 		this.#openLast();
 	}
 
-	#openLast() {
-		const { last } = this.shelf;
-		const { all } = this.shelf;
-		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
+	/** The program that will be opened, as far as that is known. */
+	async first(link) {
 		try {
-			if (entry && isProgram(entry.program)) this.#show(entry.program, entry.id);
-			else this.#show(BROUGHT[last] ?? EXAMPLES.paintball, last in BROUGHT ? last : "paintball");
+			return link ? await fromLink(link) : this.#last().program;
+		} catch {
+			return EXAMPLES.paintball;
+		}
+	}
+
+	/** What was open last, or else the paintball game. */
+	#last() {
+		const { last, all } = this.shelf;
+		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
+		if (entry && isProgram(entry.program)) return { program: entry.program, name: entry.id };
+		return last in BROUGHT ? { program: BROUGHT[last], name: last } : { program: EXAMPLES.paintball, name: "paintball" };
+	}
+
+	#openLast() {
+		const { program, name } = this.#last();
+		try {
+			this.#show(program, name);
 		} catch {
 			// one of another version
 			this.#show(EXAMPLES.paintball, "paintball");
@@ -68,7 +84,7 @@ export class Programs {
 		this.view.editor.show(program, name in BROUGHT || name === "link");
 		this.#isShown = true;
 		this.#replaced = before;
-		this.undoButton.hidden = before === null;
+		this.#offerUndo();
 		this.#name = name;
 		this.#isTaken = false;
 		// what is made of a lesson's program is in the lesson
@@ -85,34 +101,46 @@ export class Programs {
 		if (!this.view.isBroken && this.view.world.agents.length > 0) this.view.say(words.opened(this.#title(this.#name)));
 	}
 
-	/** Takes back what replaced a program. */
+	/** Takes back the last change of blocks, or, where there was none, what replaced a program. */
 	undo() {
-		const { program, name } = this.#replaced;
-		this.#show(program, name);
-		this.#replaced = null;
-		this.undoButton.hidden = true;
+		const { editor } = this.view;
+		if (editor.canUndo) editor.undo();
+		else {
+			const { program, name } = this.#replaced;
+			this.#show(program, name);
+			this.#replaced = null;
+		}
+		this.#offerUndo();
+	}
+
+	#offerUndo() {
+		this.undoButton.hidden = this.#replaced === null && !this.view.editor.canUndo;
 	}
 
 	#title(name) {
 		return words.examples[name] ?? texts.lessons.list[lessonOf(name)]?.title ?? this.shelf.find(name)?.name ?? words.fromLink;
 	}
 
-	openGallery() {
+	async openGallery() {
 		if (this.view.isRunning) this.view.stop();
-		const own = this.shelf.all.map(({ id, name }) => ({ id, name }));
-		const programOf = (id) => this.shelf.find(id)?.program ?? BROUGHT[id];
+		const { openGallery } = await import("./gallery.js");
+		const { own } = this.view;
+		const modelOf = (id) => (id.startsWith(MODEL) ? id.slice(MODEL.length) : null);
+		const showing = (shape) => programOf(start(create(1, "turtles", shape, size(3))));
+		const find = (id) => (modelOf(id) === null ? this.shelf.find(id)?.program ?? BROUGHT[id] : showing(modelOf(id)));
 		openGallery([
-			{ title: texts.gallery.own, isOwn: true, entries: own },
+			{ title: texts.gallery.own, canRename: true, canRemove: true, entries: this.shelf.all.map(({ id, name }) => ({ id, name })) },
+			...(own.names.length > 0 ? [{ title: texts.gallery.models, canRemove: true, entries: own.names.map((name) => ({ id: MODEL + name, name })) }] : []),
 			{ title: words.brought, entries: Object.entries(words.examples).map(([id, name]) => ({ id, name })) },
 			{ title: texts.gallery.lessons, entries: LESSON_NAMES.map((name) => ({ id: `lesson-${name}`, name: texts.lessons.list[name].title, isDone: this.lessons.isDone(name) })) },
 		], {
-			picture: (id) => this.view.pictureOf(programOf(id)),
-			open: (id) => this.choose(id),
+			picture: (id) => this.view.pictureOf(find(id)),
+			open: (id) => (modelOf(id) === null ? this.choose(id) : this.#open(find(id), modelOf(id))),
 			rename: (id, name) => {
 				this.shelf.put({ id, name });
 				this.#listPrograms();
 			},
-			remove: (id) => this.#remove(id),
+			remove: (id) => (modelOf(id) === null ? this.#remove(id) : own.remove(modelOf(id))),
 		});
 		this.view.draw();
 	}
@@ -150,6 +178,7 @@ export class Programs {
 
 	/** What the user changes is the user's: an example, and what a link brought, becomes a program with a name of its own. */
 	changed(isDeletion) {
+		this.#offerUndo();
 		if (!this.shelf.find(this.#name) || this.#isTaken) {
 			const title = words.copyOf(this.#title(this.#name));
 			this.#name = this.#putNew(title, this.view.editor.program);
@@ -195,7 +224,7 @@ export class Programs {
 	/** Opens a program, or makes a model a shape that agents can have. */
 	async openFile(file) {
 		if (MODEL_FILE.test(file.name)) {
-			await this.view.addModel(file);
+			await this.view.own.add(file);
 			return;
 		}
 		if (!/\.json$/i.test(file.name)) {
@@ -205,16 +234,22 @@ export class Programs {
 		try {
 			const program = JSON.parse(await file.text());
 			if (!isProgram(program)) throw new Error("no program");
-			const before = this.#name;
-			this.#show(program, "link");
-			const replaced = this.#replaced;
-			this.#putNew(file.name.replace(/\.json$/i, ""), this.view.editor.program);
-			this.#replaced = replaced ?? { program: BROUGHT[before], name: before };
-			this.#sayOpened();
-			if (!this.shelf.isKept) this.view.say(words.notKept, true);
+			this.#open(program, file.name.replace(/\.json$/i, ""));
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}
+	}
+
+	/** Opens a program as one more of the user's; throws if it is none. */
+	#open(program, title) {
+		const before = this.#name;
+		this.#show(program, "link");
+		const replaced = this.#replaced;
+		this.#putNew(title, this.view.editor.program);
+		this.#replaced = replaced ?? { program: BROUGHT[before], name: before };
+		this.#offerUndo();
+		this.#sayOpened();
+		if (!this.shelf.isKept) this.view.say(words.notKept, true);
 	}
 
 	async share() {

@@ -3,7 +3,7 @@ import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
 import { button, h } from "../shared/dom.js";
 import { texts } from "../texts.js";
-import { breedName } from "./panel.js";
+import { nameOf } from "./panel.js";
 import { HALF_WIDTH } from "./world.js";
 
 const words = texts.play;
@@ -11,15 +11,18 @@ const STRUCTURES = { color: 0xc24a00 };
 const CHOSEN = { color: 0x1d4ed8 };
 /** What the engine sees: what touches nothing, what it finds rightly or wrongly, and what it misses. */
 const COLOURS = { none: 0x2f6fed, hit: 0xe02020, wrong: 0xff9d00, missed: 0x9b1fe8 };
+/** How stages look at the ground. */
+export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, isLand: true };
 /** How many frames a flash and a mark last. */
 const [FLASH, MARK] = [9, 45];
 const MOST_SAID = 40;
 
 export class Scene {
 	camera = "all";
-	areAllShown = false;
 	isSeen = false;
 	chosen = null;
+	/** Who touches in this game and not in the one beside it ("wrong"), or there and not here ("missed"). */
+	differing = new Map();
 	#said = new Map();
 	#levels = new Map();
 	#heights = new Map();
@@ -34,11 +37,12 @@ export class Scene {
 		Object.assign(this, { stage, world, models });
 		this.goal = h("p.goal", { hidden: true });
 		this.score = h("p.score", { hidden: true, "aria-live": "polite" });
+		this.caption = h("p.caption", { hidden: true });
 		this.end = h("div.end", { role: "alert", hidden: true });
 		this.legend = h("ul.legend.sees", { hidden: true }, ...["none", "hit", "wrong", "missed"].map((name) => h(`li.${name}`, {}, words.seesNote[name])));
 		this.bubbles = h("div.bubbles");
 		this.facts = h("div.inspector", { hidden: true, role: "region", "aria-label": words.inspector });
-		screen.append(this.goal, this.score, this.bubbles, this.legend, this.facts, this.end);
+		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, this.score), this.facts), this.legend, this.end);
 		stage.onDrawn = () => this.#placeBubbles();
 	}
 
@@ -49,9 +53,14 @@ export class Scene {
 
 	/** Sees the agents of a new program, or all of the ground if they are all over it. */
 	seeAll() {
+		this.stage.showAll(this.#partOf(this.world.agents));
+	}
+
+	/** The least and the largest x, y and z of agents; null if they are all over the ground. */
+	#partOf(agents) {
 		const low = [Infinity, Infinity, 0];
 		const high = [-Infinity, -Infinity, 0];
-		for (const agent of this.world.agents) {
+		for (const agent of agents) {
 			[agent.x, agent.y].forEach((at, i) => {
 				low[i] = Math.min(low[i], at - agent.size / 2);
 				high[i] = Math.max(high[i], at + agent.size / 2);
@@ -59,22 +68,21 @@ export class Scene {
 			high[2] = Math.max(high[2], agent.z + this.#height(agent));
 		}
 		const width = Math.max(high[0] - low[0], high[1] - low[1]);
-		this.stage.showAll(width > 0 && width < 1.5 * HALF_WIDTH ? [...low, ...high] : null);
+		return width > 0 && width < 1.5 * HALF_WIDTH ? [...low, ...high] : null;
 	}
 
-	/** Draws the game as it is. */
+	/** Draws the game as it is; `again` begins another one, null if that is not for this scene. */
 	draw(again) {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
 		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
-		if (this.areAllShown) for (const agent of world.agents) world.structures.linesOf(agent, lines);
-		else world.structures.lines(lines);
+		world.structures.lines(lines);
 		stage.wireframe("structures", STRUCTURES).showLines(lines);
 		stage.wireframe("chosen", CHOSEN).showLines(this.chosen ? world.structures.linesOf(this.chosen) : []);
-		const verdicts = this.isSeen ? this.#verdicts() : null;
-		const solids = verdicts ? world.agents.map((agent) => ({ ...this.#structuresOf(agent), color: COLOURS[verdicts.get(agent) ?? "none"] })) : [];
+		const verdicts = this.isSeen ? this.#verdicts() : this.differing;
+		const solids = (this.isSeen ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: COLOURS[verdicts.get(agent) ?? "none"] }));
 		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: 0xffd21f })), solids);
 		const main = this.chosen ?? world.agents[0];
 		if (this.camera !== "all" && main) stage.follow(main, this.#height(main), this.camera === "eyes");
@@ -88,7 +96,7 @@ export class Scene {
 		this.stage.showAgents(agents, this.models);
 		this.stage.showMarks([], []);
 		this.stage.clearLines("structures", "chosen");
-		return this.stage.picture(width, height);
+		return this.stage.picture(width, height, this.#partOf(agents));
 	}
 
 	#height(agent) {
@@ -106,8 +114,8 @@ export class Scene {
 		this.legend.hidden = !this.isSeen;
 		if (this.end.hidden === Boolean(ended)) {
 			this.end.hidden = !ended;
-			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.after(seconds.toFixed(1))}`), button(words.again, again, { class: "primary" })] : []));
-			if (ended) this.end.querySelector("button").focus({ preventScroll: true });
+			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(seconds.toFixed(1))}`), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
+			if (ended) this.end.querySelector("button")?.focus({ preventScroll: true });
 		}
 	}
 
@@ -171,10 +179,10 @@ export class Scene {
 		const { chosen, world } = this;
 		this.facts.hidden = !chosen;
 		if (!chosen) return;
-		const touched = world.senses.queries.touching(chosen).map(({ breed, id }) => `${breedName(breed)} ${id}`);
+		const touched = world.senses.queries.touching(chosen).map(nameOf);
 		const values = { x: chosen.x, y: chosen.y, z: chosen.z, heading: chosen.heading, size: chosen.size };
 		this.facts.replaceChildren(
-			h("strong", {}, `${breedName(chosen.breed)} ${chosen.id}`),
+			h("strong", {}, nameOf(chosen)),
 			h("span", {}, `${words.inspected.shape(texts.shapes[chosen.shape] ?? chosen.shape)}, ${words.inspected.as(texts.systems[world.collisions.systemName])}`),
 			h("span", {}, Object.entries(values).map(([name, value]) => `${name} ${Number(value.toFixed(2))}`).join("  ")),
 			h("span", {}, touched.length > 0 ? words.inspected.touching(touched.join(", ")) : words.inspected.alone),

@@ -1,22 +1,19 @@
 /** Play: a program of blocks beside the world that it moves. */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
 import { button, choice, field, fileButton, h, slider, tick } from "../shared/dom.js";
-import { loadModel, parseModel } from "../shared/models.js";
+import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
 import { texts } from "../texts.js";
-import { meet } from "./blocks.js";
-import { Editor } from "./editor.js";
+import { Keys } from "./keys.js";
+import { Models } from "./kept.js";
 import { Panel } from "./panel.js";
-import { keysOf } from "./program.js";
-import { Scene } from "./scene.js";
-import { MODEL_FILE, Programs } from "./programs.js";
+import { STAGE, Scene } from "./scene.js";
+import { Programs } from "./programs.js";
 import { download } from "./storage.js";
-import { FRAMES_A_SECOND, HALF_WIDTH, World } from "./world.js";
+import { FRAMES_A_SECOND, World } from "./world.js";
 
 const words = texts.play;
-const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
-const SIGNS = { up: "▲", down: "▼", left: "◀", right: "▶", space: "●" };
 /** How many frames may be made up for between two pictures. */
 const MOST_AT_ONCE = 8;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -27,6 +24,10 @@ export async function createView(main, link) {
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
 	const view = new PlayView(main, models, new World(greatLand));
+	await view.own.takeKept();
+	view.preview(await view.programs.first(link));
+	const { Editor } = await import("./editor.js");
+	view.edit(Editor);
 	await view.open(link);
 	return view;
 }
@@ -39,17 +40,24 @@ class PlayView {
 	#speed = 1;
 	isBroken = false;
 	#begun = "";
+	/** The game beside this one, or null; and the one that was asked for last. */
+	#beside = null;
+	#asked = "";
 
 	constructor(main, models, world) {
 		this.models = models;
 		this.world = world;
 		this.programs = new Programs(this);
-		this.panel = new Panel(world);
+		this.keys = new Keys(world);
+		this.own = new Models(this);
+		this.panel = new Panel(world, (agent) => this.#choose(agent));
 		this.#build(main);
-		this.editor = new Editor(this.blocksHost, (isDeletion) => this.programs.changed(isDeletion));
-		this.stage = new Stage(this.worldHost, { label: words.world, eye: [-4, -19, 8.5], target: [0, -1, 0], ground: 2 * HALF_WIDTH, isLand: true });
+		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
-		this.#listen();
+		this.keys.listen(this.stage, (agent) => {
+			world.click(agent);
+			this.#choose(agent);
+		});
 		world.onSystem = (name) => {
 			this.system.value = name;
 		};
@@ -58,28 +66,33 @@ class PlayView {
 
 	#build(main) {
 		this.main = main;
-		this.runButton = button(words.run, () => (this.isRunning ? this.stop() : this.run()), { class: "primary" });
+		this.runLabel = h("span", {}, words.run);
+		this.runButton = button(h("span.icon"), () => (this.isRunning ? this.stop() : this.run()), { class: "primary run" });
+		this.runButton.append(this.runLabel);
 		this.status = h("p.status", { role: "status" }, words.ready);
-		this.system = choice(CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]), CollisionBlocks.TIGHTEST_FITS, (name) => {
+		const systems = CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]);
+		this.system = choice(systems, CollisionBlocks.TIGHTEST_FITS, (name) => {
 			this.world.useSystem(name);
 			// a game that stands still is as the new one sees it
 			if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
 				this.world.collide();
+				this.#beside?.compare();
 				this.#take();
 			});
 			this.draw();
 			this.#playOn();
 		});
-		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocks });
+		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocksKeys });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
-		this.pad = h("div.pad");
-		this.keys = h("p.keys");
 		this.speed = slider(words.speed, { min: 0, max: SPEEDS.length - 1, step: 1, value: SPEEDS.indexOf(1), format: (i) => words.speeds(SPEEDS[i]) }, (i) => {
 			this.#speed = SPEEDS[i];
 			this.#playOn();
 		});
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack((-at / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (at) => this.#goBack(-at));
-		this.screen = h("div.screen", {}, this.worldHost, this.keys, this.pad);
+		this.screen = h("div.screen", {}, this.worldHost, this.keys.legend, this.keys.pad);
+		this.screens = h("div.screens", {}, this.screen);
+		this.theatre = h("div.theatre", {}, this.screens);
+		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
 		const camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
 			if (name === "all") this.stage.showAll();
@@ -89,10 +102,17 @@ class PlayView {
 		// of a small window's two parts, one is in sight
 		this.tabs = Object.entries(words.tabs).map(([name, text]) => button(text, () => this.#turnTo(name), { "data-tab": name }));
 		this.#turnTo("game");
+		this.controls = h("div.controls.game", { role: "group", "aria-label": words.run },
+			this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status);
+		// of the whole screen, Run is a part
+		this.theatre.addEventListener("fullscreenchange", () => {
+			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
+			else this.programs.lessons.element.after(this.controls);
+			this.#playOn();
+		});
 		main.replaceChildren(
 			this.programs.lessons.element,
-			h("div.controls.game", { role: "group", "aria-label": words.run },
-				this.runButton, button(words.step, () => this.#step()), button(words.reset, () => this.reset()), h("div.tabs", { role: "group" }, ...this.tabs), this.status),
+			this.controls,
 			h("section.program", { "aria-label": words.blocks },
 				h("div.tools", {}, field(words.program, this.programs.menu), button(texts.gallery.open, () => this.programs.openGallery()),
 					button(words.save, () => download(this.editor.program, words.fileName)),
@@ -100,18 +120,14 @@ class PlayView {
 					button(words.share, () => this.programs.share()), this.programs.undoButton),
 				this.blocksHost),
 			h("section.game", { "aria-label": words.world },
-				h("div.tools", {}, field(words.system, this.system), field(words.camera, camera),
-					tick(words.structures, false, (on) => {
-						this.scene.areAllShown = on;
-						this.draw();
-					}),
+				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, camera),
 					tick(words.sees, false, (on) => {
 						this.scene.isSeen = on;
 						this.draw();
 					})),
-				this.screen,
+				this.theatre,
 				h("div.time", {}, this.speed.element, this.rewind.element,
-					button(h("span.icon"), () => this.screen.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
+					button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
 				this.panel.element));
 	}
 
@@ -120,66 +136,42 @@ class PlayView {
 		for (const each of this.tabs) each.setAttribute("aria-pressed", each.dataset.tab === tab);
 	}
 
-	/** Shows the keys that a program has scripts for. */
-	#showKeys(program) {
-		const keys = [...keysOf(program)];
-		this.keys.hidden = keys.length === 0;
-		this.keys.replaceChildren(...keys.flatMap(([key, does]) => [h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), ` ${does} `]));
-		this.pad.replaceChildren(...keys.filter(([key]) => key in SIGNS).map(([key, does]) => this.#padKey(key, words.keyName(does))));
-	}
-
-	#padKey(key, text) {
-		const pad = button(SIGNS[key], () => {}, { class: `key ${key}`, "aria-label": text });
-		const release = () => this.world.release(key);
-		pad.addEventListener("pointerdown", (event) => {
-			pad.setPointerCapture(event.pointerId);
-			this.world.press(key);
-		});
-		pad.addEventListener("pointerup", release);
-		pad.addEventListener("pointercancel", release);
-		pad.addEventListener("keydown", (event) => {
-			if (event.key === "Enter" || event.key === " ") this.world.press(key);
-		});
-		pad.addEventListener("keyup", release);
-		pad.addEventListener("blur", release);
-		return pad;
-	}
-
-	#listen() {
-		const { world, worldHost } = this;
-		worldHost.addEventListener("keydown", (event) => {
-			if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
-			if (!event.repeat) world.press(KEYS[event.key]);
-			event.preventDefault();
-		});
-		worldHost.addEventListener("keyup", (event) => world.release(KEYS[event.key]));
-		worldHost.addEventListener("blur", () => world.releaseAll());
-		const point = (event) => {
-			const at = this.stage.renderer && this.stage.pointAt(event, 0);
-			if (at) Object.assign(world.mouse, { x: at.x, y: at.y });
-		};
-		let down = null;
-		worldHost.addEventListener("pointermove", point);
-		worldHost.addEventListener("pointerdown", (event) => {
-			down = event;
-			world.mouse.isDown = true;
-			point(event);
-		});
-		const up = (event) => {
-			world.mouse.isDown = false;
-			// a click, not a turn of the world
-			if (down && event.type === "pointerup" && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < 6) this.#click(this.stage.agentAt(event));
-			down = null;
-		};
-		worldHost.addEventListener("pointerup", up);
-		worldHost.addEventListener("pointercancel", up);
-	}
-
-	#click(agent) {
-		if (!agent) return;
-		this.world.click(agent);
+	#choose(agent) {
 		this.scene.chosen = agent;
 		this.draw();
+	}
+
+	/** Shows how a program's game begins, before its blocks have come. */
+	preview(program) {
+		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = true;
+		this.say(texts.loading);
+		try {
+			this.keys.show(program);
+			this.world.begin(program);
+			this.scene.seeAll();
+		} catch {
+			// which is said when they are there
+		}
+		this.draw();
+	}
+
+	/** Takes the editor, which the page loads last. */
+	edit(Editor) {
+		this.editor = new Editor(this.blocksHost, (isDeletion) => this.programs.changed(isDeletion));
+		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = false;
+	}
+
+	/** Plays the same game under another system as well, from the start and with the same keys; alone for "". */
+	async putBeside(name) {
+		this.#asked = name;
+		const { Beside } = name === "" ? {} : await import("./beside.js");
+		if (this.#asked !== name) return;
+		const { isRunning } = this;
+		this.#beside?.close();
+		this.#beside = name === "" ? null : new Beside(this, name);
+		this.screens.classList.toggle("two", name !== "");
+		this.reset();
+		if (isRunning) this.run();
 	}
 
 	/** Gives the keys back to the game after a choice beside it. */
@@ -215,20 +207,6 @@ class PlayView {
 		this.status.append(" ", button(action, onclick));
 	}
 
-	async addModel(file) {
-		let name = file.name.replace(MODEL_FILE, "");
-		for (let number = 2; this.models.has(name); number++) name = words.another(file.name.replace(MODEL_FILE, ""), number);
-		try {
-			const model = await parseModel(name, new Uint8Array(await file.arrayBuffer()));
-			this.world.greatLand.addModel(model);
-			this.models.set(name, model);
-			meet("SHAPE", name);
-			this.say(words.newShape(name));
-		} catch (error) {
-			this.say(words.brokenModel(error.message), true);
-		}
-	}
-
 	/** The program's beginning. */
 	reset() {
 		this.#halt();
@@ -237,8 +215,11 @@ class PlayView {
 		this.say(words.ready);
 		const { program } = this.editor;
 		this.#begun = meaning(program);
-		this.#showKeys(program);
-		this.#attempt(() => this.world.begin(program));
+		this.keys.show(program);
+		this.#attempt(() => {
+			this.#beside?.begin(program);
+			this.world.begin(program);
+		});
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
 		this.panel.forget();
 		this.scene.begin();
@@ -252,13 +233,18 @@ class PlayView {
 		if (this.isBroken) return;
 		this.isRunning = true;
 		this.#turnTo("game");
-		this.runButton.textContent = words.stop;
+		this.#showRun(words.stop);
 		this.say(words.running);
 		this.worldHost.focus({ preventScroll: true });
 		this.#last = performance.now();
 		this.#owed = 0;
 		this.panel.forget(this.#last);
 		this.#request = requestAnimationFrame((now) => this.#frame(now));
+	}
+
+	/** The game, and the one beside it if there is one: each with its world, stage and scene. */
+	get games() {
+		return this.#beside ? [this, this.#beside] : [this];
 	}
 
 	get isStale() {
@@ -271,10 +257,15 @@ class PlayView {
 		this.draw();
 	}
 
+	#showRun(text) {
+		this.runLabel.textContent = text;
+		this.runButton.classList.toggle("running", this.isRunning);
+	}
+
 	#halt() {
 		this.isRunning = false;
 		cancelAnimationFrame(this.#request);
-		this.runButton.textContent = words.run;
+		this.#showRun(words.run);
 		this.world.releaseAll();
 	}
 
@@ -288,7 +279,11 @@ class PlayView {
 	}
 
 	#tick() {
-		this.#attempt(() => this.world.step());
+		this.#attempt(() => {
+			this.#beside?.step();
+			this.world.step();
+			this.#beside?.compare();
+		});
 		this.#take();
 		if (this.world.ended) this.#end();
 	}
@@ -309,6 +304,7 @@ class PlayView {
 		if (this.isRunning) this.stop();
 		this.isBroken = false;
 		this.world.history.show(back);
+		this.#beside?.goTo(this.world.frame);
 		this.say(words.frame(this.world.frame));
 		this.draw();
 	}
@@ -348,6 +344,7 @@ class PlayView {
 			this.reset();
 			this.run();
 		});
+		this.#beside?.draw();
 		this.panel.show(this.isRunning ? now : 0);
 		this.rewind.input.min = -world.history.length;
 		this.rewind.set(-world.history.back);
@@ -355,8 +352,10 @@ class PlayView {
 
 	close() {
 		this.#halt();
+		this.#asked = null;
+		this.#beside?.close();
 		this.programs.close();
-		this.editor.close();
+		this.editor?.close();
 		this.stage.close();
 	}
 }

@@ -1,8 +1,8 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
-import { Agent, AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
-import { OWN_COLOURS } from "../shared/colours.js";
+import { AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
 import { texts } from "../texts.js";
 import { ProgramError, breedOf } from "./actions.js";
+import { Being } from "./being.js";
 import { History } from "./history.js";
 import { Rounds, Thread, compile } from "./program.js";
 
@@ -15,20 +15,6 @@ const MOST_EVENTS = 60;
 /** How long what an agent says stays. */
 const SECONDS_SAID = 2;
 
-/** An agent of a game, with what blocks ask about it. */
-export class Being extends Agent {
-	born = 0;
-	/** Where it was when the frame began: x, y, z, heading. */
-	before = [0, 0, 0, 0];
-	isAlive = true;
-	/** What it says, and until when. */
-	said = { text: "", until: 0 };
-	/** The frame in which it last touched another one, and that in which such a touch began. */
-	touched = -1;
-	hit = -1000;
-	color = OWN_COLOURS;
-}
-
 export class World {
 	rounds = new Rounds();
 	agents = [];
@@ -38,6 +24,10 @@ export class World {
 	mouse = { x: 0, y: 0, isDown: false };
 	/** What the last frame's collision detection took, in milliseconds. */
 	collisionMs = 0;
+	/** Whether who touches is listed in state.pairs, in each frame anew: by the numbers of both. */
+	isWatched = false;
+	/** Whether blocks leave the collision system as it is. */
+	isSystemFixed = false;
 	#pressed = new Set();
 	#clicked = null;
 	#scripts = [];
@@ -61,7 +51,7 @@ export class World {
 
 	#forget() {
 		/** What History keeps of a frame, beside the agents. */
-		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ended: null, totals: new Map(), events: [], meetings: 0 };
+		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ended: null, totals: new Map(), events: [], meetings: 0, made: 0, pairs: new Map() };
 		this.agents.length = 0;
 		this.#pressed.clear();
 		this.#clicked = null;
@@ -80,6 +70,7 @@ export class World {
 		// all that touch, whoever has scripts
 		this.collisions.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, (a, b) => {
 			a.touched = b.touched = this.frame;
+			if (this.isWatched && a.number < b.number) this.state.pairs.set(`${a.number} ${b.number}`, [a, b]);
 		});
 		this.collisions.whenTouchingStarts(Collision.ANY_BREED, Collision.ANY_BREED, (a, b, { point }) => {
 			if (a.id < b.id) this.#meet(a, b, point);
@@ -142,6 +133,7 @@ export class World {
 
 	/** The end of a frame: who touches whom. */
 	collide() {
+		if (this.isWatched) this.state.pairs = new Map();
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = performance.now() - start;
@@ -179,6 +171,18 @@ export class World {
 		this.#clicked = agent;
 	}
 
+	/** Takes the keys and the mouse of another game, which has not made its next step yet. */
+	hear(other) {
+		this.held = other.held;
+		this.mouse = other.mouse;
+		this.#pressed = new Set(other.#pressed);
+		this.#clicked = other.#clicked && this.#numbered(other.#clicked.number);
+	}
+
+	#numbered(number) {
+		return this.agents.find((agent) => agent.number === number) ?? null;
+	}
+
 	/** Uses a system, by a block or by the user, who is told of blocks'. */
 	useSystem(name) {
 		if (this.collisions.systemName === name) return;
@@ -192,6 +196,7 @@ export class World {
 		if (!this.greatLand.hasModel(shape)) throw new ProgramError(texts.play.noModel(shape));
 		const agent = new Being(shape, breed);
 		agent.born = this.frame;
+		agent.number = ++this.state.made;
 		if (parent) {
 			agent.jumpTo(parent.x, parent.y, parent.z);
 			agent.heading = parent.heading;

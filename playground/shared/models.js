@@ -1,10 +1,8 @@
 /** The models of the game: the twelve of the thesis's table, and the two that only the playground has. */
-import { BuiltInModel, ErrorEvent, Model, ModelEvent, ModelLoader } from "starlogo-collision";
+import { BuiltInModel, Model } from "starlogo-collision";
 import { turtle, wall } from "./made.js";
 
-const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder() };
-const FILES = { bear: "bear.obj", dragon: "dragon.dae", seagull: "seagull.dae", tree: "tree.obj", kelp: "kelp.obj", fortress: "fortress.obj", spaceship: "spaceship.obj", fireman: "fireman.dae", person: "person.dae" };
-const MADE = { turtle, wall };
+const BUILT_IN = { sphere: () => BuiltInModel.sphere(), cube: () => BuiltInModel.cube(), cylinder: () => BuiltInModel.cylinder(), turtle, wall };
 
 const loaded = new Map();
 
@@ -14,27 +12,19 @@ const loaded = new Map();
  */
 export function loadModel(name) {
 	if (!loaded.has(name)) {
-		const model = read(name).then(async (each) => Object.assign(each, { colours: MADE[name]?.colours ?? (await colours())[name] }));
+		const model = read(name);
 		loaded.set(name, model);
 		model.catch(() => loaded.delete(name));
 	}
 	return loaded.get(name);
 }
 
-async function colours() {
-	if (!loaded.has(colours)) loaded.set(colours, fetch("models/colours.json").then((response) => (response.ok ? response.json() : {})));
-	return loaded.get(colours);
-}
-
 async function read(name) {
 	if (name in BUILT_IN) return BUILT_IN[name]();
-	if (name in MADE) {
-		const { vertices, triangles } = MADE[name]();
-		return new Model(name, vertices, triangles);
-	}
-	const response = await fetch(`models/${FILES[name]}`);
-	if (!response.ok) throw new Error(`${FILES[name]}: ${response.status}`);
-	return parseModel(name, new Uint8Array(await response.arrayBuffer()));
+	const response = await fetch(`models/${name}.json`);
+	if (!response.ok) throw new Error(`${name}.json: ${response.status}`);
+	const { vertices, triangles, colours } = await response.json();
+	return Object.assign(new Model(name, vertices, triangles), { colours });
 }
 
 /**
@@ -43,11 +33,8 @@ async function read(name) {
  * @param {string} name what the model is called
  * @param {Uint8Array} bytes the file's content
  */
-export function parseModel(name, bytes) {
-	return new Promise((resolve, reject) => {
-		const loader = new ModelLoader({ expect() {}, expectNoMore() {}, receive: () => null });
-		loader.addEventListener(ModelEvent.LOADED, ({ model }) => resolve(model));
-		loader.addEventListener(ErrorEvent.ERROR, ({ text }) => reject(new Error(text)));
-		loader.loadBytes(name, bytes);
-	});
+export async function parseModel(name, bytes) {
+	const { surfaceIn } = await import("./formats.js");
+	const { vertices, triangles } = await surfaceIn(name, bytes);
+	return new Model(name, vertices, triangles, Model.AS_GIVEN);
 }

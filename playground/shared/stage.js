@@ -3,6 +3,7 @@ import { AmbientLight, Color, DirectionalLight, GridHelper, Group, Matrix4, Pers
 import { ThreeWireframe } from "starlogo-collision/three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { h, isDark, onThemeChange } from "./dom.js";
+import { fit, look } from "./fit.js";
 import { Land } from "./land.js";
 import { Marks } from "./marks.js";
 import { LANDS } from "./colours.js";
@@ -115,13 +116,17 @@ export class Stage {
 	#fit() {
 		const { clientWidth: width, clientHeight: height } = this.host;
 		if (width === 0 || height === 0) return;
-		this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+		this.#resize(width, height);
+		if (this.land && !this.#isTouched) this.showAll();
+		this.draw();
+	}
+
+	#resize(width, height, ratio = Math.min(devicePixelRatio, 2)) {
+		this.renderer.setPixelRatio(ratio);
 		this.renderer.setSize(width, height);
 		this.camera.aspect = width / height;
 		this.camera.fov = this.land || width < height ? 55 : 40;
 		this.camera.updateProjectionMatrix();
-		if (this.land && !this.#isTouched) this.showAll();
-		this.draw();
 	}
 
 	/** Draws once, with the next frame of the browser. */
@@ -147,30 +152,24 @@ export class Stage {
 		if (!this.renderer) return;
 		this.#isTouched = false;
 		this.home.part = part;
-		const half = this.ground / 2;
-		const [x, y, z, endX, endY, endZ] = part ?? [-half, -half, 0, half, half, 1.5];
-		const target = part ? new Vector3((x + endX) / 2, (y + endY) / 2, (z + endZ) / 2) : this.home.target;
-		// into a window that is high rather than wide, and on what is flat, more from above
-		const isSteep = this.camera.aspect < 1 || (part !== null && 2 * (endZ - z) < endX - x);
-		const from = this.home.from.clone().multiply(new Vector3(1, 1, isSteep ? 2.2 : 1));
+		const border = this.ground / 2;
+		const [x, y, z, endX, endY, endZ] = part ?? [-border, -border, 0, border, border, 1.5];
+		const target = part ? new Vector3((x + endX) / 2, (y + endY) / 2, (z + endZ) / 2) : this.home.target.clone();
+		// the less wide the window is, and on what is flat, the more from above
+		const isFlat = part !== null && 2 * (endZ - z) < endX - x;
+		const steepness = isFlat ? 1 : Math.min(1, Math.max(0, (1.3 - this.camera.aspect) / 0.4));
+		const from = this.home.from.clone().multiply(new Vector3(1, 1, 1 + 1.2 * steepness));
 		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
 		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
-		this.controls.target.copy(target);
-		let [near, far] = [2, this.controls.maxDistance];
-		for (let i = 0; i < 16; i++) {
-			const distance = (near + far) / 2;
-			this.camera.position.copy(from.setLength(distance)).add(target);
-			this.camera.lookAt(target);
-			this.camera.updateMatrixWorld();
-			const isSeen = corners.every((corner) => {
-				const { x, y } = this.#seen(corner);
-				return Math.abs(x) < 0.98 && Math.abs(y) < 0.96;
-			});
-			if (isSeen) far = distance;
-			else near = distance;
-		}
+		const distance = fit(this.camera, from, target, corners, this.controls.maxDistance);
+		this.#lookFrom(from.setLength(distance), target);
 		this.controls.update();
 		this.redraw();
+	}
+
+	#lookFrom(offset, target) {
+		this.controls.target.copy(target);
+		look(this.camera, offset, target);
 	}
 
 	#seen(place) {
@@ -201,6 +200,16 @@ export class Stage {
 			target.copy(at).addScaledVector(ahead, back).setZ(agent.z + 0.35 * height);
 		}
 		this.camera.lookAt(target);
+		this.redraw();
+	}
+
+	/** Looks from where another stage does. */
+	lookAs({ camera, controls }) {
+		if (!this.renderer || !camera) return;
+		this.#isTouched = true;
+		this.controls.target.copy(controls.target);
+		this.camera.position.copy(camera.position);
+		this.camera.quaternion.copy(camera.quaternion);
 		this.redraw();
 	}
 
@@ -293,14 +302,20 @@ export class Stage {
 		return caster;
 	}
 
-	/** A small picture of what is seen, as an address; null where nothing is drawn. */
-	picture(width, height) {
+	/** A small picture of a part of the ground, or of all of it, as an address; null where nothing is drawn. The view stays as it is. */
+	picture(width, height, part) {
 		if (!this.renderer) return null;
+		const { camera, controls, home, renderer } = this;
+		const [position, target, isTouched, shown] = [camera.position.clone(), controls.target.clone(), this.#isTouched, home.part];
+		this.#resize(width, height, 1);
+		this.showAll(part);
 		this.draw();
 		const canvas = h("canvas", { width, height });
-		const { width: wide, height: high } = this.canvas;
-		const part = Math.min(wide / width, high / height);
-		canvas.getContext("2d").drawImage(this.canvas, (wide - part * width) / 2, (high - part * height) / 2, part * width, part * height, 0, 0, width, height);
+		canvas.getContext("2d").drawImage(renderer.domElement, 0, 0);
+		this.#isTouched = isTouched;
+		home.part = shown;
+		this.#resize(this.host.clientWidth, this.host.clientHeight);
+		this.#lookFrom(position.sub(target), target);
 		return canvas.toDataURL("image/jpeg", 0.75);
 	}
 

@@ -14,6 +14,8 @@ after(() => site.close());
 const agents = (page, breed) => page.evaluate((which) => globalThis.playground.world.agents.filter((agent) => agent.breed === which)
 	.map(({ x, y, z, heading, color, size }) => ({ x, y, z, heading, color, size })), breed);
 const say = (page) => page.textContent('.game .status');
+/** Waits until Play says what matches. */
+const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.game .status').textContent), source);
 const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 
 /** Takes steps of one frame each. */
@@ -107,7 +109,8 @@ test('a program does what its blocks say', async () => {
 	assert.equal((await agents(page, 'dogs')).length, 1);
 	assert.equal(await page.textContent('.bubble'), 'Hello!');
 	await page.getByRole('button', { name: 'Full screen' }).click();
-	await page.waitForFunction(() => document.fullscreenElement?.className === 'screen');
+	await page.waitForFunction(() => document.fullscreenElement?.className === 'theatre');
+	await page.locator('.theatre .controls').waitFor();
 	await page.evaluate(() => document.exitFullscreen());
 	// ten times slower
 	await page.getByLabel('Speed').fill('0');
@@ -131,6 +134,13 @@ test('a block that is changed in the editor changes what happens', async () => {
 	await page.waitForTimeout(300);
 	await step(page, 2);
 	assert.equal((await agents(page, 'turtles'))[0].x, 4);
+	// what was typed is taken back, and then the program that came before
+	await page.locator('.program').getByRole('button', { name: 'Undo' }).click();
+	await settle(page);
+	await step(page, 2);
+	assert.equal((await agents(page, 'turtles'))[0].x, 1);
+	await page.locator('.program').getByRole('button', { name: 'Undo' }).click();
+	assert.equal((await agents(page, 'turtles')).length, 10);
 	assert.deepEqual(said, []);
 	await context.close();
 });
@@ -477,10 +487,10 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	await drop('mine.json', program(start(create('walls', 'wall'))));
 	assert.deepEqual(await own(page), ['mine']);
 	await drop('picture.png', 'x');
-	assert.match(await say(page), /^picture\.png is neither a program/);
+	await told(page, /^picture\.png is neither a program/);
 	// a model of one's own is a shape
 	await drop('cone.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
-	assert.match(await say(page), /^Agents can have the shape “cone” now/);
+	await told(page, /^Agents can have the shape “cone” now/);
 	assert.equal(await page.evaluate(() => {
 		const [made] = globalThis.playground.editor.workspace.getBlocksByType('starlogo_create');
 		// as when its menu opens
@@ -490,13 +500,16 @@ test('refused storage, another tab, and dropped files are said in words', async 
 	}), 'cone');
 	await press(page, 'Step');
 	assert.equal(await page.evaluate(() => globalThis.playground.world.agents[0].shape), 'cone');
+	// the same file again is the same model
+	await drop('again.obj', 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n');
+	await told(page, /“cone” now.*This browser keeps it/);
 	await drop('broken.obj', 'v 1 2 x\n');
-	assert.match(await say(page), /^This model cannot be read: model "broken", line 1/);
+	await told(page, /^This model cannot be read: model "broken", line 1/);
 	const other = await context.newPage();
 	await other.goto(`${site.url}#play`);
 	await ready(other, 'play');
-	// there it has no such model, and says so
-	assert.match(await say(other), /there is no model “cone” here/);
+	// the browser has the model for every page, until it is to forget it
+	assert.equal(await other.evaluate(() => globalThis.playground.world.agents[0].shape), 'cone');
 	await other.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
 	await page.waitForFunction(() => /^“mine” was changed in another tab/.test(document.querySelector('.game .status').textContent));
 	await page.bringToFront();
@@ -511,7 +524,25 @@ test('refused storage, another tab, and dropped files are said in words', async 
 		globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('turtles', 'BREED');
 	});
 	await page.waitForSelector('.game .status.problem');
-	assert.match(await say(page), /^This browser keeps no programs/);
+	await told(page, /^This browser keeps no programs/);
+	await page.evaluate(() => {
+		IDBObjectStore.prototype.put = () => {
+			throw new DOMException('full', 'QuotaExceededError');
+		};
+	});
+	await drop('cone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\n');
+	await told(page, /^Agents can have the shape “cone 2” now, as long as this page is open: this browser keeps no models/);
+	// what is kept can be looked at, and forgotten
+	await press(page, 'Gallery');
+	const cards = page.locator('.gallery ul').nth(1);
+	await cards.getByRole('button', { name: 'cone', exact: true }).click();
+	await page.waitForFunction(() => globalThis.playground.world.agents[0]?.shape === 'cone');
+	await press(page, 'Gallery');
+	await cards.getByRole('button', { name: 'Delete cone', exact: true }).click();
+	await page.waitForFunction(() => /forgets the model “cone”/.test(document.querySelector('.game .status').textContent));
+	await page.reload();
+	await ready(page, 'play');
+	assert.deepEqual(await page.evaluate(() => [globalThis.playground.own.names, globalThis.playground.models.has('cone')]), [[], false]);
 	assert.deepEqual(said, []);
 	await context.close();
 });
@@ -539,10 +570,15 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 		const bear = world.agents.find(({ breed }) => breed === 'bears');
 		const { x, y } = stage.pixelOf(bear.x, bear.y, 1.2);
 		const box = stage.host.getBoundingClientRect();
-		return { x: box.left + x, y: box.top + y, id: bear.id };
+		return { x: box.left + x, y: box.top + y, number: bear.number };
 	});
 	await page.mouse.click(at.x, at.y);
-	assert.match(await page.textContent('.inspector'), new RegExp(`^bears ${at.id}a bear, seen by tightest fits`));
+	assert.match(await page.textContent('.inspector'), new RegExp(`^bears ${at.number}a bear, seen by tightest fits`));
+	// and one of a breed after the other, without a mouse
+	for (const name of ['turtles 2', 'turtles 3', 'seagulls 12']) {
+		await press(page, name.startsWith('turtles') ? 'turtles 10' : 'seagulls 6');
+		assert.match(await page.textContent('.inspector'), new RegExp(`^${name}a`));
+	}
 	await page.getByLabel('What the engine sees').check();
 	const solids = () => page.evaluate(() => globalThis.playground.stage.marks.boxes.mesh.count);
 	const few = await solids();
@@ -554,7 +590,7 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 	});
 	await press(page, 'Run');
 	await page.waitForSelector('.end');
-	assert.match(await page.textContent('.end'), /You have won!.*after \d+\.\d seconds/s);
+	assert.match(await page.textContent('.end'), /You have won!.*It took \d+\.\d seconds\./s);
 	assert.equal(await page.textContent('.score'), 'Score 10');
 	await press(page, 'Play again');
 	await page.waitForFunction(() => document.querySelector('.score').textContent === 'Score 0');
@@ -566,6 +602,8 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 test('a lesson is opened, done and left for the next; the gallery has all programs, and takes names', async () => {
 	const { page, context, said } = await open(site, 'play');
 	await press(page, 'Lessons');
+	await page.getByText('A hint').click();
+	assert.ok(await page.getByText('under Movement, goes into the script').isVisible());
 	await press(page, 'Next');
 	assert.match(await page.textContent('.lesson'), /^Lesson 2 of 10Why is the helmet missed\?/);
 	await step(page, 2);
@@ -578,6 +616,7 @@ test('a lesson is opened, done and left for the next; the gallery has all progra
 	await page.waitForFunction(() => document.querySelectorAll('optgroup[label="Your programs"] option').length === 1);
 	assert.match(await page.textContent('.lesson'), /^Lesson 2/);
 	await press(page, 'Gallery');
+	await page.waitForSelector('.gallery img');
 	assert.equal(await page.locator('.gallery img').count(), 15);
 	assert.deepEqual(await page.locator('.gallery .open', { hasText: '✓' }).allTextContents(), ['Why is the helmet missed? ✓']);
 	await page.getByLabel('Rename Why is the helmet missed? (mine)').fill('Smaller');
@@ -590,6 +629,143 @@ test('a lesson is opened, done and left for the next; the gallery has all progra
 	assert.equal((await agents(page, 'turtles'))[0].size, 2);
 	await press(page, 'Close');
 	assert.equal((await agents(page, 'turtles')).length, 10);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('the same game under two systems: from the same start, with the same keys, with what differs', async () => {
+	const { page, context, said } = await open(site, 'play');
+	await choose(page, 'helmet');
+	await page.getByLabel('Collision system').selectOption('unit spheres');
+	await page.getByLabel('And beside it').selectOption('exact');
+	await page.waitForFunction(() => document.querySelectorAll('.screens .world canvas').length === 2);
+	assert.match(await page.textContent('.differences'), /^Both report the same so far/);
+	await step(page, 2);
+	assert.deepEqual(await page.locator('.caption').allTextContents(), ['Unit spheres\n0 touching, 0 met', 'Exact\n1 touching, 1 met']);
+	assert.match(await page.textContent('.differences'), /^They differ in 2 frames\. The first time, after 0\.0 s, only exact had turtles 1 touch paintballs 2\./);
+	// both are marked, in both pictures
+	const marked = () => page.evaluate(() => globalThis.playground.scene.differing.size);
+	assert.equal(await marked(), 2);
+	await page.getByLabel('Rewind').fill('-1');
+	assert.match(await page.textContent('.differences'), /^They differ in 1 frame\./);
+	await page.getByLabel('Collision system').selectOption('hierarchies');
+	await step(page, 1);
+	assert.equal(await marked(), 0);
+	// the keys play both
+	await choose(page, 'paintball');
+	await press(page, 'Run');
+	await page.keyboard.down('ArrowLeft');
+	await page.keyboard.down('ArrowUp');
+	await page.waitForFunction(() => globalThis.playground.world.frame > 20);
+	await page.keyboard.up('ArrowUp');
+	await page.keyboard.up('ArrowLeft');
+	await press(page, 'Stop');
+	const bears = await page.evaluate(() => globalThis.playground.games.map(({ world: { frame, agents: [bear] } }) => [frame, bear.breed, bear.x, bear.y, bear.heading]));
+	assert.deepEqual(bears[0], bears[1]);
+	assert.ok(bears[0][2] !== 0 && bears[0][4] > 30, bears[0].join());
+	// both are seen from where one of them is turned to
+	const { x, y, width, height } = await page.locator('.screens .world').nth(1).boundingBox();
+	await page.mouse.move(x + width / 2, y + height / 2);
+	await page.mouse.down();
+	await page.mouse.move(x + width / 2 + 40, y + height / 2, { steps: 3 });
+	await page.mouse.up();
+	const eyes = await page.evaluate(() => globalThis.playground.games.map(({ stage }) => stage.camera.position.toArray().map((at) => at.toFixed(6)).join()));
+	assert.equal(eyes[0], eyes[1]);
+	await page.getByLabel('And beside it').selectOption('');
+	assert.equal(await page.locator('.screens .world').count(), 1);
+	assert.equal(await page.locator('.caption:visible').count(), 0);
+	assert.deepEqual(said, []);
+	await context.close();
+});
+
+test('the world comes before the blocks; the keyboard alone plays, edits, chooses and goes everywhere', async () => {
+	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...SIZES.desktop });
+	const page = await context.newPage();
+	const said = [];
+	page.on('pageerror', (error) => said.push(String(error)));
+	let release;
+	const held = new Promise((resolve) => {
+		release = resolve;
+	});
+	await page.route('**/parts/editor-*.js', async (route) => {
+		await held;
+		await route.continue();
+	});
+	await page.goto(`${site.url}#play`);
+	await page.waitForSelector('.goal:visible');
+	assert.match(await page.textContent('.cast'), /bears 1.*turtles 10/);
+	assert.equal(await say(page), 'Loading…');
+	assert.equal(await page.locator('.blocklySvg').count(), 0);
+	release();
+	await ready(page, 'play');
+	const focus = () => page.evaluate(() => {
+		const { activeElement: element } = document;
+		return element.labels?.[0]?.textContent || element.getAttribute('aria-label') || element.textContent;
+	});
+	/** Presses the tab key until something that is called so has the focus. */
+	const tabTo = async (name, key = 'Tab') => {
+		for (let i = 0; i < 60; i++) {
+			if (await focus() === name) return;
+			await page.keyboard.press(key);
+			// Blockly moves the focus on by itself
+			await page.waitForTimeout(20);
+		}
+		assert.fail(`the tab key does not come to “${name}”`);
+	};
+	// plays, and scores
+	await tabTo('Run');
+	await page.keyboard.press('Enter');
+	await page.keyboard.down('ArrowUp');
+	await page.waitForFunction(() => globalThis.playground.world.agents[0].x > 0.3);
+	await page.keyboard.up('ArrowUp');
+	await page.evaluate(() => {
+		const { agents: [bear, turtle] } = globalThis.playground.world;
+		turtle.size = 4;
+		turtle.jumpTo(bear.x + 4, bear.y, 0);
+	});
+	await page.keyboard.press('Space');
+	await page.waitForFunction(() => document.querySelector('.score').textContent === 'Score 1');
+	await tabTo('Stop', 'Shift+Tab');
+	await page.keyboard.press('Enter');
+	assert.equal(await say(page), 'Stopped');
+	// edits a block: its number
+	/** The type of the block that has the focus; those of the toolbox are none. */
+	const block = () => page.evaluate(() => {
+		const { activeElement: element } = document;
+		return element.closest('.blocklyFlyout') ? null : globalThis.playground.editor.workspace.getBlockById(element.closest('.blocklyDraggable')?.dataset.id)?.type;
+	});
+	for (let i = 0; i < 20 && !(await block()); i++) {
+		await page.keyboard.press('Tab');
+		await page.waitForTimeout(50);
+	}
+	const size = () => page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_size')[0].getInputTargetBlock('SIZE').getFieldValue('NUM'));
+	assert.equal(await size(), 0.4);
+	for (let i = 0; i < 20 && await block() !== 'starlogo_size'; i++) {
+		await page.keyboard.press('ArrowDown');
+	}
+	await page.keyboard.press('ArrowRight');
+	await page.keyboard.press('Enter');
+	await page.waitForSelector('.blocklyHtmlInput');
+	await page.keyboard.type('3');
+	await page.keyboard.press('Enter');
+	assert.equal(await size(), 3);
+	await page.waitForFunction(() => document.querySelector('optgroup[label="Your programs"]')?.textContent === 'Paintball (mine)');
+	await page.keyboard.press('Escape');
+	// changes the system, looks at an agent, opens a lesson and the other views
+	await tabTo('Collision system');
+	await page.keyboard.press('ArrowUp');
+	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
+	await tabTo('bears 1');
+	await page.keyboard.press('Enter');
+	assert.match(await page.textContent('.inspector'), /^bears 1/);
+	await tabTo('Lessons', 'Shift+Tab');
+	await page.keyboard.press('Enter');
+	assert.match(await page.textContent('.lesson'), /^Lesson 1 of 10/);
+	for (const view of ['Inspect', 'Compare']) {
+		await tabTo(view, 'Shift+Tab');
+		await page.keyboard.press('Enter');
+		await ready(page, view.toLowerCase());
+	}
 	assert.deepEqual(said, []);
 	await context.close();
 });

@@ -33,6 +33,7 @@ for (const view of VIEWS) {
 			const withBlockly = files.filter((file) => file.endsWith('.js')).map((file) => path.join(root, 'bin/playground', file.replace('/any/where/', '')))
 				.filter((file) => readFileSync(file, 'utf8').includes('blocklyMainBackground'));
 			assert.equal(withBlockly.length, view === 'play' ? 1 : 0);
+			assert.ok(!files.some((file) => file.includes('formats')), 'readers of files come with the first file');
 		});
 		await t.test('axe-core finds no fault, in light and dark', async () => {
 			await faultless(page, 'light');
@@ -58,6 +59,13 @@ for (const view of VIEWS) {
 				await page.waitForSelector('.gallery img');
 				await faultless(page, 'dark');
 				await page.keyboard.press('Escape');
+			});
+			await t.test('nor in two systems beside each other, with an agent that is looked at', async () => {
+				await page.getByLabel('And beside it').selectOption('exact');
+				await page.waitForSelector('.differences');
+				await page.getByRole('button', { name: 'Step', exact: true }).click();
+				await page.locator('.cast button').first().click();
+				await faultless(page, 'light');
 			});
 		}
 		await t.test('it fits narrow and wide windows', async () => {
@@ -339,16 +347,16 @@ test('a view that comes late is not written over the one chosen since', async ()
 	const held = new Promise((resolve) => {
 		release = resolve;
 	});
-	await page.route('**/models/*.dae', async (route) => {
+	await page.route('**/models/*.json', async (route) => {
 		await held;
 		await route.continue();
 	});
-	const asked = page.waitForRequest('**/models/person.dae');
+	const asked = page.waitForRequest('**/models/person.json');
 	await page.getByRole('link', { name: 'Compare' }).click();
 	await asked;
 	await page.getByRole('link', { name: 'Inspect' }).click();
 	await ready(page, 'inspect');
-	const came = page.waitForResponse('**/models/person.dae');
+	const came = page.waitForResponse('**/models/person.json');
 	release();
 	await came;
 	await page.waitForTimeout(1500);
@@ -363,13 +371,13 @@ test('Inspect: a model that is missing is said to be, and works when it is there
 	const { page, said } = await shared('inspect');
 	await page.getByLabel('Model', { exact: true }).selectOption('bear');
 	await measured(page, /^Bear: /);
-	await page.route('**/models/dragon.dae', (route) => route.fulfill({ status: 404, body: 'no' }));
+	await page.route('**/models/dragon.json', (route) => route.fulfill({ status: 404, body: 'no' }));
 	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
 	await page.waitForSelector('.status.problem', { timeout: 5000 });
-	assert.match(await status(page), /^Dragon cannot be shown\. .*dragon\.dae.*404/);
+	assert.match(await status(page), /^Dragon cannot be shown\. .*dragon\.json.*404/);
 	assert.equal(await page.getByLabel('Model', { exact: true }).inputValue(), 'bear', 'what is shown is chosen');
 	assert.equal(await page.locator('[aria-busy]').count(), 0);
-	await page.unroute('**/models/dragon.dae');
+	await page.unroute('**/models/dragon.json');
 	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
 	await measured(page, /^Dragon: /);
 	assert.equal(await page.locator('tbody tr').count(), 11);

@@ -24,7 +24,8 @@ before(async () => {
 	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'texts.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	buildSync({
 		stdin: { contents: [...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
-		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', alias: { 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
+		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', nodePaths: [path.join(root, 'playground/node_modules')],
+		alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
 	});
 	parts = await import(pathToFileURL(out).href);
 	greatLand = new parts.GreatLand();
@@ -34,8 +35,7 @@ before(async () => {
 		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
 	}
 	for (const name of ['turtle', 'wall']) {
-		const { vertices, triangles } = parts[name]();
-		greatLand.addModel(new parts.Model(name, vertices, triangles));
+		greatLand.addModel(parts[name]());
 	}
 });
 
@@ -308,6 +308,38 @@ test('set back by frames, the game goes on as it did', () => {
 	assert.equal(places(world), end);
 });
 
+test('one game hears the keys of another: under the same system it is the same, under another one others touch', () => {
+	const game = program(...parts.EXAMPLES.paintball.blocks.blocks, start({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }));
+	const play = (system) => {
+		const [first, second] = [new parts.World(greatLand), new parts.World(greatLand)];
+		first.useSystem('exact');
+		second.useSystem(system);
+		second.isSystemFixed = first.isWatched = second.isWatched = true;
+		for (const world of [first, second]) {
+			world.begin(game);
+		}
+		let differences = 0;
+		for (let frame = 0; frame < 240; frame++) {
+			first[frame % 60 < 30 ? 'press' : 'release']('left');
+			first[frame % 40 < 30 ? 'press' : 'release']('up');
+			if (frame % 15 === 0) {
+				first.press('space');
+				first.release('space');
+			}
+			second.hear(first);
+			second.step();
+			first.step();
+			differences += [...first.state.pairs.keys()].join() === [...second.state.pairs.keys()].join() ? 0 : 1;
+		}
+		assert.equal(second.collisions.systemName, system, 'blocks leave it as it is');
+		return { differences, places: [first, second].map((world) => JSON.stringify(world.agents.map(({ number: name, x, y, heading, color }) => [name, x, y, heading, color]))) };
+	};
+	const { differences, places } = play('exact');
+	assert.equal(differences, 0);
+	assert.equal(places[0], places[1]);
+	assert.ok(play('unit spheres').differences > 20);
+});
+
 test('what agents know of others, and how they move by it', () => {
 	const nearest = (BREED) => value('starlogo_nearest', { BREED }, { DISTANCE: number(50) });
 	const set = (name, block) => ({ type: 'variables_set', fields: { VAR: { id: name } }, inputs: { VALUE: block } });
@@ -422,18 +454,18 @@ test('each lesson is done by what it teaches, and not before', () => {
 });
 
 test('models are drawn in the colours that their parts have', () => {
-	const colours = JSON.parse(readFileSync(path.join(root, 'bin/playground/models/colours.json'), 'utf8'));
 	const area = (a, b, c) => {
 		const [[ux, uy, uz], [vx, vy, vz]] = [b, c].map((corner) => corner.map((each, i) => each - a[i]));
 		return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
 	};
 	for (const { name, format, build } of models) {
+		const { colours } = JSON.parse(readFileSync(path.join(root, 'bin/playground/models', `${name}.json`), 'utf8'));
 		const reader = format === 'COLLADA' ? parts.ColladaModel : parts.ObjModel;
 		const { vertices, triangles } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(root, 'assets', `${name}.${format === 'COLLADA' ? 'dae' : 'obj'}`))));
 		const corner = (i) => [0, 1, 2].map((axis) => vertices[3 * triangles[i] + axis]);
 		const [drawn, wanted] = [{}, {}];
 		let at = 0;
-		for (const [count, colour] of colours[name]) {
+		for (const [count, colour] of colours) {
 			for (let end = at + count; at < end; at++) {
 				drawn[colour] = (drawn[colour] ?? 0) + area(corner(3 * at), corner(3 * at + 1), corner(3 * at + 2));
 			}

@@ -1,0 +1,111 @@
+/** The same game once more, as another collision system sees it: from the same start and with the same keys, beside the first one. */
+import { h } from "../shared/dom.js";
+import { Stage } from "../shared/stage.js";
+import { texts } from "../texts.js";
+import { nameOf } from "./panel.js";
+import { STAGE, Scene } from "./scene.js";
+import { FRAMES_A_SECOND, World } from "./world.js";
+
+const words = texts.play;
+
+export class Beside {
+	/** Frames in which the two did not report the same, in order, and what was the first difference. */
+	#frames = [];
+	#first = "";
+
+	/**
+	 * @param {object} view Play, whose game it is
+	 * @param {string} system the collision system
+	 */
+	constructor(view, system) {
+		this.view = view;
+		this.host = h("div.world");
+		this.screen = h("div.screen", {}, this.host);
+		view.screens.append(this.screen);
+		this.stage = new Stage(this.host, { ...STAGE, label: words.besideWorld(texts.systems[system]) });
+		this.world = new World(view.world.greatLand);
+		this.world.useSystem(system);
+		this.world.isSystemFixed = this.world.isWatched = view.world.isWatched = true;
+		this.scene = new Scene(this.stage, this.world, view.models, this.screen);
+		this.stage.controls?.addEventListener("change", () => {
+			if (!this.#isFollowing) view.stage.lookAs(this.stage);
+		});
+		this.count = h("span");
+		this.first = h("span", { role: "status" });
+		this.note = h("div.differences", {}, h("p", {}, this.count, " ", this.first), h("ul.legend", {}, ...["wrong", "missed"].map((name) => h(`li.${name}`, {}, words.differs[name]))));
+		view.theatre.append(this.note);
+		view.scene.caption.hidden = this.scene.caption.hidden = false;
+	}
+
+	#isFollowing = false;
+
+	begin(program) {
+		this.world.begin(program);
+		this.#frames.length = 0;
+		this.#first = "";
+		this.scene.begin();
+		for (const { scene } of [this.view, this]) scene.differing = new Map();
+	}
+
+	/** A frame, before the first game makes its own. */
+	step() {
+		if (this.world.ended) return;
+		this.world.hear(this.view.world);
+		this.world.step();
+	}
+
+	/** Goes back to a frame of the first game. */
+	goTo(frame) {
+		this.world.history.show(Math.max(0, this.world.frame + this.world.history.back - frame));
+		while (this.#frames.at(-1) > frame) this.#frames.pop();
+		this.compare();
+	}
+
+	/** Looks who touches in one of the two games alone. */
+	compare() {
+		const games = [this.view, this];
+		const [mine, its] = games.map(({ world }) => world.state.pairs);
+		const only = [[...mine.keys()].filter((key) => !its.has(key)), [...its.keys()].filter((key) => !mine.has(key))];
+		games.forEach(({ world, scene }, i) => {
+			const numbered = new Map(world.agents.map((agent) => [String(agent.number), agent]));
+			const marks = [["missed", only[1 - i]], ["wrong", only[i]]].flatMap(([verdict, keys]) => keys.flatMap((key) => key.split(" ").map((number) => [numbered.get(number), verdict])));
+			scene.differing = new Map(marks.filter(([agent]) => agent));
+		});
+		const { frame } = this.view.world;
+		const at = only[0].length > 0 ? 0 : 1;
+		if (only[at].length === 0 || this.#frames.at(-1) >= frame) return;
+		if (this.#frames.length === 0) {
+			const [a, b] = games[at].world.state.pairs.get(only[at][0]);
+			this.#first = words.firstDifference((frame / FRAMES_A_SECOND).toFixed(1), systemOf(games[at]), nameOf(a), nameOf(b));
+		}
+		this.#frames.push(frame);
+	}
+
+	draw() {
+		const { view, world, scene, stage } = this;
+		this.#isFollowing = true;
+		stage.lookAs(view.stage);
+		scene.camera = "all";
+		scene.isSeen = view.scene.isSeen;
+		scene.draw(null);
+		this.#isFollowing = false;
+		for (const game of [view, this]) game.scene.caption.textContent = words.reports(systemOf(game), game.world.state.pairs.size, game.world.state.meetings);
+		const { length } = this.#frames;
+		this.count.textContent = length === 0 ? words.noDifference : words.differences(length);
+		const first = length === 0 ? "" : this.#first;
+		if (this.first.textContent !== first) this.first.textContent = first;
+		scene.goal.hidden = true;
+	}
+
+	close() {
+		const { view } = this;
+		view.world.isWatched = false;
+		view.scene.differing = new Map();
+		view.scene.caption.hidden = true;
+		this.note.remove();
+		this.stage.close();
+		this.screen.remove();
+	}
+}
+
+const systemOf = ({ world }) => texts.systems[world.collisions.systemName];

@@ -1,0 +1,84 @@
+/** What plays a game: keys, the pad of keys over the world, which says what they do, and the pointer. */
+import { button, h } from "../shared/dom.js";
+import { texts } from "../texts.js";
+import { keysOf } from "./program.js";
+
+const words = texts.play;
+const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
+const SIGNS = { up: "▲", down: "▼", left: "◀", right: "▶", space: "●" };
+/** How far a pointer may move in a click. */
+const STILL = 6;
+
+export class Keys {
+	/** @param {import("./world.js").World} world whose keys they are */
+	constructor(world) {
+		this.world = world;
+		this.pad = h("div.pad");
+		this.legend = h("p.keys");
+	}
+
+	/** Shows the keys that a program has scripts for. */
+	show(program) {
+		const keys = [...keysOf(program)];
+		this.legend.hidden = keys.length === 0;
+		this.legend.replaceChildren(...keys.flatMap(([key, does]) => [h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), ` ${does} `]));
+		this.pad.replaceChildren(...keys.filter(([key]) => key in SIGNS).map(([key, does]) => this.#padKey(key, words.keyName(does))));
+	}
+
+	#padKey(key, text) {
+		const pad = button(SIGNS[key], () => {}, { class: `key ${key}`, "aria-label": text });
+		const release = () => this.world.release(key);
+		pad.addEventListener("pointerdown", (event) => {
+			pad.setPointerCapture(event.pointerId);
+			this.world.press(key);
+		});
+		pad.addEventListener("pointerup", release);
+		pad.addEventListener("pointercancel", release);
+		pad.addEventListener("keydown", (event) => {
+			if (event.key === "Enter" || event.key === " ") this.world.press(key);
+		});
+		pad.addEventListener("keyup", release);
+		pad.addEventListener("blur", release);
+		return pad;
+	}
+
+	/**
+	 * Hears a stage's host.
+	 *
+	 * @param {import("../shared/stage.js").Stage} stage
+	 * @param {(agent: object) => void} onClick called with the agent that was clicked
+	 */
+	listen(stage, onClick) {
+		const { world } = this;
+		const { host } = stage;
+		host.addEventListener("keydown", (event) => {
+			if (!(event.key in KEYS) || event.ctrlKey || event.metaKey || event.altKey) return;
+			if (!event.repeat) world.press(KEYS[event.key]);
+			event.preventDefault();
+		});
+		host.addEventListener("keyup", (event) => world.release(KEYS[event.key]));
+		host.addEventListener("blur", () => world.releaseAll());
+		const point = (event) => {
+			const at = stage.renderer && stage.pointAt(event, 0);
+			if (at) Object.assign(world.mouse, { x: at.x, y: at.y });
+		};
+		let down = null;
+		host.addEventListener("pointermove", point);
+		host.addEventListener("pointerdown", (event) => {
+			down = event;
+			world.mouse.isDown = true;
+			point(event);
+		});
+		const up = (event) => {
+			world.mouse.isDown = false;
+			// a click, not a turn of the world
+			if (down && event.type === "pointerup" && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < STILL) {
+				const agent = stage.agentAt(event);
+				if (agent) onClick(agent);
+			}
+			down = null;
+		};
+		host.addEventListener("pointerup", up);
+		host.addEventListener("pointercancel", up);
+	}
+}

@@ -144,13 +144,14 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _swept.setPair(a, first[i], DEPTH, b, b.root.bounds, second[i], DEPTH, exact);
-                    var time:Number = _swept.impactTime(motions[i]);
+                    _swept.findTime(motions[i]);
+                    var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _swept.findContact(motions[i], time, contact);
+                            _swept.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -167,13 +168,14 @@ package benchmark
             measure(name, function(i:int, answers:ByteArray):void
                 {
                     _swept.setPair(a, first[i], DEPTH, null, structures[i], second[i], DEPTH, false);
-                    var time:Number = _swept.impactTime(motions[i]);
+                    _swept.findTime(motions[i]);
+                    var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _swept.findContact(motions[i], time, contact);
+                            _swept.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }

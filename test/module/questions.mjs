@@ -3,6 +3,8 @@
  * and by some that are not in the list.
  *
  *   node --expose-gc --min-semi-space-size=64 --max-semi-space-size=64 test/module/questions.mjs SYSTEM
+ *
+ * SYSTEM is one of those of games.mjs, or triangles.
  */
 import { garbageOf } from "./bytes.mjs";
 import { HALF_WIDTH, MODELS, SYSTEMS, engine, makeGreatLand, scatter } from "./games.mjs";
@@ -19,7 +21,11 @@ agents.forEach((agent, i) => {
 	agent.hierarchical = i % 10 === 0;
 	agent.breed = i % 2 === 0 ? "turtles" : "sheep";
 });
-const queries = new AgentQueries(new SYSTEMS[process.argv[2]](makeGreatLand()));
+const system = process.argv[2];
+const isExact = system === "triangles";
+const collider = new SYSTEMS[isExact ? "hierarchical" : system](makeGreatLand());
+if (isExact) collider.exact = true;
+const queries = new AgentQueries(collider);
 queries.update(agents);
 const askers = agents.slice(GUESTS);
 for (let i = 0; i < GUESTS; i++) {

@@ -5,7 +5,7 @@ package starlogo.hierarchy
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.touchingGap;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -60,7 +60,7 @@ package starlogo.hierarchy
             var z:Number = (b.z - a.z) / a.size;
             var relative:Placement = placement;
             relative.size = scale;
-            gap = touchingGap(a.x, a.y, a.z, b.x, b.y, b.z) / a.size;
+            gap = Tolerances.PLACES * (Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + (Math.abs(b.x) + Math.abs(b.y) + Math.abs(b.z))) / a.size;
             isUpright = a.r20 == 0 && a.r21 == 0 && a.r22 == 1 && b.r20 == 0 && b.r21 == 0 && b.r22 == 1;
             if (isUpright)
             {
@@ -168,7 +168,10 @@ package starlogo.hierarchy
         /** The second model, which is so small that it is a point of the first's space: a sphere around it, which the next call overwrites. */
         public function pointOf(root:HierarchyNode):Sphere
         {
-            _point.center.setTo(placement.x, placement.y, placement.z);
+            var center:Vector3D = _point.center;
+            center.x = placement.x;
+            center.y = placement.y;
+            center.z = placement.z;
             _point.radius = placement.size * root.radius + gap;
             return _point;
         }

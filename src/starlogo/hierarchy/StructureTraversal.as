@@ -8,7 +8,7 @@ package starlogo.hierarchy
     import starlogo.engine;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;
 
@@ -79,8 +79,8 @@ package starlogo.hierarchy
         // Whether structures touch in the interval of their pair, before time; sets when it begins to what they do first.
         private function isInTime(a:BoundingStructure, b:BoundingStructure):Boolean
         {
-            _part.setPart(pose.motion, from, to);
-            var share:Number = timeOfImpact(b, a, _part);
+            sweep(a, b, false);
+            var share:Number = _part.time;
             from += (to - from) * share;
             otherFrom = from;
             return share <= 1 && from < time;
@@ -89,9 +89,24 @@ package starlogo.hierarchy
         // Sets the end of the interval to the last time at which they touch: the first one of the motion backwards.
         private function findEnd(a:BoundingStructure, b:BoundingStructure):void
         {
-            _part.setPart(pose.motion, to, from);
-            var share:Number = timeOfImpact(b, a, _part);
+            sweep(a, b, true);
+            var share:Number = _part.time;
             to = share <= 1 ? to - (to - from) * share : from;
+        }
+
+        // Finds when structures touch, as a share of the interval of their pair: of the way through it, or of the way back.
+        private function sweep(a:BoundingStructure, b:BoundingStructure, isBack:Boolean):void
+        {
+            var motion:RelativeMotion = pose.motion;
+            var start:Number = isBack ? to : from;
+            var share:Number = isBack ? from - to : to - from;
+            _part.startX = motion.startX + start * motion.x;
+            _part.startY = motion.startY + start * motion.y;
+            _part.startZ = motion.startZ + start * motion.z;
+            _part.x = share * motion.x;
+            _part.y = share * motion.y;
+            _part.z = share * motion.z;
+            findTimeOfImpact(b, a, _part);
         }
 
         // Whether a structure is on the right child's side of the middle of a node.

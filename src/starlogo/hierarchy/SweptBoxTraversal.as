@@ -17,7 +17,6 @@ package starlogo.hierarchy
     public final class SweptBoxTraversal extends NodePairTraversal
     {
         private var _sweep:BoxSweep = new BoxSweep();
-        private var _rounding:Number;
 
         /** @inheritDoc */
         public function SweptBoxTraversal(pose:RelativePose)
@@ -30,10 +29,20 @@ package starlogo.hierarchy
         {
             var relative:Placement = pose.placement;
             var motion:RelativeMotion = pose.motion;
-            _sweep.turn(relative.r00, relative.r01, relative.r02, relative.r10, relative.r11, relative.r12, relative.r20, relative.r21,
-                    relative.r22);
-            _sweep.move(motion.x, motion.y, motion.z);
-            _rounding = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
+            _sweep.xx = relative.r00;
+            _sweep.xy = relative.r01;
+            _sweep.xz = relative.r02;
+            _sweep.yx = relative.r10;
+            _sweep.yy = relative.r11;
+            _sweep.yz = relative.r12;
+            _sweep.zx = relative.r20;
+            _sweep.zy = relative.r21;
+            _sweep.zz = relative.r22;
+            _sweep.motionX = motion.x;
+            _sweep.motionY = motion.y;
+            _sweep.motionZ = motion.z;
+            _sweep.prepare();
+            _sweep.gap = pose.gap + Tolerances.ROUNDING * (Math.abs(relative.x) + Math.abs(relative.y) + Math.abs(relative.z)
                     + Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             nodeVisits++;
             sweep(a, b, false);
@@ -69,23 +78,28 @@ package starlogo.hierarchy
         // Sets the time from which on no face separates two boxes, or no edges either, if that is before time; else RelativeMotion.NEVER.
         private function sweep(a:HierarchyNode, b:HierarchyNode, withEdges:Boolean):void
         {
-            var latest:Number = time < 1 ? time : 1;
+            var boxes:BoxSweep = _sweep;
             var relative:Placement = pose.placement;
             var scale:Number = relative.size;
             var bX:Number = b.x * scale;
             var bY:Number = b.y * scale;
             var bZ:Number = b.z * scale;
-            var x:Number = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - a.x;
-            var y:Number = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - a.y;
-            var z:Number = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - a.z;
-            bX = b.halfX * scale;
-            bY = b.halfY * scale;
-            bZ = b.halfZ * scale;
-            from = _sweep.facesMeet(x, y, z, a.halfX, a.halfY, a.halfZ, bX, bY, bZ, _rounding, latest);
-            if (withEdges && from != RelativeMotion.NEVER)
+            boxes.x = relative.r00 * bX + relative.r01 * bY + relative.r02 * bZ + relative.x - a.x;
+            boxes.y = relative.r10 * bX + relative.r11 * bY + relative.r12 * bZ + relative.y - a.y;
+            boxes.z = relative.r20 * bX + relative.r21 * bY + relative.r22 * bZ + relative.z - a.z;
+            boxes.aX = a.halfX;
+            boxes.aY = a.halfY;
+            boxes.aZ = a.halfZ;
+            boxes.bX = b.halfX * scale;
+            boxes.bY = b.halfY * scale;
+            boxes.bZ = b.halfZ * scale;
+            boxes.latest = time < 1 ? time : 1;
+            boxes.meetFaces();
+            if (withEdges && boxes.time != RelativeMotion.NEVER)
             {
-                from = _sweep.edgesMeet(x, y, z, a.halfX, a.halfY, a.halfZ, bX, bY, bZ, _rounding);
+                boxes.meetEdges();
             }
+            from = boxes.time;
         }
     }
 }

@@ -217,7 +217,8 @@ package starlogo.intersection
             fromY = signY * _corners[int(start + 1)];
             fromZ = signZ * _corners[int(start + 2)];
             motionX = motionY = motionZ = 0;
-            find(0);
+            moment = 0;
+            find();
             var length:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
             if (length < squared)
             {

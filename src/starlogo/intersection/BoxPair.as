@@ -1,5 +1,6 @@
 package starlogo.intersection
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
@@ -8,7 +9,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.SegmentSum;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.boxBoxImpact;
+    import starlogo.intersection.sweep.findBoxImpact;
 
     /**
      * The kernel of two boxes: separating axes, over time for the sweep, and for the contact that along which the boxes overlap least.
@@ -18,6 +19,9 @@ package starlogo.intersection
      */
     internal final class BoxPair extends PairKernel
     {
+        /** How far a capsule reaches beyond its axis, of which the contact is found; 0 for boxes. */
+        public var radius:Number = 0;
+
         private var _a:SegmentSum = new SegmentSum();
         private var _b:SegmentSum = new SegmentSum();
         private var _polygonA:Polygon = new Polygon();
@@ -27,11 +31,10 @@ package starlogo.intersection
         private var _edgesA:BoxEdges = null;
         private var _edgesB:BoxEdges = null;
 
-        // The shortest separating displacement so far.
-        private var _depth:Number;
-        private var _x:Number;
-        private var _y:Number;
-        private var _z:Number;
+        // The direction that is tried; the shortest separating displacement so far.
+        private var _direction:Vector3D = new Vector3D();
+        private var _depth:Number = Infinity;
+        private var _best:Vector3D = new Vector3D();
 
         /** No contact yet. */
         public function BoxPair()
@@ -39,15 +42,9 @@ package starlogo.intersection
         }
 
         /** @inheritDoc */
-        override public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            return boxBoxImpact(a as Box, b as Box, motion);
-        }
-
-        /** @inheritDoc */
-        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
-        {
-            findDeepContact(a, b, 0, displacement, out);
+            findBoxImpact(a as Box, b as Box, motion);
         }
 
         /** @inheritDoc */
@@ -80,31 +77,29 @@ package starlogo.intersection
         /**
          * Finds the contact of two boxes, or of a capsule and a box that its axis goes through.
          *
-         * @param a a Box, or a Capsule of which the axis counts
+         * @param a a Box, or a Capsule of which the axis counts, and the radius is set
          * @param b a Box
-         * @param radius how far a reaches beyond that
          * @param displacement where a is, from where it stands
          * @param out takes the contact
          */
-        public function findDeepContact(a:BoundingStructure, b:BoundingStructure, radius:Number, displacement:RelativeMotion,
-                out:ContactPoint):void
+        override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            _a.setTo(a, displacement.startX, displacement.startY, displacement.startZ);
-            _b.setTo(b, 0, 0, 0);
+            _a.setTo(a, displacement);
+            _b.setTo(b, RelativeMotion.NONE);
             _depth = Infinity;
             tryAll(_b, _b);
             tryAll(_a, _a);
             tryAll(_a, _b);
-            out.normalX = _x;
-            out.normalY = _y;
-            out.normalZ = _z;
-            _a.supportInto(_polygonA, -_x, -_y, -_z);
-            _b.supportInto(_polygonB, _x, _y, _z);
-            _polygonA.findCommonPoint(_polygonB, _x, _y, _z);
+            var normal:Vector3D = _best;
+            out.setNormal(normal.x, normal.y, normal.z);
+            _b.supportInto(_polygonB, normal);
+            normal.negate();
+            _a.supportInto(_polygonA, normal);
+            _polygonA.findCommonPoint(_polygonB, out);
             // as far out as the middle between the one's surface and the other's
-            out.x = _polygonA.x - radius / 2 * _x;
-            out.y = _polygonA.y - radius / 2 * _y;
-            out.z = _polygonA.z - radius / 2 * _z;
+            out.x = _polygonA.x - radius / 2 * out.normalX;
+            out.y = _polygonA.y - radius / 2 * out.normalY;
+            out.z = _polygonA.z - radius / 2 * out.normalZ;
             var depth:Number = _depth + radius;
             out.depth = depth > 0 ? depth : 0;
         }
@@ -113,6 +108,7 @@ package starlogo.intersection
         {
             var u:Vector.<Number> = first.directions;
             var v:Vector.<Number> = second.directions;
+            var direction:Vector3D = _direction;
             for (var i:int = 0; i < first.end; i += 3)
             {
                 var ux:Number = u[i];
@@ -123,14 +119,21 @@ package starlogo.intersection
                     var vx:Number = v[k];
                     var vy:Number = v[int(k + 1)];
                     var vz:Number = v[int(k + 2)];
-                    tryAcross(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+                    direction.x = uy * vz - uz * vy;
+                    direction.y = uz * vx - ux * vz;
+                    direction.z = ux * vy - uy * vx;
+                    tryDirection();
                 }
             }
         }
 
-        // A direction; the sine of the angle between the two is its length.
-        private function tryAcross(x:Number, y:Number, z:Number):void
+        // The sine of the angle between the two segments is its length.
+        private function tryDirection():void
         {
+            var direction:Vector3D = _direction;
+            var x:Number = direction.x;
+            var y:Number = direction.y;
+            var z:Number = direction.z;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             if (length < Tolerances.DIRECTION)
             {
@@ -147,14 +150,19 @@ package starlogo.intersection
                 y = -y;
                 z = -z;
             }
-            var reach:Number = _a.reach(x, y, z) + _b.reach(x, y, z);
+            direction.x = x;
+            direction.y = y;
+            direction.z = z;
+            _a.measure(direction);
+            _b.measure(direction);
+            var reach:Number = _a.reach + _b.reach;
             // what is shorter by rounding is not shorter
             if (reach - along < _depth - Tolerances.ROUNDING * reach)
             {
                 _depth = reach - along;
-                _x = x;
-                _y = y;
-                _z = z;
+                _best.x = x;
+                _best.y = y;
+                _best.z = z;
             }
         }
     }

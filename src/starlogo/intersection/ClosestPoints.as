@@ -50,6 +50,12 @@ package starlogo.intersection
         /** How close the cores are when the structures touch. */
         public var radii:Number;
 
+        /** The time of the motion at which closest points are found: of the Numbers that are passed to <code>find()</code> V8 would make objects. */
+        protected var moment:Number = 0;
+
+        /** How large the structures are together: what the rounding of the gap is relative to. */
+        protected var size:Number = 0;
+
         /** For subclasses only. */
         public function ClosestPoints()
         {
@@ -61,14 +67,14 @@ package starlogo.intersection
             throw new IllegalOperationError("abstract");
         }
 
-        /** Finds the closest points at a time of the motion. */
-        protected function find(time:Number):void
+        /** Finds the closest points at the moment. */
+        protected function find():void
         {
             throw new IllegalOperationError("abstract");
         }
 
-        /** How large the structures are together: what the rounding of the gap is relative to. */
-        protected function get size():Number
+        /** Finds the size. */
+        protected function measure():void
         {
             throw new IllegalOperationError("abstract");
         }
@@ -84,10 +90,11 @@ package starlogo.intersection
         {
         }
 
-        /** Points a contact's normal along the gap; returns its length. */
-        protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
+        /** Points a contact's normal along the gap, and sets its length. */
+        protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
         {
-            return out.pointAlong(gapX, gapY, gapZ);
+            out.setNormal(gapX, gapY, gapZ);
+            out.normalise();
         }
 
         /**
@@ -97,15 +104,17 @@ package starlogo.intersection
          *
          * @inheritDoc
          */
-        override public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             relate(a, b, motion);
-            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding();
+            motion.findRounding();
+            var reach:Number = radii * Tolerances.TOUCHING + motion.rounding;
             reach *= reach;
             var time:Number = 0;
             for (var step:int = 0; step < 80; step++)
             {
-                find(time);
+                moment = time;
+                find();
                 var x:Number = gapX;
                 var y:Number = gapY;
                 var z:Number = gapZ;
@@ -117,7 +126,7 @@ package starlogo.intersection
                     var rounding:Number = Math.sqrt(reach) - radii;
                     if (time == 0 || squared <= radii * radii || squared <= rounding * rounding)
                     {
-                        return time;
+                        break;
                     }
                 }
                 var next:Number = RelativeMotion.NEVER;
@@ -131,19 +140,21 @@ package starlogo.intersection
                 if (isTouching)
                 {
                     // the rest is rounding, but for one more step, which rounding may have spared
-                    return next <= 1 ? next : time;
+                    time = next <= 1 ? next : time;
+                    break;
                 }
                 if (!(next > time))
                 {
-                    return time;
-                }
-                if (next > 1)
-                {
-                    return RelativeMotion.NEVER;
+                    break;
                 }
                 time = next;
+                if (next > 1)
+                {
+                    time = RelativeMotion.NEVER;
+                    break;
+                }
             }
-            return time;
+            motion.time = time;
         }
 
         /**
@@ -154,13 +165,17 @@ package starlogo.intersection
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             relate(a, b, displacement);
-            find(0);
+            moment = 0;
+            find();
+            measure();
             var squared:Number = gapX * gapX + gapY * gapY + gapZ * gapZ;
             // long enough to have a direction, in spite of rounding
             var least:Number = Tolerances.DIRECTION * size;
             if (squared > least * least)
             {
-                placeContact(a, displacement, radii - pointAlongGap(b, out), out);
+                pointAlongGap(b, out);
+                out.depth = radii - out.length;
+                placeContact(a, displacement, out);
             }
             else
             {
@@ -172,7 +187,8 @@ package starlogo.intersection
         override public function findClosest(a:BoundingStructure, b:BoundingStructure, out:ClosestPair):void
         {
             relate(a, b, RelativeMotion.NONE);
-            find(0);
+            moment = 0;
+            find();
             turnGap(b);
             if (a.kind == BoundingStructure.SPHERE)
             {
@@ -199,8 +215,8 @@ package starlogo.intersection
             out.separate();
         }
 
-        /** Places a capsule's contact of which the normal is known: from a's closest point, back along the normal. */
-        protected final function placeContact(a:BoundingStructure, displacement:RelativeMotion, depth:Number, out:ContactPoint):void
+        /** Places a capsule's contact of which normal and depth are known: from a's closest point, back along the normal. */
+        protected final function placeContact(a:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
             var x:Number = displacement.startX;
             var y:Number = displacement.startY;
@@ -208,8 +224,11 @@ package starlogo.intersection
             var capsule:Capsule = a as Capsule;
             var start:Vector3D = capsule.start;
             var end:Vector3D = capsule.end;
-            out.place(x + start.x + share * (end.x - start.x), y + start.y + share * (end.y - start.y), z + start.z + share * (end.z - start.z),
-                    capsule.radius, depth);
+            out.x = x + start.x + share * (end.x - start.x);
+            out.y = y + start.y + share * (end.y - start.y);
+            out.z = z + start.z + share * (end.z - start.z);
+            out.radius = capsule.radius;
+            out.place();
         }
     }
 }

@@ -18,15 +18,14 @@ package starlogo.intersection
         }
 
         /**
-         * When a structure that moves touches another for the first time.
+         * Finds when a structure that moves touches another for the first time: the motion's time.
          *
          * @param a of the pair's first kind
          * @param b of the pair's second kind, in the same space
-         * @param motion of a
-         * @return from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of a, which takes the time
          * @throws ArgumentError when there is no test for the pair
          */
-        public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             throw missing(a, b);
         }

@@ -49,8 +49,9 @@ package starlogo.intersection
             radii = sphere.radius;
         }
 
-        override protected function find(time:Number):void
+        override protected function find():void
         {
+            var time:Number = moment;
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
@@ -94,36 +95,46 @@ package starlogo.intersection
             var inY:Number = axisY.x * toX + axisY.y * toY + axisY.z * toZ;
             var inZ:Number = axisZ.x * toX + axisZ.y * toY + axisZ.z * toZ;
             var half:Number = box.halfX;
-            var size:Number = half;
+            var extent:Number = half;
             toX = inX > half ? inX - half : (inX < -half ? inX + half : 0);
             half = box.halfY;
-            size += half;
+            extent += half;
             toY = inY > half ? inY - half : (inY < -half ? inY + half : 0);
             half = box.halfZ;
-            size += half;
+            extent += half;
             toZ = inZ > half ? inZ - half : (inZ < -half ? inZ + half : 0);
-            var depth:Number = sphere.radius;
+            var radius:Number = sphere.radius;
+            out.x = x;
+            out.y = y;
+            out.z = z;
+            out.radius = radius;
             var squared:Number = toX * toX + toY * toY + toZ * toZ;
-            var least:Number = Tolerances.DIRECTION * (size + depth);
+            var least:Number = Tolerances.DIRECTION * (extent + radius);
             if (squared > least * least)
             {
-                out.pointAlong(toX * axisX.x + toY * axisY.x + toZ * axisZ.x, toX * axisX.y + toY * axisY.y + toZ * axisZ.y,
+                out.setNormal(toX * axisX.x + toY * axisY.x + toZ * axisZ.x, toX * axisX.y + toY * axisY.y + toZ * axisZ.y,
                         toX * axisX.z + toY * axisY.z + toZ * axisZ.z);
-                depth -= Math.sqrt(squared);
+                out.normalise();
+                out.depth = radius - Math.sqrt(squared);
             }
             else
             {
-                depth += pointThroughFace(box, inX, inY, inZ, out);
+                gapX = inX;
+                gapY = inY;
+                gapZ = inZ;
+                pointThroughFace(box, out);
+                out.depth += radius;
             }
-            out.place(x, y, z, sphere.radius, depth);
+            out.place();
         }
 
-        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):Number
+        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
         {
             var length:Number = Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ);
             turnGap(b);
-            out.pointAlong(gapX, gapY, gapZ);
-            return length;
+            out.setNormal(gapX, gapY, gapZ);
+            out.normalise();
+            out.length = length;
         }
 
         override protected function turnGap(b:BoundingStructure):void
@@ -140,9 +151,12 @@ package starlogo.intersection
             gapZ = x * axisX.z + y * axisY.z + z * axisZ.z;
         }
 
-        // Points a contact's normal out through the nearest face; returns how far that is.
-        private static function pointThroughFace(box:Box, x:Number, y:Number, z:Number, out:ContactPoint):Number
+        // Points a contact's normal from where the gap is out through the nearest face; the depth is how far that is.
+        private function pointThroughFace(box:Box, out:ContactPoint):void
         {
+            var x:Number = gapX;
+            var y:Number = gapY;
+            var z:Number = gapZ;
             var axis:Vector3D = box.axisX;
             var along:Number = x;
             var depth:Number = box.halfX - Math.abs(x);
@@ -159,8 +173,9 @@ package starlogo.intersection
                 depth = box.halfZ - Math.abs(z);
             }
             var side:Number = along < 0 ? -1 : 1;
-            out.pointAlong(side * axis.x, side * axis.y, side * axis.z);
-            return depth;
+            out.setNormal(side * axis.x, side * axis.y, side * axis.z);
+            out.normalise();
+            out.depth = depth;
         }
     }
 }

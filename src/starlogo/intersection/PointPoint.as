@@ -7,31 +7,36 @@ package starlogo.intersection
     import starlogo.intersection.contact.contactOfSpheres;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.pointPointImpact;
+    import starlogo.intersection.sweep.PointSweep;
 
     /** The kernel of two spheres. When they touch has a closed form: when the centres are as close as both radii. */
     internal final class PointPoint extends PairKernel
     {
-        /** It has no state. */
+        private var _sweep:PointSweep = new PointSweep();
+
+        /** Nothing swept yet. */
         public function PointPoint()
         {
         }
 
         /** @inheritDoc */
-        override public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        override public function findTime(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
             var sphere:Sphere = a as Sphere;
             var other:Sphere = b as Sphere;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = other.center;
-            return pointPointImpact(center.x - middle.x + motion.startX, center.y - middle.y + motion.startY,
-                    center.z - middle.z + motion.startZ, motion.x, motion.y, motion.z, sphere.radius + other.radius);
+            _sweep.x = center.x - middle.x + motion.startX;
+            _sweep.y = center.y - middle.y + motion.startY;
+            _sweep.z = center.z - middle.z + motion.startZ;
+            _sweep.reach = sphere.radius + other.radius;
+            _sweep.findTime(motion);
         }
 
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            contactOfSpheres(a as Sphere, b as Sphere, displacement.startX, displacement.startY, displacement.startZ, out);
+            contactOfSpheres(a as Sphere, b as Sphere, displacement, out);
         }
 
         /** @inheritDoc */

@@ -41,8 +41,9 @@ package starlogo.intersection
             radii = sphere.radius + capsule.radius;
         }
 
-        override protected function find(time:Number):void
+        override protected function find():void
         {
+            var time:Number = moment;
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
@@ -93,16 +94,24 @@ package starlogo.intersection
                 toZ -= along * axisZ;
             }
             var depth:Number = sphere.radius + capsule.radius;
+            out.x = x;
+            out.y = y;
+            out.z = z;
+            out.radius = sphere.radius;
+            out.depth = depth;
             var least:Number = Tolerances.DIRECTION * (Math.sqrt(lengthSquared) + depth);
             if (toX * toX + toY * toY + toZ * toZ > least * least)
             {
-                depth -= out.pointAlong(toX, toY, toZ);
+                out.setNormal(toX, toY, toZ);
+                out.normalise();
+                out.depth -= out.length;
             }
             else
             {
-                out.pointAcross(axisX, axisY, axisZ);
+                out.setNormal(axisX, axisY, axisZ);
+                out.pointAcross();
             }
-            out.place(x, y, z, sphere.radius, depth);
+            out.place();
         }
     }
 }

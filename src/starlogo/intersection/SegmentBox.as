@@ -102,8 +102,9 @@ package starlogo.intersection
             _turnedZ = axis.x * x + axis.y * y + axis.z * z;
         }
 
-        override protected function find(time:Number):void
+        override protected function find():void
         {
+            var time:Number = moment;
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
@@ -126,9 +127,9 @@ package starlogo.intersection
             gapZ = z;
         }
 
-        override protected function get size():Number
+        override protected function measure():void
         {
-            return alongX + alongY + alongZ + halfX + halfY + halfZ + radii;
+            size = alongX + alongY + alongZ + halfX + halfY + halfZ + radii;
         }
 
         override protected function turnGap(b:BoundingStructure):void
@@ -141,7 +142,8 @@ package starlogo.intersection
 
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            DEEP.findDeepContact(a, b, radii, displacement, out);
+            DEEP.radius = radii;
+            DEEP.findContact(a, b, displacement, out);
         }
 
         /**

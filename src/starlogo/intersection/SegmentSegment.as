@@ -81,7 +81,8 @@ package starlogo.intersection
             _vy = b[int(endB + 1)] - b[int(startB + 1)];
             _vz = b[int(endB + 2)] - b[int(startB + 2)];
             multiply();
-            find(0);
+            moment = 0;
+            find();
         }
 
         private function multiply():void
@@ -112,8 +113,9 @@ package starlogo.intersection
             _uv = uv;
         }
 
-        override protected function find(time:Number):void
+        override protected function find():void
         {
+            var time:Number = moment;
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
@@ -180,9 +182,9 @@ package starlogo.intersection
             }
         }
 
-        override protected function get size():Number
+        override protected function measure():void
         {
-            return Math.sqrt(_uu) + Math.sqrt(_vv) + radii;
+            size = Math.sqrt(_uu) + Math.sqrt(_vv) + radii;
         }
 
         // At right angles to both segments, as upright as can be where they are parallel, and to the side where a's middle is.
@@ -202,15 +204,18 @@ package starlogo.intersection
             var most:Number = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
             if (sine > Tolerances.DIRECTION * Tolerances.DIRECTION * most)
             {
-                out.pointAlong(crossX, crossY, crossZ);
+                out.setNormal(crossX, crossY, crossZ);
+                out.normalise();
             }
             else if (_uu > _vv)
             {
-                out.pointAcross(_ux, _uy, _uz);
+                out.setNormal(_ux, _uy, _uz);
+                out.pointAcross();
             }
             else
             {
-                out.pointAcross(_vx, _vy, _vz);
+                out.setNormal(_vx, _vy, _vz);
+                out.pointAcross();
             }
             var startA:Vector3D = Capsule(a).start;
             var startB:Vector3D = Capsule(b).start;
@@ -219,9 +224,11 @@ package starlogo.intersection
             var z:Number = displacement.startZ + (startA.z - startB.z + (_uz - _vz) / 2);
             if (x * out.normalX + y * out.normalY + z * out.normalZ < 0)
             {
-                out.pointAlong(-out.normalX, -out.normalY, -out.normalZ);
+                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
+                out.normalise();
             }
-            placeContact(a, displacement, radii, out);
+            out.depth = radii;
+            placeContact(a, displacement, out);
         }
     }
 }

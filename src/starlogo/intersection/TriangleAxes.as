@@ -16,6 +16,8 @@ package starlogo.intersection
      * a point; of two of them, the longest edges are compared. Here an axis separates triangles that stand still; TriangleSweep asks of
      * each for how long it does, or how deep they overlap.</p>
      *
+     * <p>This file is long because all that an axis is computed from is in fields of its own: V8 makes objects of Numbers that are passed.</p>
+     *
      * @private
      */
     public class TriangleAxes
@@ -26,14 +28,23 @@ package starlogo.intersection
         /** Whether triangles stand, and no contact is looked for. */
         protected var isStanding:Boolean = true;
 
-        /** When the axes separate triangles that pass each other. */
+        /** Between what the projections on an axis are, and when it separates triangles that pass each other. */
         protected var times:TouchingTimes;
 
         /** How the second moves then. */
         protected var motion:RelativeMotion;
 
         /** The gap that still counts as touching, a distance. */
-        public var tolerance:Number;
+        public var tolerance:Number = 0;
+
+        /** The axis that is tried: of Numbers that are passed V8 makes objects. */
+        public var axisX:Number = 0;
+
+        /** @copy #axisX */
+        public var axisY:Number = 0;
+
+        /** @copy #axisX */
+        public var axisZ:Number = 0;
 
         /** Whether triangles without area are compared as segments: no contact is looked for. */
         protected var comparesSegments:Boolean = true;
@@ -89,6 +100,10 @@ package starlogo.intersection
         /** @copy #rx */
         public var rz:Number;
 
+        // The squared length of an edge; a corner or a normal for the next call.
+        private var _longest:Number = 0;
+        private var _from:Vector3D = new Vector3D();
+
         // From the first corner to the second, to the third, and from the second to the third.
         private var _edgesA:Vector.<Number> = new Vector.<Number>(9, true);
         private var _edgesB:Vector.<Number> = new Vector.<Number>(9, true);
@@ -99,15 +114,14 @@ package starlogo.intersection
         }
 
         /**
-         * Sets the two triangles.
+         * Sets the two triangles; the tolerance stays.
          *
          * @param a has nine numbers of a triangle: x, y, z of each corner
          * @param atA where in a they begin
          * @param b has nine numbers of the other
          * @param atB where in b they begin
-         * @param gap that still counts as touching
          */
-        public final function relate(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, gap:Number):void
+        public final function relate(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
         {
             var x:Number = a[atA];
             var y:Number = a[int(atA + 1)];
@@ -127,13 +141,12 @@ package starlogo.intersection
             rx = b[int(atB + 6)] - x;
             ry = b[int(atB + 7)] - y;
             rz = b[int(atB + 8)] - z;
-            tolerance = gap;
         }
 
         /** Whether the triangles have a gap of more than the tolerance. Those of one surface, or of models in one place, share corners. */
         internal final function areApart():Boolean
         {
-            return !isCornerAt(0, 0, 0) && !isCornerAt(ux, uy, uz) && !isCornerAt(vx, vy, vz) && areSeparated();
+            return !areCornersShared() && areSeparated();
         }
 
         /** Tries the axes until one separates the triangles. */
@@ -142,7 +155,10 @@ package starlogo.intersection
             var nx:Number = uy * vz - uz * vy;
             var ny:Number = uz * vx - ux * vz;
             var nz:Number = ux * vy - uy * vx;
-            if (isAxis(nx, ny, nz))
+            axisX = nx;
+            axisY = ny;
+            axisZ = nz;
+            if (isAxis())
             {
                 return true;
             }
@@ -152,21 +168,30 @@ package starlogo.intersection
             var mx:Number = edgesB[1] * edgesB[5] - edgesB[2] * edgesB[4];
             var my:Number = edgesB[2] * edgesB[3] - edgesB[0] * edgesB[5];
             var mz:Number = edgesB[0] * edgesB[4] - edgesB[1] * edgesB[3];
-            if (isAxis(mx, my, mz))
+            axisX = mx;
+            axisY = my;
+            axisZ = mz;
+            if (isAxis())
             {
                 return true;
             }
             // Squared heights over the longest edges, relative to these: that is how precise the normals are.
-            var longestA:Number = longest(edgesA);
-            var longestB:Number = longest(edgesB);
+            findLongest(edgesA);
+            var longestA:Number = _longest;
+            findLongest(edgesB);
+            var longestB:Number = _longest;
             var areaA:Number = nx * nx + ny * ny + nz * nz;
             var areaB:Number = mx * mx + my * my + mz * mz;
             var isFlatA:Boolean = areaA <= Tolerances.FLAT_TRIANGLE * longestA * longestA;
             var isFlatB:Boolean = areaB <= Tolerances.FLAT_TRIANGLE * longestB * longestB;
             if (isFlatA && isFlatB && comparesSegments)
             {
-                setLongestEdge(segmentA, edgesA, 0, 0, 0);
-                setLongestEdge(segmentB, edgesB, px, py, pz);
+                _from.x = _from.y = _from.z = 0;
+                setLongestEdge(segmentA, edgesA);
+                _from.x = px;
+                _from.y = py;
+                _from.z = pz;
+                setLongestEdge(segmentB, edgesB);
                 segmentA.radius = tolerance;
                 return areSegmentsSeparated();
             }
@@ -180,7 +205,10 @@ package starlogo.intersection
                     var fx:Number = edgesB[k];
                     var fy:Number = edgesB[int(k + 1)];
                     var fz:Number = edgesB[int(k + 2)];
-                    if (isAxis(ey * fz - ez * fy, ez * fx - ex * fz, ex * fy - ey * fx))
+                    axisX = ey * fz - ez * fy;
+                    axisY = ez * fx - ex * fz;
+                    axisZ = ex * fy - ey * fx;
+                    if (isAxis())
                     {
                         return true;
                     }
@@ -193,19 +221,16 @@ package starlogo.intersection
                 ny = my;
                 nz = mz;
             }
-            return isAxisInPlane(edgesA, nx, ny, nz) || isAxisInPlane(edgesB, nx, ny, nz);
+            _from.x = nx;
+            _from.y = ny;
+            _from.z = nz;
+            return isAxisInPlane(edgesA) || isAxisInPlane(edgesB);
         }
 
         /**
-         * Tries an axis where a contact is looked for.
-         *
-         * @param x the axis, of any length
-         * @param y likewise
-         * @param z likewise
-         * @param at where on it the second's projection has its middle, from the first's
-         * @param reach the sum of half the lengths of both projections
+         * Tries the axis, of any length, where a contact is looked for: the projections are found.
          */
-        protected function tryDepth(x:Number, y:Number, z:Number, at:Number, reach:Number):void
+        protected function tryDepth():void
         {
         }
 
@@ -215,14 +240,21 @@ package starlogo.intersection
             return !capsuleCapsule(segmentA, segmentB);
         }
 
-        private function isAxisInPlane(edges:Vector.<Number>, nx:Number, ny:Number, nz:Number):Boolean
+        // Of the plane with the normal that was set.
+        private function isAxisInPlane(edges:Vector.<Number>):Boolean
         {
+            var nx:Number = _from.x;
+            var ny:Number = _from.y;
+            var nz:Number = _from.z;
             for (var i:int = 0; i < 9; i += 3)
             {
                 var x:Number = edges[i];
                 var y:Number = edges[int(i + 1)];
                 var z:Number = edges[int(i + 2)];
-                if (isAxis(y * nz - z * ny, z * nx - x * nz, x * ny - y * nx))
+                axisX = y * nz - z * ny;
+                axisY = z * nx - x * nz;
+                axisZ = x * ny - y * nx;
+                if (isAxis())
                 {
                     return true;
                 }
@@ -230,9 +262,12 @@ package starlogo.intersection
             return false;
         }
 
-        /** Whether a direction separates the triangles. */
-        internal final function isAxis(x:Number, y:Number, z:Number):Boolean
+        /** Whether the axis separates the triangles. */
+        internal final function isAxis():Boolean
         {
+            var x:Number = axisX;
+            var y:Number = axisY;
+            var z:Number = axisZ;
             var second:Number = x * ux + y * uy + z * uz;
             var third:Number = x * vx + y * vy + z * vz;
             var low:Number = second < 0 ? second : 0;
@@ -255,31 +290,48 @@ package starlogo.intersection
                 var gap:Number = lowB > high ? lowB - high : low - highB;
                 return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
             }
-            var at:Number = (lowB + highB - low - high) / 2;
-            var reach:Number = (high - low + highB - lowB) / 2;
+            times.at = (lowB + highB - low - high) / 2;
+            times.reach = (high - low + highB - lowB) / 2;
             if (comparesSegments)
             {
-                return times.areSeparated(at, x * motion.x + y * motion.y + z * motion.z, reach, tolerance * Math.sqrt(x * x + y * y + z * z));
+                times.speed = x * motion.x + y * motion.y + z * motion.z;
+                times.gap = tolerance * Math.sqrt(x * x + y * y + z * z);
+                return times.areSeparated();
             }
-            tryDepth(x, y, z, at, reach);
+            tryDepth();
             return false;
         }
 
-        private function isCornerAt(x:Number, y:Number, z:Number):Boolean
+        // Whether a corner of the second is where one of the first is.
+        private function areCornersShared():Boolean
         {
             var limit:Number = tolerance * tolerance;
-            var dx:Number = px - x;
-            var dy:Number = py - y;
-            var dz:Number = pz - z;
-            var isCorner:Boolean = dx * dx + dy * dy + dz * dz <= limit;
-            dx = qx - x;
-            dy = qy - y;
-            dz = qz - z;
-            isCorner ||= dx * dx + dy * dy + dz * dz <= limit;
-            dx = rx - x;
-            dy = ry - y;
-            dz = rz - z;
-            return isCorner || dx * dx + dy * dy + dz * dz <= limit;
+            var isShared:Boolean = false;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
+            for (var i:int = 0; i < 3 && !isShared; i++)
+            {
+                if (i > 0)
+                {
+                    x = i == 1 ? ux : vx;
+                    y = i == 1 ? uy : vy;
+                    z = i == 1 ? uz : vz;
+                }
+                var dx:Number = px - x;
+                var dy:Number = py - y;
+                var dz:Number = pz - z;
+                isShared = dx * dx + dy * dy + dz * dz <= limit;
+                dx = qx - x;
+                dy = qy - y;
+                dz = qz - z;
+                isShared ||= dx * dx + dy * dy + dz * dz <= limit;
+                dx = rx - x;
+                dy = ry - y;
+                dz = rz - z;
+                isShared ||= dx * dx + dy * dy + dz * dz <= limit;
+            }
+            return isShared;
         }
 
         private function setEdges():void
@@ -309,8 +361,8 @@ package starlogo.intersection
             edges[8] = edges[5] - edges[2];
         }
 
-        // The squared length of the longest edge.
-        private static function longest(edges:Vector.<Number>):Number
+        // Finds the squared length of the longest edge.
+        private function findLongest(edges:Vector.<Number>):void
         {
             var most:Number = 0;
             for (var i:int = 0; i < 9; i += 3)
@@ -321,20 +373,36 @@ package starlogo.intersection
                 var squared:Number = x * x + y * y + z * z;
                 most = squared > most ? squared : most;
             }
-            return most;
+            _longest = most;
         }
 
-        // From a triangle's first corner on: the third edge begins where the first ends.
-        private static function setLongestEdge(segment:Capsule, edges:Vector.<Number>, x:Number, y:Number, z:Number):void
+        // From a triangle's first corner on, which is set: the third edge begins where the first ends.
+        private function setLongestEdge(segment:Capsule, edges:Vector.<Number>):void
         {
-            var most:Number = longest(edges);
+            findLongest(edges);
+            var most:Number = _longest;
+            var x:Number = _from.x;
+            var y:Number = _from.y;
+            var z:Number = _from.z;
             var at:int = 0;
             while (at < 6 && edges[at] * edges[at] + edges[int(at + 1)] * edges[int(at + 1)] + edges[int(at + 2)] * edges[int(at + 2)] < most)
             {
                 at += 3;
             }
-            segment.start.setTo(at == 6 ? x + edges[0] : x, at == 6 ? y + edges[1] : y, at == 6 ? z + edges[2] : z);
-            segment.end.setTo(segment.start.x + edges[at], segment.start.y + edges[int(at + 1)], segment.start.z + edges[int(at + 2)]);
+            if (at == 6)
+            {
+                x += edges[0];
+                y += edges[1];
+                z += edges[2];
+            }
+            var end:Vector3D = segment.start;
+            end.x = x;
+            end.y = y;
+            end.z = z;
+            end = segment.end;
+            end.x = x + edges[at];
+            end.y = y + edges[int(at + 1)];
+            end.z = z + edges[int(at + 2)];
         }
     }
 }

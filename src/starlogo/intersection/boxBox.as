@@ -182,7 +182,7 @@ package starlogo.intersection
             {
                 return true;
             }
-            return meetNearlyParallel(a, b, cosXX, cosXY, cosXZ, cosYX, cosYY, cosYZ, cosZX, cosZY, cosZZ);
+            return meetNearlyParallel(a, b);
         }
         along = tZ * cosYX - tY * cosZX;
         reach = halfAY * absZX + halfAZ * absYX + halfBY * absXZ + halfBZ * absXY;

@@ -4,7 +4,7 @@ package starlogo.intersection
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
 
     /**
      * Whether two capsules meet: the distance of their segments against the sum of the radii (thesis §3.6.3).
@@ -61,7 +61,8 @@ package starlogo.intersection
             // products of four lengths would overflow or vanish
             if (longest > 0)
             {
-                return timeOfImpact(a, b, RelativeMotion.NONE) == 0;
+                findTimeOfImpact(a, b, RelativeMotion.NONE);
+                return RelativeMotion.NONE.time == 0;
             }
         }
         var uv:Number = ux * vx + uy * vy + uz * vz;

@@ -1,34 +1,44 @@
 package starlogo.intersection
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.Box;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.boxBoxImpact;
+    import starlogo.intersection.sweep.findBoxImpact;
 
     /**
      * Whether two boxes meet that their faces do not separate, where an edge of one is nearly parallel to one of the other. With one pair
      * of edges parallel, every cross product is the direction of a face, which has been tried; else the sweep's axes are taken, which do
-     * not cancel.
-     *
-     * @param cosXX the dot product of a's axisX and b's axisX; the others alike, a's axis first
+     * not cancel. The cosines are computed anew: V8 would make objects of nine Numbers that are passed.
      *
      * @private
      */
-    internal function meetNearlyParallel(a:Box, b:Box, cosXX:Number, cosXY:Number, cosXZ:Number, cosYX:Number, cosYY:Number,
-            cosYZ:Number, cosZX:Number, cosZY:Number, cosZZ:Number):Boolean
+    internal function meetNearlyParallel(a:Box, b:Box):Boolean
     {
-        var xx:Number = cosXX * cosXX;
-        var xy:Number = cosXY * cosXY;
-        var xz:Number = cosXZ * cosXZ;
-        var yx:Number = cosYX * cosYX;
-        var yy:Number = cosYY * cosYY;
-        var yz:Number = cosYZ * cosYZ;
-        var zx:Number = cosZX * cosZX;
-        var zy:Number = cosZY * cosZY;
-        var zz:Number = cosZZ * cosZZ;
         var limit:Number = Tolerances.PARALLEL;
-        return xz + yz <= limit || yx + zx <= limit || xy + zy <= limit
-            || yy + zy <= limit || yz + zz <= limit || xx + zx <= limit || xz + zz <= limit
-            || xx + yx <= limit || xy + yy <= limit || boxBoxImpact(a, b, RelativeMotion.NONE) == 0;
+        var axisX:Vector3D = a.axisX;
+        var axisY:Vector3D = a.axisY;
+        var axisZ:Vector3D = a.axisZ;
+        for (var i:int = 0; i < 3; i++)
+        {
+            var axis:Vector3D = b.axisZ;
+            if (i > 0)
+            {
+                axis = i == 1 ? b.axisX : b.axisY;
+            }
+            var x:Number = axisX.x * axis.x + axisX.y * axis.y + axisX.z * axis.z;
+            var y:Number = axisY.x * axis.x + axisY.y * axis.y + axisY.z * axis.z;
+            var z:Number = axisZ.x * axis.x + axisZ.y * axis.y + axisZ.z * axis.z;
+            x *= x;
+            y *= y;
+            z *= z;
+            // along one axis of a: with the others there is nothing of it
+            if (x + y <= limit || y + z <= limit || x + z <= limit)
+            {
+                return true;
+            }
+        }
+        findBoxImpact(a, b, RelativeMotion.NONE);
+        return RelativeMotion.NONE.time == 0;
     }
 }

@@ -229,10 +229,14 @@ package starlogo.intersection
                     fy = isThirdEdge ? gy - fy : gy;
                     fz = isThirdEdge ? gz - fz : gz;
                 }
-                return !axes.isAxis(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx) && !axes.areApart();
+                axes.axisX = uy * fz - uz * fy;
+                axes.axisY = uz * fx - ux * fz;
+                axes.axisZ = ux * fy - uy * fx;
+                return !axes.isAxis() && !axes.areApart();
             }
         }
-        axes.relate(a, atA, b, atB, tolerance);
+        axes.relate(a, atA, b, atB);
+        axes.tolerance = tolerance;
         return !axes.areApart();
     }
 }

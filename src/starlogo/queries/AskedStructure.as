@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.engine;
     import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.touchingGap;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.intersects;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShape;
@@ -82,7 +82,7 @@ package starlogo.queries
             _toCentre.z = -z;
             _centred[_kind] = structure.place(_toCentre, _centred[_kind]);
             _inWorld[_kind] = structure.place(_toWorld, _inWorld[_kind]);
-            _inWorld[_kind].widen(touchingGap(x, y, z, 0, 0, 0));
+            _inWorld[_kind].widen(Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z)));
         }
 
         /** Whether a row, whose model is not loading, touches the structure; in exact mode triangles decide. */

@@ -3,7 +3,6 @@ package starlogo.queries
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.touchingGap;
     import starlogo.search.AgentTable;
 
     use namespace engine;
@@ -148,7 +147,7 @@ package starlogo.queries
         public function setBoxTo(extents:Vector.<Number>):void
         {
             var slack:Number = Tolerances.EXTENTS * (extents[1] - extents[0] + extents[3] - extents[2] + extents[5] - extents[4])
-                + Tolerances.EXTENTS_GAPS * touchingGap(extents[0], extents[2], extents[4], 0, 0, 0);
+                + Tolerances.EXTENTS_GAPS * (Tolerances.PLACES * (Math.abs(extents[0]) + Math.abs(extents[2]) + Math.abs(extents[4])));
             minX = extents[0] - slack;
             maxX = extents[1] + slack;
             minY = extents[2] - slack;
@@ -167,7 +166,6 @@ package starlogo.queries
             var halfX:Number = extents.halfX[row];
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
-            // touchingGap written out: V8 makes objects of what it is given
             var slack:Number = Tolerances.EXTENTS * (halfX + halfY + halfZ) + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(atX) + Math.abs(atY) + Math.abs(atZ));
             if (_isRound)
             {

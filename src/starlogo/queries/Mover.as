@@ -103,8 +103,10 @@ package starlogo.queries
         private var _extent:Number = 0;
         private var _hair:Number = 0;
 
-        // How far the rest of the motion goes along a normal.
+        // How far the rest of the motion goes along a normal; how much of it the row is put ahead; how far the offset grows along a normal.
         private var _along:Number = 0;
+        private var _ahead:Number = 0;
+        private var _by:Number = 0;
 
         // The projection that is tried, and the best so far.
         private var _triedX:Number = 0;
@@ -175,10 +177,14 @@ package starlogo.queries
             }
             else
             {
-                advance(1);
+                _time = 1;
+                advance();
                 part = 1;
             }
-            table.putBack(row, atX, atY, atZ, revision);
+            table.x[row] = atX;
+            table.y[row] = atY;
+            table.z[row] = atZ;
+            table.putBack(row, revision);
             _table = null;
         }
 
@@ -240,7 +246,7 @@ package starlogo.queries
                 for (var i:int = _count - 1; i >= 0; i--)
                 {
                     var other:int = _others[i];
-                    put(0);
+                    putHere();
                     if (!strategy.areTouching(_table, _row, other))
                     {
                         continue;
@@ -254,7 +260,8 @@ package starlogo.queries
                         leaveOut(i);
                         continue;
                     }
-                    addOffset(_tried, _tried.depth + _hair);
+                    _by = _tried.depth + _hair;
+                    addOffset(_tried);
                 }
                 if (isFree)
                 {
@@ -267,8 +274,9 @@ package starlogo.queries
         private function findStanding(other:int):void
         {
             _motion.endAfter(0, 0, 0);
-            _sweep.findContact(_table, _row, other, _motion, 0, _tried);
-            _separation.find(_table, _row, other, _motion, 0, _tried);
+            _motion.time = 0;
+            _sweep.findContact(_table, _row, other, _motion, _tried);
+            _separation.find(_table, _row, other, _motion, _tried);
         }
 
         private function goUntilTouch():void
@@ -292,12 +300,13 @@ package starlogo.queries
                 _time = _time > 0 ? _time : 0;
                 _hasContact = true;
                 _contact.depth = 0;
-                advance(_time);
+                advance();
                 turnAgainst();
                 _gone = _time;
                 return;
             }
-            advance(1);
+            _time = 1;
+            advance();
             _gone = 1;
         }
 
@@ -309,14 +318,15 @@ package starlogo.queries
                 touches--;
                 if (!findFirst())
                 {
-                    goOn(1);
+                    _time = 1;
+                    goOn();
                     return;
                 }
                 if (isLeft() || isOfNoConsequence())
                 {
                     continue;
                 }
-                goOn(_time);
+                goOn();
                 _count = _all;
                 if (_planeCount == MOST_PLANES)
                 {
@@ -332,13 +342,15 @@ package starlogo.queries
         private function stayFree():void
         {
             measure(_others[_first]);
-            addOffset(_contact, _hair);
-            put(0);
+            _by = _hair;
+            addOffset(_contact);
+            putHere();
             if (!touchesOne())
             {
                 return;
             }
-            addOffset(_contact, -_hair);
+            _by = -_hair;
+            addOffset(_contact);
             findAlong(_contact);
             var back:Number = -_hair / _along;
             var most:Number = _time / (1 - _time);
@@ -360,14 +372,16 @@ package starlogo.queries
             return false;
         }
 
-        private function goOn(time:Number):void
+        private function goOn():void
         {
-            _gone += time * Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
-            advance(time);
+            _gone += _time * Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
+            advance();
         }
 
-        private function advance(time:Number):void
+        // As far as the time says.
+        private function advance():void
         {
+            var time:Number = _time;
             x += time * _restX;
             y += time * _restY;
             z += time * _restZ;
@@ -384,7 +398,8 @@ package starlogo.queries
             {
                 return;
             }
-            putAhead(0);
+            _ahead = 0;
+            putAhead();
             if (strategy.areTouching(_table, _row, _others[_first]))
             {
                 findStanding(_others[_first]);
@@ -395,7 +410,8 @@ package starlogo.queries
                     return;
                 }
             }
-            _contact.pointAlong(-_restX, -_restY, -_restZ);
+            _contact.setNormal(-_restX, -_restY, -_restZ);
+            _contact.normalise();
         }
 
         // Whether what is met first is no farther than rounding from where it is, and the motion leaves it or runs along it: then a hair away it is not met.
@@ -407,7 +423,8 @@ package starlogo.queries
                 return false;
             }
             measure(_others[_first]);
-            addOffset(_contact, _hair);
+            _by = _hair;
+            addOffset(_contact);
             return true;
         }
 
@@ -419,7 +436,8 @@ package starlogo.queries
             {
                 return false;
             }
-            putAhead(_time);
+            _ahead = _time;
+            putAhead();
             if (strategy.areTouching(_table, _row, other))
             {
                 _tried.depth = 0;
@@ -469,7 +487,7 @@ package starlogo.queries
             _offsetX = -offsetX;
             _offsetY = -offsetY;
             _offsetZ = -offsetZ;
-            put(0);
+            putHere();
             if (touchesOne())
             {
                 x += offsetX;
@@ -481,15 +499,16 @@ package starlogo.queries
         // Finds what the rest of the motion meets first.
         private function findFirst():Boolean
         {
-            put(1);
+            _ahead = 1;
+            put();
             _motion.endAfter(_restX, _restY, _restZ);
             _time = RelativeMotion.NEVER;
             for (var i:int = 0; i < _count; i++)
             {
                 _sweep.findImpact(_table, _row, _others[i], _motion, _tried);
-                if (_sweep.time < _time)
+                if (_motion.time < _time)
                 {
-                    _time = _sweep.time;
+                    _time = _motion.time;
                     _first = i;
                     _contact.copyFrom(_tried);
                 }
@@ -502,25 +521,35 @@ package starlogo.queries
             return true;
         }
 
-        // Puts the row, with its offset, so far along the rest of the motion.
-        private function put(time:Number):void
+        // Puts the row, with its offset, as far ahead along the rest of the motion.
+        private function put():void
         {
-            _table.displace(_row, x + _offsetX + time * _restX, y + _offsetY + time * _restY, z + _offsetZ + time * _restZ);
+            _table.x[_row] = x + _offsetX + _ahead * _restX;
+            _table.y[_row] = y + _offsetY + _ahead * _restY;
+            _table.z[_row] = z + _offsetZ + _ahead * _restZ;
+            _table.displace(_row);
         }
 
-        // A little further than at a time of it.
-        private function putAhead(time:Number):void
+        private function putHere():void
+        {
+            _ahead = 0;
+            put();
+        }
+
+        // A little farther ahead.
+        private function putAhead():void
         {
             var length:Number = Math.sqrt(_restX * _restX + _restY * _restY + _restZ * _restZ);
             measure(_others[_first]);
-            put(time + AHEAD * _extent / length);
+            _ahead += AHEAD * _extent / length;
+            put();
         }
 
-        private function addOffset(contact:ContactPoint, distance:Number):void
+        private function addOffset(contact:ContactPoint):void
         {
-            _offsetX += distance * contact.normalX;
-            _offsetY += distance * contact.normalY;
-            _offsetZ += distance * contact.normalZ;
+            _offsetX += _by * contact.normalX;
+            _offsetY += _by * contact.normalY;
+            _offsetZ += _by * contact.normalZ;
         }
 
         private function leaveOut(at:int):void
@@ -529,7 +558,7 @@ package starlogo.queries
             _others[at] = _others[_count];
         }
 
-        // Finds the larger extent of the moving row and another, and how wide a hair is between them: with touchingGap written out.
+        // Finds the larger extent of the moving row and another, and how wide a hair is between them.
         private function measure(other:int):void
         {
             var extents:Extents = _table.extents;

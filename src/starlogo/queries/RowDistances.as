@@ -19,7 +19,7 @@ package starlogo.queries
 
     /**
      * Finds how far two rows of a table are apart, as a collider sees them: 0 where its strategy says that they touch, more everywhere else. The
-     * shapes count as wide as they are for touching (touchingGap): by what the rounding of places comes to.
+     * shapes count as wide as they are for touching (Tolerances.PLACES): by what the rounding of places comes to.
      *
      * @private
      */
@@ -105,7 +105,6 @@ package starlogo.queries
             sphere.center.x = table.extents.x[row];
             sphere.center.y = table.extents.y[row];
             sphere.center.z = table.extents.z[row];
-            // touchingGap written out: V8 makes objects of what it is given
             sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING
                 + Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
             return sphere;

@@ -22,7 +22,7 @@ package starlogo.queries
      * <p>The ray is brought into the space of the row's model, once: whatever represents the model is there as it was fitted, around the triangles, and
      * what is computed rounds with the size of the model, not with its place. For that the point of the line that is nearest to the row's place is found
      * first, and the same for every system: what the triangles of a model are hit at, its structures are hit at before. A ray is a line without
-     * thickness: the margin by which shapes at a place are enlarged (touchingGap) is not added.</p>
+     * thickness: the margin by which shapes at a place are enlarged (Tolerances.PLACES) is not added.</p>
      *
      * @private
      */

@@ -203,7 +203,10 @@ package starlogo.search
                 loadingCount += loading;
             }
             revisions[row] = agent.revision;
-            putAt(row, agent.placement.x, agent.placement.y, agent.placement.z);
+            x[row] = agent.placement.x;
+            y[row] = agent.placement.y;
+            z[row] = agent.placement.z;
+            moveExtents(row);
         }
 
         /** Whether a row is as its agent is now. */
@@ -300,7 +303,10 @@ package starlogo.search
                 {
                     // it has moved since: in one step more, if the game has put it there by a jump
                     agents[row].revision++;
-                    putAt(row, seenX, seenY, seenZ);
+                    x[row] = seenX;
+                    y[row] = seenY;
+                    z[row] = seenZ;
+                    moveExtents(row);
                 }
                 revisions[row] = seen;
                 placedRevisions[row] = STALE;
@@ -378,16 +384,16 @@ package starlogo.search
             return _placed[row];
         }
 
-        /** Puts a row somewhere else, so that questions can be asked about it there, until <code>putBack()</code>. */
-        public function displace(row:int, toX:Number, toY:Number, toZ:Number):void
+        /** A row is somewhere else, where x, y, z have been set to, so that questions can be asked about it there, until <code>putBack()</code>. */
+        public function displace(row:int):void
         {
-            putBack(row, toX, toY, toZ, DISPLACED);
+            putBack(row, DISPLACED);
         }
 
-        /** Puts a row back to where it was, with the revision that it had. */
-        public function putBack(row:int, toX:Number, toY:Number, toZ:Number, revision:int):void
+        /** A row is back where it was, where x, y, z have been set to, with the revision that it had. */
+        public function putBack(row:int, revision:int):void
         {
-            putAt(row, toX, toY, toZ);
+            moveExtents(row);
             revisions[row] = revision;
             placedRevisions[row] = STALE;
         }
@@ -398,7 +404,6 @@ package starlogo.search
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
             // its part of the gap
-            // touchingGap written out: V8 makes objects of what it is given
             var atX:Number = x[row];
             var atY:Number = y[row];
             var atZ:Number = z[row];
@@ -416,14 +421,11 @@ package starlogo.search
             placedRevisions[row] = revisions[row];
         }
 
-        private function putAt(row:int, toX:Number, toY:Number, toZ:Number):void
+        private function moveExtents(row:int):void
         {
-            x[row] = toX;
-            y[row] = toY;
-            z[row] = toZ;
-            extents.x[row] = toX + _offsetX[row];
-            extents.y[row] = toY + _offsetY[row];
-            extents.z[row] = toZ + _offsetZ[row];
+            extents.x[row] = x[row] + _offsetX[row];
+            extents.y[row] = y[row] + _offsetY[row];
+            extents.z[row] = z[row] + _offsetZ[row];
         }
 
         // Reads where agents are, and notes which have changed in more than their positions: false if the rows are not theirs. The positions are

@@ -322,7 +322,8 @@ package starlogo.search
         {
             if (_motions.isSweeping[a] || _motions.isSweeping[b])
             {
-                return _motions.impactTime(_table, _bins, a, b);
+                _motions.findTime(_table, _bins, a, b);
+                return _motions.foundTime;
             }
             var areTouching:Boolean = ShapeStrategy.areNear(_table.extents, _bins, a, b) && _strategy.areTouching(_table, a, b);
             return areTouching ? 1 : RelativeMotion.NEVER;

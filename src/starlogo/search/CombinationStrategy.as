@@ -101,21 +101,21 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
+        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            return strategyOf(table, a, b).impactTime(table, a, b, motion);
+            strategyOf(table, a, b).findTime(table, a, b, motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            strategyOf(table, a, b).findContact(table, a, b, motion, time, out);
+            strategyOf(table, a, b).findContact(table, a, b, motion, out);
         }
 
         /** @inheritDoc */
-        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            return strategyOf(table, a, b).findImpact(table, a, b, motion, out);
+            strategyOf(table, a, b).findImpact(table, a, b, motion, out);
         }
 
         /** @inheritDoc */

@@ -135,45 +135,48 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
+        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             if (isSecondFirst(table, a, b))
             {
                 _turned.turn(motion);
-                return impactTime(table, b, a, _turned);
+                findTime(table, b, a, _turned);
+                motion.time = _turned.time;
+                return;
             }
             counts.hierarchyTests++;
             setSweptPair(table, a, b, false);
-            return _swept.impactTime(motion);
+            _swept.findTime(motion);
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             if (table.shapes[a].hierarchy == null)
             {
                 _turned.turn(motion);
-                findContact(table, b, a, _turned, time, out);
-                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+                findContact(table, b, a, _turned, out);
+                out.turn(motion);
                 return;
             }
             setSweptPair(table, a, b, false);
-            _swept.findContact(motion, time, out);
+            _swept.findContact(motion, out);
         }
 
         /** @inheritDoc */
-        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        override public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             if (isSecondFirst(table, a, b))
             {
                 _turned.turn(motion);
-                var time:Number = findImpact(table, b, a, _turned, out);
-                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
-                return time;
+                findImpact(table, b, a, _turned, out);
+                motion.time = _turned.time;
+                out.turn(motion);
+                return;
             }
             counts.hierarchyTests++;
             setSweptPair(table, a, b, _leavesDecide);
-            return _swept.findImpact(motion, out);
+            _swept.findImpact(motion, out);
         }
 
         /** @inheritDoc */

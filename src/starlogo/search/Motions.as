@@ -91,12 +91,11 @@ package starlogo.search
         }
 
         /**
-         * When two rows of which one sweeps touch for the first time.
+         * Finds when two rows of which one sweeps touch for the first time: the motion's time.
          *
          * @param bins know how far apart the extents of rows that touch may be; null to test all exactly
-         * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function impactTime(table:AgentTable, bins:Bins, a:int, b:int):Number
+        public function findTime(table:AgentTable, bins:Bins, a:int, b:int):void
         {
             var motion:RelativeMotion = _motion;
             motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
@@ -104,14 +103,28 @@ package starlogo.search
             var areSpheres:Boolean = table.shapes[a].isSphere && table.shapes[b].isSphere;
             if (!isStill && !areSpheres && bins != null && passEachOther(table.extents, a, b, bins.slack))
             {
-                return RelativeMotion.NEVER;
+                motion.time = RelativeMotion.NEVER;
+                return;
             }
             _strategy.counts.sweptPairs++;
-            if (isStill)
+            if (!isStill)
             {
-                return _strategy.areTouching(table, a, b) ? 0 : RelativeMotion.NEVER;
+                _sweep.findTime(table, a, b, motion);
             }
-            return _sweep.impactTime(table, a, b, motion);
+            else if (_strategy.areTouching(table, a, b))
+            {
+                motion.time = 0;
+            }
+            else
+            {
+                motion.time = RelativeMotion.NEVER;
+            }
+        }
+
+        /** When the rows touch that findTime was asked about, from 0 to 1, or RelativeMotion.NEVER. */
+        public function get foundTime():Number
+        {
+            return _motion.time;
         }
 
         /**
@@ -125,18 +138,19 @@ package starlogo.search
         {
             var motion:RelativeMotion = _motion;
             var isPassing:Boolean = isSwept && (isSweeping[a] || isSweeping[b]);
-            var time:Number = isPassing ? impactTime(table, null, a, b) : 1;
-            if (time == RelativeMotion.NEVER)
+            if (isPassing)
             {
-                isPassing = false;
-                time = 1;
+                findTime(table, null, a, b);
+                isPassing = motion.time != RelativeMotion.NEVER;
             }
             if (!isPassing)
             {
                 motion.endAfter(0, 0, 0);
+                motion.time = 1;
             }
-            _sweep.findContact(table, a, b, motion, time, out);
-            _separation.find(table, a, b, motion, time, out);
+            var time:Number = motion.time;
+            _sweep.findContact(table, a, b, motion, out);
+            _separation.find(table, a, b, motion, out);
             if (isPassing)
             {
                 // from where b is now to where it was

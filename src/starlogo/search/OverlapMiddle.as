@@ -9,6 +9,14 @@ package starlogo.search
     /** Where the point of a contact is in the overlap of two rows. */
     internal final class OverlapMiddle
     {
+        // A field, because V8 makes objects of Numbers that are returned.
+        private var _across:Number = 0;
+
+        /** No contact yet. */
+        public function OverlapMiddle()
+        {
+        }
+
         /**
          * Where a row reaches less far along the normal than the depth, as one that is inside of a larger one does, has the point in the middle of it.
          *
@@ -16,10 +24,12 @@ package starlogo.search
          * @param b the second
          * @param out the contact, its point half of the depth from where the second ends along the normal
          */
-        public static function setAlong(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        public function setAlong(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            var low:Number = out.depth - across(table, b, out);
-            var high:Number = across(table, a, out);
+            findAcross(table, b, out);
+            var low:Number = out.depth - _across;
+            findAcross(table, a, out);
+            var high:Number = _across;
             if (low > 0 || high < out.depth)
             {
                 low = low > 0 ? low : 0;
@@ -32,37 +42,24 @@ package starlogo.search
         }
 
         /** Puts a contact's point into the extents of a row, where it is not. */
-        public static function keepWithin(extents:Extents, row:int, out:ContactPoint):void
+        public function keepWithin(extents:Extents, row:int, out:ContactPoint):void
         {
-            out.x = nearest(out.x, extents.x[row], extents.halfX[row]);
-            out.y = nearest(out.y, extents.y[row], extents.halfY[row]);
-            out.z = nearest(out.z, extents.z[row], extents.halfZ[row]);
+            out.x = Math.max(Math.min(out.x, extents.x[row] + extents.halfX[row]), extents.x[row] - extents.halfX[row]);
+            out.y = Math.max(Math.min(out.y, extents.y[row] + extents.halfY[row]), extents.y[row] - extents.halfY[row]);
+            out.z = Math.max(Math.min(out.z, extents.z[row] + extents.halfZ[row]), extents.z[row] - extents.halfZ[row]);
         }
 
-        private static function nearest(at:Number, middle:Number, half:Number):Number
-        {
-            if (at > middle + half)
-            {
-                return middle + half;
-            }
-            return at < middle - half ? middle - half : at;
-        }
-
-        // How far across a row is along a normal, or its extents are.
-        private static function across(table:AgentTable, row:int, out:ContactPoint):Number
+        // Finds how far across a row is along a normal, or its extents are.
+        private function findAcross(table:AgentTable, row:int, out:ContactPoint):void
         {
             var extents:Extents = table.extents;
             if (table.shapes[row].isSphere)
             {
-                return 2 * extents.halfX[row];
+                _across = 2 * extents.halfX[row];
+                return;
             }
-            return 2 * (extents.halfX[row] * Math.abs(out.normalX) + extents.halfY[row] * Math.abs(out.normalY)
+            _across = 2 * (extents.halfX[row] * Math.abs(out.normalX) + extents.halfY[row] * Math.abs(out.normalY)
                     + extents.halfZ[row] * Math.abs(out.normalZ));
-        }
-
-        /** It has functions only; there are no instances. */
-        public function OverlapMiddle()
-        {
         }
     }
 }

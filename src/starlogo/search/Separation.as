@@ -17,6 +17,8 @@ package starlogo.search
      * point is crossed at the cosine of the angle). So the direction is improved until that ends. It begins with the normal of the contact that is
      * given, and with that axis of the world along which the extents overlap least, so that the depth is never more than that.</p>
      *
+     * <p>This file is long because all its steps share where the two are, what is tried, and what was found.</p>
+     *
      * @private
      */
     public final class Separation
@@ -36,6 +38,7 @@ package starlogo.search
 
         private var _strategy:ShapeStrategy;
         private var _sweep:RowSweep;
+        private var _middle:OverlapMiddle = new OverlapMiddle();
 
         // The pair under way, where its first row is when they touch, and their larger extent.
         private var _table:AgentTable;
@@ -53,6 +56,9 @@ package starlogo.search
         private var _touching:Number = 0;
         private var _free:Number = 0;
         private var _exit:Number = 0;
+
+        // How far along it the first is put: a field, because V8 makes objects of Numbers that are passed.
+        private var _distance:Number = 0;
 
         // The sweep back, and the contact in which it ends.
         private var _back:RelativeMotion = new RelativeMotion();
@@ -75,78 +81,82 @@ package starlogo.search
         /**
          * Makes a contact's normal and depth separate.
          *
-         * @param motion of the first row, which ends where it is in the table, relative to the second
-         * @param time when they touch
+         * @param motion of the first row, which ends where it is in the table, relative to the second, with the time when they touch
          * @param out the contact of two parts that touch then
          */
-        public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             if ((table.shapes[a].isSphere && table.shapes[b].isSphere) || _strategy.hasExactContact(table, a, b))
             {
-                OverlapMiddle.setAlong(table, a, b, out);
+                _middle.setAlong(table, a, b, out);
                 return;
             }
             var x:Number = table.x[a];
             var y:Number = table.y[a];
             var z:Number = table.z[a];
             var revision:int = table.revisions[a];
-            begin(table, a, b, x + (motion.startX + time * motion.x), y + (motion.startY + time * motion.y), z + (motion.startZ + time * motion.z));
-            if (touchAt(0))
+            begin(table, a, b, motion);
+            _distance = 0;
+            if (touch())
             {
-                findLeast(motion, time, out);
+                findLeast(motion, out);
             }
             else
             {
-                findTouch(motion, time, out);
+                findTouch(motion, out);
             }
-            displace(0);
-            OverlapMiddle.setAlong(table, a, b, out);
-            OverlapMiddle.keepWithin(table.extents, a, out);
-            OverlapMiddle.keepWithin(table.extents, b, out);
-            table.putBack(a, x, y, z, revision);
+            _distance = 0;
+            displace();
+            _middle.setAlong(table, a, b, out);
+            _middle.keepWithin(table.extents, a, out);
+            _middle.keepWithin(table.extents, b, out);
+            table.x[a] = x;
+            table.y[a] = y;
+            table.z[a] = z;
+            table.putBack(a, revision);
             _table = null;
         }
 
-        private function begin(table:AgentTable, a:int, b:int, x:Number, y:Number, z:Number):void
+        private function begin(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
+            var time:Number = motion.time;
             _table = table;
             _a = a;
             _b = b;
-            _x = x;
-            _y = y;
-            _z = z;
-            _extent = 2 * Math.max(longestHalf(table.extents, a), longestHalf(table.extents, b));
-        }
-
-        private static function longestHalf(extents:Extents, row:int):Number
-        {
-            return Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
+            _x = table.x[a] + (motion.startX + time * motion.x);
+            _y = table.y[a] + (motion.startY + time * motion.y);
+            _z = table.z[a] + (motion.startZ + time * motion.z);
+            var extents:Extents = table.extents;
+            var half:Number = Math.max(extents.halfX[a], Math.max(extents.halfY[a], extents.halfZ[a]));
+            half = Math.max(half, Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b])));
+            _extent = 2 * half;
         }
 
         // Rounding has them just not touching: there is no depth, and the motion's direction is the normal unless the two touch along theirs.
-        private function findTouch(motion:RelativeMotion, time:Number, out:ContactPoint):void
+        private function findTouch(motion:RelativeMotion, out:ContactPoint):void
         {
             out.depth = 0;
             point(out);
-            if (isComing(motion, time) && !touchAt(-Tolerances.SEPARATION / 4 * _extent))
+            _distance = -Tolerances.SEPARATION / 4 * _extent;
+            if (isComing(motion) && !touch())
             {
-                out.pointAlong(-motion.x, -motion.y, -motion.z);
+                out.pointAgainst(motion);
             }
         }
 
         // Whether there was no touch before the time.
-        private static function isComing(motion:RelativeMotion, time:Number):Boolean
+        private static function isComing(motion:RelativeMotion):Boolean
         {
-            return time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
+            return motion.time > 0 && (motion.x != 0 || motion.y != 0 || motion.z != 0);
         }
 
         // Leaves find a direction first, where triangles decide: they are quick.
-        private function findLeast(motion:RelativeMotion, time:Number, out:ContactPoint):void
+        private function findLeast(motion:RelativeMotion, out:ContactPoint):void
         {
             var isDeep:Boolean = isDeepAlong(out);
-            if (isDeep && isComing(motion, time))
+            if (isDeep && isComing(motion))
             {
-                _left.pointAlong(-motion.x, -motion.y, -motion.z);
+                _left.pointAgainst(motion);
                 isDeep = isDeepAlong(_left);
             }
             if (isDeep)
@@ -157,7 +167,8 @@ package starlogo.search
                 if (_strategy.isExact)
                 {
                     point(out);
-                    goOut(out.depth);
+                    _free = out.depth;
+                    goOut();
                     sweepBack(out);
                     improve(out);
                 }
@@ -185,20 +196,23 @@ package starlogo.search
             point(contact);
             _touching = 0;
             _free = SHALLOW * _extent;
-            return touchAt(_free);
+            return touchesFree();
         }
 
         private function findDirection(out:ContactPoint):void
         {
             _start.copyFrom(out);
-            displace(0);
+            _distance = 0;
+            displace();
             _strategy.findOuterContact(_table, _a, _b, _left);
             point(_left);
-            goOut(_left.depth);
+            _free = _left.depth;
+            goOut();
             sweepBack(out);
             _parting.copyFrom(_left);
             point(_start);
-            if (!tryUpTo(GAIN * out.depth, out))
+            _free = GAIN * out.depth;
+            if (!tryUpToFree(out))
             {
                 _left.copyFrom(_parting);
             }
@@ -218,29 +232,29 @@ package starlogo.search
                 return false;
             }
             point(_left);
-            return tryUpTo(cosine * out.depth + Tolerances.SEPARATION * _extent, out);
+            _free = cosine * out.depth + Tolerances.SEPARATION * _extent;
+            return tryUpToFree(out);
         }
 
-        // Takes the direction if the two do not touch at a distance along it. Returns whether it is.
-        private function tryUpTo(distance:Number, out:ContactPoint):Boolean
+        // Takes the direction if the two do not touch at the free distance along it. Returns whether it is.
+        private function tryUpToFree(out:ContactPoint):Boolean
         {
-            if (touchAt(distance))
+            if (touchesFree())
             {
                 return false;
             }
             _touching = 0;
-            _free = distance;
             sweepBack(out);
             return true;
         }
 
-        // Goes out along the direction until the two do not touch.
-        private function goOut(guess:Number):void
+        // Goes out along the direction, beyond the free distance, which is a guess, until the two do not touch.
+        private function goOut():void
         {
             var step:Number = SHALLOW * _extent;
             _touching = 0;
-            _free = guess + Tolerances.SEPARATION * _extent;
-            while (touchAt(_free) && _free < 1e300)
+            _free += Tolerances.SEPARATION * _extent;
+            while (touchesFree() && _free < 1e300)
             {
                 _touching = _free;
                 _free += step;
@@ -255,11 +269,12 @@ package starlogo.search
             {
                 halve();
             }
-            displace(_touching);
+            _distance = _touching;
+            displace();
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
             _sweep.findImpact(_table, _a, _b, _back, _left);
-            var time:Number = Math.min(_sweep.time, 1);
+            var time:Number = Math.min(_back.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
             out.normalZ = _alongZ;
@@ -269,7 +284,8 @@ package starlogo.search
         private function halve():void
         {
             var middle:Number = (_touching + _free) / 2;
-            if (touchAt(middle))
+            _distance = middle;
+            if (touch())
             {
                 _touching = middle;
             }
@@ -285,7 +301,7 @@ package starlogo.search
             var slack:Number = Tolerances.SEPARATION / 4 * _extent;
             _touching = 0;
             _free = _exit + slack;
-            if (touchAt(_free))
+            if (touchesFree())
             {
                 var step:Number = slack;
                 do
@@ -294,11 +310,12 @@ package starlogo.search
                     _free += step;
                     step *= 2;
                 }
-                while (touchAt(_free) && _free < 1e300);
+                while (touchesFree() && _free < 1e300);
             }
             else
             {
-                if (_exit <= slack || touchAt(_exit - slack))
+                _distance = _exit - slack;
+                if (_exit <= slack || touch())
                 {
                     return;
                 }
@@ -318,16 +335,25 @@ package starlogo.search
             _alongZ = contact.normalZ;
         }
 
-        // Whether the two touch when the first has been moved along the direction.
-        private function touchAt(distance:Number):Boolean
+        private function touchesFree():Boolean
         {
-            displace(distance);
+            _distance = _free;
+            return touch();
+        }
+
+        // Whether the two touch when the first has been moved along the direction by the distance.
+        private function touch():Boolean
+        {
+            displace();
             return _strategy.areTouching(_table, _a, _b);
         }
 
-        private function displace(distance:Number):void
+        private function displace():void
         {
-            _table.displace(_a, _x + distance * _alongX, _y + distance * _alongY, _z + distance * _alongZ);
+            _table.x[_a] = _x + _distance * _alongX;
+            _table.y[_a] = _y + _distance * _alongY;
+            _table.z[_a] = _z + _distance * _alongZ;
+            _table.displace(_a);
         }
     }
 }

@@ -8,7 +8,6 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
-    import starlogo.geometry.touchingGap;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -161,25 +160,23 @@ package starlogo.search
         }
 
         /**
-         * When two rows, not both spheres, touch for the first time as one moves: the first moment at which <code>areTouching()</code> would
+         * Finds when two rows, not both spheres, touch for the first time as one moves: the first moment at which <code>areTouching()</code> would
          * say so.
          *
-         * @param motion of the first, which ends where it is now, relative to the second
-         * @return from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of the first, which ends where it is now, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
          */
-        public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
+        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            throw new IllegalOperationError(this + " does not implement impactTime");
+            throw new IllegalOperationError(this + " does not implement findTime");
         }
 
         /**
          * How two rows touch.
          *
-         * @param motion as in impactTime
-         * @param time when they do first
+         * @param motion as in findTime, with the time when they do first
          * @param out takes it, the normal pointing from b to a, with b where it is now
          */
-        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
             throw new IllegalOperationError(this + " does not implement findContact");
         }
@@ -187,18 +184,16 @@ package starlogo.search
         /**
          * When and how two rows, not both spheres, touch for the first time that do not touch at the beginning.
          *
-         * @param motion as in impactTime
+         * @param motion as in findTime; but what rounding hides at its end may be left out
          * @param out takes how, as in findContact
-         * @return as impactTime; but what rounding hides at the end of the motion may be left out
          */
-        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):Number
+        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            var time:Number = impactTime(table, a, b, motion);
-            if (time != RelativeMotion.NEVER)
+            findTime(table, a, b, motion);
+            if (motion.time != RelativeMotion.NEVER)
             {
-                findContact(table, a, b, motion, time, out);
+                findContact(table, a, b, motion, out);
             }
-            return time;
         }
 
         /**
@@ -208,7 +203,8 @@ package starlogo.search
          */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            findContact(table, a, b, RelativeMotion.NONE, 0, out);
+            RelativeMotion.NONE.time = 0;
+            findContact(table, a, b, RelativeMotion.NONE, out);
         }
 
         /**
@@ -291,17 +287,9 @@ package starlogo.search
             {
                 return true;
             }
-            // reachOfSpheres written out: of a Number that is returned V8 makes an object
             reach = reach * Tolerances.TOUCHING + Tolerances.PLACES * (Math.abs(table.x[a]) + Math.abs(table.y[a]) + Math.abs(table.z[a])
                     + (Math.abs(table.x[b]) + Math.abs(table.y[b]) + Math.abs(table.z[b])));
             return squared <= reach * reach;
-        }
-
-        /** The distance of the centres at which two rows that are spheres touch. */
-        internal static function reachOfSpheres(table:AgentTable, a:int, b:int):Number
-        {
-            return (table.extents.halfX[a] + table.extents.halfX[b]) * Tolerances.TOUCHING
-                + touchingGap(table.x[a], table.y[a], table.z[a], table.x[b], table.y[b], table.z[b]);
         }
     }
 }

@@ -16,8 +16,8 @@ package starlogo.search
     import starlogo.intersection.intersects;
     import starlogo.intersection.sphereSphere;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.boxBoxImpact;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findBoxImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
     import starlogo.libraries.BoundingStructuresLibrary;
 
     use namespace engine;
@@ -42,6 +42,10 @@ package starlogo.search
         private var _greatLand:GreatLand;
         private var _finder:ContactFinder = new ContactFinder();
         private var _back:RelativeMotion = new RelativeMotion();
+
+        // The interval in which all structures under way touch.
+        private var _first:Number = 0;
+        private var _last:Number = 1;
 
         /**
          * @param greatLand has the structures
@@ -183,29 +187,33 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function impactTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):Number
+        override public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             var structureA:BoundingStructure = table.structureOf(a);
             var structureB:BoundingStructure = table.structureOf(b);
             noteTest(structureA, structureB);
             if (boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
             {
-                return boxBoxImpact(Box(structureA), Box(structureB), motion, true);
+                findBoxImpact(Box(structureA), Box(structureB), motion, true);
+                return;
             }
-            var time:Number = timeOfImpact(structureA, structureB, motion);
-            if (time != RelativeMotion.NEVER && haveOuter(table, a, b))
+            findTimeOfImpact(structureA, structureB, motion);
+            if (motion.time != RelativeMotion.NEVER && haveOuter(table, a, b))
             {
-                time = impactTimeOfAll(table, a, b, motion, time);
+                findTimeOfAll(table, a, b, motion);
             }
             // no rounding hides what stands there
-            return time == RelativeMotion.NEVER && areTouching(table, a, b) ? 1 : time;
+            if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
+            {
+                motion.time = 1;
+            }
         }
 
         /** @inheritDoc */
-        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        override public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            _finder.find(table.structureOf(a), table.structureOf(b), motion.startX + time * motion.x, motion.startY + time * motion.y,
-                    motion.startZ + time * motion.z, out);
+            _finder.displacement.stopAt(motion);
+            _finder.find(table.structureOf(a), table.structureOf(b), out);
         }
 
         /** @inheritDoc */
@@ -244,31 +252,34 @@ package starlogo.search
             return true;
         }
 
-        // When the outer structures and the structures all touch. Each two of them touch during one interval of the motion.
-        private function impactTimeOfAll(table:AgentTable, a:int, b:int, motion:RelativeMotion, time:Number):Number
+        // Finds when the outer structures and the structures all touch; the structures' time is there. Each two of them touch during one interval.
+        private function findTimeOfAll(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             var outerA:OuterStructures = table.outer[a];
             var outerB:OuterStructures = table.outer[b];
-            var end:Number = timeOfLastContact(table.structureOf(a), table.structureOf(b), motion);
+            _back.reverse(motion);
+            findTimeOfImpact(table.structureOf(a), table.structureOf(b), _back);
+            _first = motion.time;
+            _last = 1 - _back.time;
             if (spheresFirst)
             {
                 noteTest(outerA.sphere, outerB.sphere);
-                time = Math.max(time, timeOfImpact(outerA.sphere, outerB.sphere, motion));
-                end = Math.min(end, timeOfLastContact(outerA.sphere, outerB.sphere, motion));
+                limitTimes(outerA.sphere, outerB.sphere, motion);
             }
             if (capsulesFirst && isOneBox(table, a, b))
             {
                 noteTest(outerA.capsule, outerB.capsule);
-                time = Math.max(time, timeOfImpact(outerA.capsule, outerB.capsule, motion));
-                end = Math.min(end, timeOfLastContact(outerA.capsule, outerB.capsule, motion));
+                limitTimes(outerA.capsule, outerB.capsule, motion);
             }
-            return time <= end ? time : RelativeMotion.NEVER;
+            motion.time = _first <= _last ? _first : RelativeMotion.NEVER;
         }
 
-        private function timeOfLastContact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+        private function limitTimes(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
         {
-            _back.setPart(motion, 1, 0);
-            return 1 - timeOfImpact(a, b, _back);
+            findTimeOfImpact(a, b, motion);
+            findTimeOfImpact(a, b, _back);
+            _first = Math.max(_first, motion.time);
+            _last = Math.min(_last, 1 - _back.time);
         }
 
         private function noteTest(a:BoundingStructure, b:BoundingStructure):void

@@ -25,6 +25,7 @@ package starlogo.solid
         public var isPointOfSecond:Boolean = false;
 
         private var _pose:RelativePose;
+        private var _radius:Number = 0;
         private var _middle:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
 
@@ -72,13 +73,16 @@ package starlogo.solid
             }
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                return isBallInside(outer, Sphere(structure).center, Sphere(structure).radius);
+                _radius = Sphere(structure).radius;
+                return isBallInside(outer, Sphere(structure).center);
             }
             if (structure.kind == BoundingStructure.CAPSULE)
             {
-                return isBallInside(outer, Capsule(structure).start, Capsule(structure).radius);
+                _radius = Capsule(structure).radius;
+                return isBallInside(outer, Capsule(structure).start);
             }
-            return isBallInside(outer, Box(structure).center, 0);
+            _radius = 0;
+            return isBallInside(outer, Box(structure).center);
         }
 
         /**
@@ -89,12 +93,15 @@ package starlogo.solid
          */
         public function isLeafInside(outer:SolidHierarchy, node:HierarchyNode):Boolean
         {
-            _middle.setTo(node.x, node.y, node.z);
-            return outer.hasTriangles && isBallInside(outer, _middle, node.innerRadius);
+            _middle.x = node.x;
+            _middle.y = node.y;
+            _middle.z = node.z;
+            _radius = node.innerRadius;
+            return outer.hasTriangles && isBallInside(outer, _middle);
         }
 
-        // Of a ball in the second model's space, the middle decides.
-        private function isBallInside(outer:SolidHierarchy, middle:Vector3D, radius:Number):Boolean
+        // Of a ball in the second model's space, with the radius that was set, the middle decides.
+        private function isBallInside(outer:SolidHierarchy, middle:Vector3D):Boolean
         {
             var relative:Placement = _pose.placement;
             var root:HierarchyNode = outer.root;
@@ -106,7 +113,7 @@ package starlogo.solid
             point.x = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
             point.y = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
             point.z = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
-            radius *= relative.size;
+            var radius:Number = _radius * relative.size;
             return Math.abs(point.x - root.x) <= root.halfX - radius && Math.abs(point.y - root.y) <= root.halfY - radius
                 && Math.abs(point.z - root.z) <= root.halfZ - radius && outer.solid.isInside(point);
         }
@@ -145,6 +152,9 @@ package starlogo.solid
             var halfX:Number = root.halfX;
             var halfY:Number = root.halfY;
             var halfZ:Number = root.halfZ;
+            var x:Number = 0;
+            var y:Number = 0;
+            var z:Number = 0;
             for (var first:int = 0; first < length; first += stride)
             {
                 var end:int = first + stride;
@@ -154,17 +164,17 @@ package starlogo.solid
                     var px:Number = points[at];
                     var py:Number = points[int(at + 1)];
                     var pz:Number = points[int(at + 2)];
-                    var x:Number = m00 * px + m01 * py + m02 * pz + moveX;
+                    x = m00 * px + m01 * py + m02 * pz + moveX;
                     if (x > halfX || x < -halfX)
                     {
                         break;
                     }
-                    var y:Number = m10 * px + m11 * py + m12 * pz + moveY;
+                    y = m10 * px + m11 * py + m12 * pz + moveY;
                     if (y > halfY || y < -halfY)
                     {
                         break;
                     }
-                    var z:Number = m20 * px + m21 * py + m22 * pz + moveZ;
+                    z = m20 * px + m21 * py + m22 * pz + moveZ;
                     if (z > halfZ || z < -halfZ)
                     {
                         break;

@@ -12,7 +12,7 @@ package starlogo.solid
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;
 
@@ -126,71 +126,74 @@ package starlogo.solid
         }
 
         /**
-         * When the two collide.
+         * Finds when the two collide.
          *
-         * @param motion of the first model, relative to the second
-         * @return from 0 to 1, or RelativeMotion.NEVER
+         * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
          */
-        public function impactTime(motion:RelativeMotion):Number
+        public function findTime(motion:RelativeMotion):void
         {
             if (_b == null && _placementB.size > Tolerances.MUCH_LARGER * _placementA.size)
             {
-                return impactTimeOfPoint(motion);
+                findTimeOfPoint(motion);
+                return;
             }
-            motion = relatePair(motion);
+            var ownMotion:RelativeMotion = relatePair(motion);
             if (isStandingOverlap())
             {
-                return 0;
+                motion.time = 0;
+                return;
             }
             if (findFirst())
             {
-                return _traversal.time;
+                motion.time = _traversal.time;
+                return;
             }
-            _start.x += motion.x;
-            _start.y += motion.y;
-            _start.z += motion.z;
-            return isStandingOverlap() ? 1 : RelativeMotion.NEVER;
+            _start.x += ownMotion.x;
+            _start.y += ownMotion.y;
+            _start.z += ownMotion.z;
+            motion.time = isStandingOverlap() ? 1 : RelativeMotion.NEVER;
         }
 
         /**
          * Where the two touch that collide: where the first two triangles, or the first two nodes that are leaves or at their depth limit, do;
          * of a model that is inside of another, where the structures around both overlap.
          *
-         * @param motion of the first model, relative to the second
-         * @param time when they do for the first time
+         * @param motion of the first model, relative to the second, with the time when they do first
          * @param out takes it, in the world
          */
-        public function findContact(motion:RelativeMotion, time:Number, out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             var ownMotion:RelativeMotion = relatePair(motion);
-            if (findFirst() && _traversal.time <= time + Tolerances.SAME_TIME)
+            var isOfFirst:Boolean = findFirst() && _traversal.time <= motion.time + Tolerances.SAME_TIME;
+            _pose.motion.time = motion.time;
+            if (isOfFirst)
             {
-                findContactOfFirst(time, out);
+                findContactOfFirst(out);
             }
             else
             {
-                findContactOf(_a.root.bounds, _structureB, time, out);
+                findContactOf(_a.root.bounds, _structureB, out);
             }
-            conclude(motion, ownMotion, time, out);
+            conclude(motion, ownMotion, out);
         }
 
         /**
-         * When the two touch for the first time that do not touch at the beginning, and where.
+         * Finds when the two touch for the first time that do not touch at the beginning, and where.
          *
-         * @param motion of the first model, relative to the second
+         * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
          * @param out takes where, in the world
-         * @return from 0 to 1, or RelativeMotion.NEVER
          */
-        public function findImpact(motion:RelativeMotion, out:ContactPoint):Number
+        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
             var ownMotion:RelativeMotion = relatePair(motion);
             if (!findFirst())
             {
-                return RelativeMotion.NEVER;
+                motion.time = RelativeMotion.NEVER;
+                return;
             }
-            findContactOfFirst(_traversal.time, out);
-            conclude(motion, ownMotion, _traversal.time, out);
-            return _traversal.time;
+            motion.time = ownMotion.time = _pose.motion.time = _traversal.time;
+            findContactOfFirst(out);
+            conclude(motion, ownMotion, out);
         }
 
         /**
@@ -206,8 +209,9 @@ package starlogo.solid
                 out:ContactPoint):void
         {
             relate(placementA, placementB, RelativeMotion.NONE);
-            findContactOf(a, b, 0, out);
-            moveToWorld(placementA, RelativeMotion.NONE, 0, out);
+            RelativeMotion.NONE.time = _pose.motion.time = 0;
+            findContactOf(a, b, out);
+            moveToWorld(placementA, RelativeMotion.NONE, out);
         }
 
         // Whether the two collide where the first is at the time under way.
@@ -240,29 +244,35 @@ package starlogo.solid
         }
 
         // Of the first two triangles or nodes that findFirst has found.
-        private function findContactOfFirst(time:Number, out:ContactPoint):void
+        private function findContactOfFirst(out:ContactPoint):void
         {
             if (_isByTriangles)
             {
-                _exact.findContact(time, out);
+                _exact.findContact(out);
                 return;
             }
-            findContactOf(_traversal.firstA.bounds, _traversal.firstB.bounds, time, out);
+            findContactOf(_traversal.firstA.bounds, _traversal.firstB.bounds, out);
         }
 
-        // Of two structures in their models' spaces, at a time, in the space of the first.
-        private function findContactOf(a:BoundingStructure, b:BoundingStructure, time:Number, out:ContactPoint):void
+        // Of two structures in their models' spaces, at the pose's time, in the space of the first.
+        private function findContactOf(a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
         {
             var moved:BoundingStructure = _moved[b.kind] = b.place(_pose.placement, _moved[b.kind]);
             var motion:RelativeMotion = _pose.motion;
-            _finder.find(a, moved, -time * motion.x, -time * motion.y, -time * motion.z, out);
+            var time:Number = motion.time;
+            var displacement:RelativeMotion = _finder.displacement;
+            displacement.startX = -time * motion.x;
+            displacement.startY = -time * motion.y;
+            displacement.startZ = -time * motion.z;
+            _finder.find(a, moved, out);
             out.x += time * motion.x;
             out.y += time * motion.y;
             out.z += time * motion.z;
         }
 
-        private static function moveToWorld(a:Placement, motion:RelativeMotion, time:Number, out:ContactPoint):void
+        private static function moveToWorld(a:Placement, motion:RelativeMotion, out:ContactPoint):void
         {
+            var time:Number = motion.time;
             var size:Number = a.size;
             var x:Number = out.x * size;
             var y:Number = out.y * size;
@@ -304,21 +314,22 @@ package starlogo.solid
         }
 
         // Takes a contact into the world, and into the order in which the pair was given.
-        private function conclude(motion:RelativeMotion, ownMotion:RelativeMotion, time:Number, out:ContactPoint):void
+        private function conclude(motion:RelativeMotion, ownMotion:RelativeMotion, out:ContactPoint):void
         {
-            moveToWorld(_placementA, ownMotion, time, out);
+            moveToWorld(_placementA, ownMotion, out);
             if (_isTurned)
             {
-                out.turn(motion.startX + time * motion.x, motion.startY + time * motion.y, motion.startZ + time * motion.z);
+                out.turn(motion);
             }
         }
 
         // The first model is so small that it is a point of the second's space.
-        private function impactTimeOfPoint(motion:RelativeMotion):Number
+        private function findTimeOfPoint(motion:RelativeMotion):void
         {
             _turned.turn(motion);
             relate(_placementB, _placementA, _turned);
-            return timeOfImpact(_pose.pointOf(_a.root), _structureB, _pose.motion);
+            findTimeOfImpact(_pose.pointOf(_a.root), _structureB, _pose.motion);
+            motion.time = _pose.motion.time;
         }
     }
 }

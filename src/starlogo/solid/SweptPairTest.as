@@ -24,6 +24,11 @@ package starlogo.solid
         private var _firstA:int;
         private var _firstB:int;
 
+        // How far a triangle goes along an axis, and between what it is then.
+        private var _way:Number = 0;
+        private var _min:Number = 0;
+        private var _max:Number = 0;
+
         /** @inheritDoc */
         public function SweptPairTest(pose:RelativePose)
         {
@@ -48,29 +53,33 @@ package starlogo.solid
             var latest:Number = time;
             time = RelativeMotion.NEVER;
             var motion:RelativeMotion = pose.motion;
+            _sweep.tolerance = touching;
             var corners:Vector.<Number> = _corners;
             var extents:Vector.<Number> = solidA.extents;
             var length:int = 9 * (b.end - b.first);
             for (var at:int = 0; at < length; at += 9)
             {
                 // what the triangle passes over till then
-                var x:Number = motion.x * latest;
-                var y:Number = motion.y * latest;
-                var z:Number = motion.z * latest;
-                var minX:Number = least(corners, at, x);
-                var maxX:Number = most(corners, at, x);
+                _way = motion.x * latest;
+                span(at);
+                var minX:Number = _min;
+                var maxX:Number = _max;
                 if (minX > a.x + a.halfX || maxX < a.x - a.halfX)
                 {
                     continue;
                 }
-                var minY:Number = least(corners, at + 1, y);
-                var maxY:Number = most(corners, at + 1, y);
+                _way = motion.y * latest;
+                span(at + 1);
+                var minY:Number = _min;
+                var maxY:Number = _max;
                 if (minY > a.y + a.halfY || maxY < a.y - a.halfY)
                 {
                     continue;
                 }
-                var minZ:Number = least(corners, at + 2, z);
-                var maxZ:Number = most(corners, at + 2, z);
+                _way = motion.z * latest;
+                span(at + 2);
+                var minZ:Number = _min;
+                var maxZ:Number = _max;
                 if (minZ > a.z + a.halfZ || maxZ < a.z - a.halfZ)
                 {
                     continue;
@@ -85,7 +94,10 @@ package starlogo.solid
                         continue;
                     }
                     triangleTests++;
-                    var impact:Number = _sweep.touch(solidA.corners, 9 * i, corners, at, motion.x, motion.y, motion.z, touching, latest);
+                    _sweep.relate(solidA.corners, 9 * i, corners, at);
+                    motion.time = latest;
+                    _sweep.findTime(motion);
+                    var impact:Number = motion.time;
                     if (impact < time)
                     {
                         time = latest = impact;
@@ -102,39 +114,37 @@ package starlogo.solid
         }
 
         /**
-         * Where the triangles that touched first do so, in the space of the first model.
+         * Where the triangles that touched first do so, at the pose's time, in the space of the first model.
          *
-         * @param moment when that was
          * @param out takes it
          */
-        public function findContact(moment:Number, out:ContactPoint):void
+        public function findContact(out:ContactPoint):void
         {
             _cornersOf = null;
             pose.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
-            var motion:RelativeMotion = pose.motion;
-            _sweep.findContact(solidA.corners, _firstA, _corners, 0, moment * motion.x, moment * motion.y, moment * motion.z, out);
+            var corners:Vector.<Number> = solidA.corners;
+            _sweep.relate(corners, _firstA, _corners, 0);
+            _sweep.findContact(pose.motion, out);
+            // from the first triangle's first corner
+            out.x += corners[_firstA];
+            out.y += corners[int(_firstA + 1)];
+            out.z += corners[int(_firstA + 2)];
         }
 
-        private function least(corners:Vector.<Number>, at:int, motion:Number):Number
+        // Finds between what the corners of a triangle are on the way, along one axis; at is where the first's coordinate is.
+        private function span(at:int):void
         {
-            var p:Number = corners[at];
-            var q:Number = corners[int(at + 3)];
-            var r:Number = corners[int(at + 6)];
-            p = p < q ? p : q;
-            p = p < r ? p : r;
-            p -= touching;
-            return motion < 0 ? p + motion : p;
-        }
-
-        private function most(corners:Vector.<Number>, at:int, motion:Number):Number
-        {
-            var p:Number = corners[at];
-            var q:Number = corners[int(at + 3)];
-            var r:Number = corners[int(at + 6)];
-            p = p > q ? p : q;
-            p = p > r ? p : r;
-            p += touching;
-            return motion > 0 ? p + motion : p;
+            var p:Number = _corners[at];
+            var q:Number = _corners[int(at + 3)];
+            var r:Number = _corners[int(at + 6)];
+            var low:Number = p < q ? p : q;
+            low = low < r ? low : r;
+            low -= touching;
+            var high:Number = p > q ? p : q;
+            high = high > r ? high : r;
+            high += touching;
+            _min = _way < 0 ? low + _way : low;
+            _max = _way > 0 ? high + _way : high;
         }
     }
 }

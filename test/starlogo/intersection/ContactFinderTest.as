@@ -14,7 +14,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.intersects;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
     import support.assertThrows;
 
     /** Contacts part what overlaps, and lie in the middle of it. */
@@ -38,7 +38,7 @@ package starlogo.intersection
                 var b:BoundingStructure = shapes.ofKind(random.pick(KINDS), 1, 0.7);
                 if (intersects(a, b))
                 {
-                    _finder.find(a, b, 0, 0, 0, _touch);
+                    _finder.find(a, b, _touch);
                     checkParts("overlap " + parted, a, b);
                     parted++;
                 }
@@ -52,7 +52,7 @@ package starlogo.intersection
             {
                 for each (var b:BoundingStructure in specials())
                 {
-                    _finder.find(a, b, 0, 0, 0, _touch);
+                    _finder.find(a, b, _touch);
                     checkParts(a + " in " + b, a, b);
                 }
             }
@@ -87,12 +87,19 @@ package starlogo.intersection
         public function thePointOfTwoFacesIsInTheMiddleOfTheirOverlap():void
         {
             var low:Box = cube(1, 1, 1);
-            _finder.find(cube(1, 1, 1), low, 1.5, -0.5, 1.9, _touch);
+            var from:RelativeMotion = _finder.displacement;
+            from.startX = 1.5;
+            from.startY = -0.5;
+            from.startZ = 1.9;
+            _finder.find(cube(1, 1, 1), low, _touch);
             assertPoint("faces", 0.75, -0.25, 0.95);
             assertNear("depth", 0.1, _touch.depth);
-            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, 0, 0, 1.2, _touch);
+            from.startX = from.startY = 0;
+            from.startZ = 1.2;
+            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _touch);
             assertPoint("a capsule on a face", -0.25, 0, 0.85);
-            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, 0, 0, 0.9, _touch);
+            from.startZ = 0.9;
+            _finder.find(new Capsule(new Vector3D(-3, 0, 0), new Vector3D(0.5, 0, 0), 0.5), low, _touch);
             assertPoint("a capsule deep in a face", -0.25, 0, 0.7);
         }
 
@@ -102,11 +109,11 @@ package starlogo.intersection
             var cylinder:Cylinder = new Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 1);
             assertThrows(ArgumentError, /contact/, function():void
                 {
-                    _finder.find(cylinder, cylinder, 0, 0, 0, _touch);
+                    _finder.find(cylinder, cylinder, _touch);
                 });
             assertThrows(ArgumentError, /motion/, function():void
                 {
-                    timeOfImpact(cylinder, cylinder, new RelativeMotion());
+                    findTimeOfImpact(cylinder, cylinder, new RelativeMotion());
                 });
         }
 
@@ -129,7 +136,7 @@ package starlogo.intersection
         private function checkNormal(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, depth:Number,
                 orOpposite:Boolean = false):void
         {
-            _finder.find(a, b, 0, 0, 0, _touch);
+            _finder.find(a, b, _touch);
             var sign:Number = orOpposite && _touch.normalX * x + _touch.normalY * y + _touch.normalZ * z < 0 ? -1 : 1;
             assertNear(a + " in " + b, x, sign * _touch.normalX);
             assertNear(a + " in " + b, y, sign * _touch.normalY);

@@ -10,7 +10,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
 
     /** The tests of structures that stand still, which are written out for speed, answer as the kernels of the same pairs do. */
     public class KernelsAgreeTest
@@ -78,7 +78,7 @@ package starlogo.intersection
         // With the first as wide as it just touches, and a few bits more and less.
         private function compareNearTouching(a:BoundingStructure, b:BoundingStructure, what:String):void
         {
-            _finder.find(a, b, 0, 0, 0, _contact);
+            _finder.find(a, b, _contact);
             var radius:Number = a is Sphere ? Sphere(a).radius : Capsule(a).radius;
             var touching:Number = radius - _contact.depth;
             if (_contact.depth == 0 || !(touching > 0))
@@ -103,7 +103,9 @@ package starlogo.intersection
         private static function compare(a:BoundingStructure, b:BoundingStructure, what:String):Boolean
         {
             var isHit:Boolean = intersects(a, b);
-            assertEquals(what, timeOfImpact(a, b, RelativeMotion.NONE) == 0, isHit);
+            var still:RelativeMotion = new RelativeMotion();
+            findTimeOfImpact(a, b, still);
+            assertEquals(what, still.time == 0, isHit);
             return isHit;
         }
     }

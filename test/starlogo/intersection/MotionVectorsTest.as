@@ -6,7 +6,7 @@ package starlogo.intersection
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.timeOfImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
     import support.MotionVectors;
 
     /**
@@ -79,9 +79,11 @@ package starlogo.intersection
                 count++;
                 var way:RelativeMotion = vectors.way;
                 var label:String = vectors.index + " (" + vectors.family + ")";
-                var time:Number = timeOfImpact(vectors.a, vectors.b, way);
                 back.turn(way);
-                var timeBack:Number = timeOfImpact(vectors.b, vectors.a, back);
+                findTimeOfImpact(vectors.a, vectors.b, way);
+                findTimeOfImpact(vectors.b, vectors.a, back);
+                var time:Number = way.time;
+                var timeBack:Number = back.time;
                 var isTouching:Boolean = vectors.time == vectors.time;
                 if ((time <= 1) != isTouching || (timeBack <= 1) != isTouching)
                 {
@@ -99,11 +101,11 @@ package starlogo.intersection
                 {
                     wrong.push(label + ": time " + time + ", " + timeBack + ", not " + vectors.time);
                 }
-                var x:Number = way.startX + time * way.x;
-                var y:Number = way.startY + time * way.y;
-                var z:Number = way.startZ + time * way.z;
-                _finder.find(vectors.a, vectors.b, x, y, z, _touch);
-                _finder.find(vectors.b, vectors.a, -x, -y, -z, _back);
+                _finder.displacement.stopAt(way);
+                _finder.find(vectors.a, vectors.b, _touch);
+                back.turn(way);
+                _finder.displacement.stopAt(back);
+                _finder.find(vectors.b, vectors.a, _back);
                 var size:Number = sizeOf(vectors.a) + sizeOf(vectors.b);
                 error = Math.max(Math.abs(_touch.depth - vectors.depth), Math.abs(_back.depth - vectors.depth)) / size;
                 depthError = Math.max(depthError, error);

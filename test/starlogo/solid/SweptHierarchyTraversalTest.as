@@ -140,7 +140,8 @@ package starlogo.solid
                 placementB.size *= 0.1;
             }
             _swept.setPair(a, placementA, depthA, b, b == null ? structure : b.root.bounds, placementB, depthB, exact);
-            var time:Number = _swept.impactTime(way);
+            _swept.findTime(way);
+            var time:Number = way.time;
             var isSeen:Boolean = false;
             for (var i:int = 0; i <= MOMENTS && !isSeen; i++)
             {

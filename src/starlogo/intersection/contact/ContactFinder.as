@@ -21,37 +21,36 @@ package starlogo.intersection.contact
      */
     public final class ContactFinder
     {
-        private var _displacement:RelativeMotion = new RelativeMotion();
+        /** How far the first structure is displaced from where it stands: to the start of this motion, which is none otherwise. */
+        public var displacement:RelativeMotion = new RelativeMotion();
+
+        private var _turned:RelativeMotion = new RelativeMotion();
 
         /** No contact yet. */
         public function ContactFinder()
         {
+            displacement.time = 0;
         }
 
         /**
-         * Finds the contact of two structures.
+         * Finds the contact of two structures, of which the first is displaced.
          *
          * @param a a Sphere, Capsule or Box
          * @param b likewise, in the same space
-         * @param x how far a is displaced from where it stands
-         * @param y likewise
-         * @param z likewise
          * @param out takes the result
          * @throws ArgumentError when there is no test for the pair
          */
-        public function find(a:BoundingStructure, b:BoundingStructure, x:Number, y:Number, z:Number, out:ContactPoint):void
+        public function find(a:BoundingStructure, b:BoundingStructure, out:ContactPoint):void
         {
             if (a.kind > b.kind)
             {
                 // in the other order, and turned back
-                find(b, a, -x, -y, -z, out);
-                out.turn(x, y, z);
+                _turned.turn(displacement);
+                PairTable.KERNELS[b.kind << 2 | a.kind].findContact(b, a, _turned, out);
+                out.turn(displacement);
                 return;
             }
-            _displacement.startX = x;
-            _displacement.startY = y;
-            _displacement.startZ = z;
-            PairTable.KERNELS[a.kind << 2 | b.kind].findContact(a, b, _displacement, out);
+            PairTable.KERNELS[a.kind << 2 | b.kind].findContact(a, b, displacement, out);
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.intersection.contact
 {
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * Where two structures touch, or how they overlap: the point, the normal, and how deep. Plain fields, for reuse.
@@ -30,6 +31,12 @@ package starlogo.intersection.contact
         /** How far, not negative: 0 if they just touch. */
         public var depth:Number = 0;
 
+        /** How long the vector was that the normal was made of. */
+        public var length:Number = 1;
+
+        /** How far the first structure reaches from its core, for <code>place()</code>. */
+        public var radius:Number = 0;
+
         /** At the origin, upright. */
         public function ContactPoint()
         {
@@ -48,65 +55,79 @@ package starlogo.intersection.contact
         }
 
         /**
-         * Makes it the contact of the same structures in the other order: then the other structure is displaced, by the opposite vector.
+         * Makes it the contact of the same structures in the other order: then the other structure is displaced, and in the opposite direction.
          *
-         * @param x that vector
-         * @param y likewise
-         * @param z likewise
+         * @param motion of that structure, which is where it is at the motion's time
          */
-        public function turn(x:Number, y:Number, z:Number):void
+        public function turn(motion:RelativeMotion):void
         {
-            this.x += x;
-            this.y += y;
-            this.z += z;
+            var time:Number = motion.time;
+            x += motion.startX + time * motion.x;
+            y += motion.startY + time * motion.y;
+            z += motion.startZ + time * motion.z;
             normalX = -normalX;
             normalY = -normalY;
             normalZ = -normalZ;
         }
 
-        /** Sets the normal to a vector, of any length but 0; returns the length. */
-        public function pointAlong(x:Number, y:Number, z:Number):Number
+        /** Sets the normal to a vector, which is not made a unit vector. Short, so that V8 makes no objects of the Numbers. */
+        public function setNormal(x:Number, y:Number, z:Number):void
         {
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            normalX = x / length;
-            normalY = y / length;
-            normalZ = z / length;
-            return length;
+            normalX = x;
+            normalY = y;
+            normalZ = z;
         }
 
-        /** Sets the normal at right angles to an axis: as upright as can be; where the axis is upright, or has no length, along x or z. */
-        public function pointAcross(x:Number, y:Number, z:Number):void
+        /** Makes the normal, of any length but 0, a unit vector; <code>length</code> is how long it was. */
+        public function normalise():void
         {
-            var squared:Number = x * x + y * y + z * z;
+            length = Math.sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ);
+            normalX /= length;
+            normalY /= length;
+            normalZ /= length;
+        }
+
+        /** Sets the normal to the opposite of a motion's direction. */
+        public function pointAgainst(motion:RelativeMotion):void
+        {
+            setNormal(-motion.x, -motion.y, -motion.z);
+            normalise();
+        }
+
+        /** Turns the normal to be at right angles to what it is: as upright as can be; where it is upright, or has no length, along x or z. */
+        public function pointAcross():void
+        {
+            var axisX:Number = normalX;
+            var axisY:Number = normalY;
+            var axisZ:Number = normalZ;
+            var squared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
             if (!(squared > 0))
             {
-                pointAlong(0, 0, 1);
+                setNormal(0, 0, 1);
                 return;
             }
-            if (x * x + y * y > Tolerances.UPRIGHT * squared)
+            if (axisX * axisX + axisY * axisY > Tolerances.UPRIGHT * squared)
             {
-                pointAlong(-x * z / squared, -y * z / squared, 1 - z * z / squared);
-                return;
+                setNormal(-axisX * axisZ / squared, -axisY * axisZ / squared, 1 - axisZ * axisZ / squared);
             }
-            pointAlong(1 - x * x / squared, -x * y / squared, -x * z / squared);
+            else
+            {
+                setNormal(1 - axisX * axisX / squared, -axisX * axisY / squared, -axisX * axisZ / squared);
+            }
+            normalise();
         }
 
         /**
-         * Sets point and depth; the normal is there.
-         *
-         * @param x a point of the first structure's core, which the normal points away from
-         * @param y likewise
-         * @param z likewise
-         * @param radius how far the structure reaches from its core
-         * @param depth how deep; what is below 0 by rounding is 0
+         * Moves the point, one of the first structure's core that the normal points away from, to the middle of the overlap. Normal, depth and radius
+         * are there; a depth that is below 0 by rounding becomes 0.
          */
-        public function place(x:Number, y:Number, z:Number, radius:Number, depth:Number):void
+        public function place():void
         {
-            this.depth = depth > 0 ? depth : 0;
-            var back:Number = radius - this.depth / 2;
-            this.x = x - back * normalX;
-            this.y = y - back * normalY;
-            this.z = z - back * normalZ;
+            depth = depth > 0 ? depth : 0;
+            var back:Number = radius - depth / 2;
+            x -= back * normalX;
+            y -= back * normalY;
+            z -= back * normalZ;
         }
     }
 }

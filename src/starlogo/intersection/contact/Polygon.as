@@ -22,6 +22,17 @@ package starlogo.intersection.contact
         /** @copy #x */
         public var z:Number;
 
+        // The step of the next call: of Numbers that are passed V8 would make objects.
+        private var _stepX:Number = 0;
+        private var _stepY:Number = 0;
+        private var _stepZ:Number = 0;
+
+        // The plane of the next cut.
+        private var _inX:Number = 0;
+        private var _inY:Number = 0;
+        private var _inZ:Number = 0;
+        private var _from:Number = 0;
+
         private var _points:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
         private var _end:int = 0;
         private var _clipped:Vector.<Number> = new Vector.<Number>(MOST_NUMBERS, true);
@@ -37,41 +48,47 @@ package starlogo.intersection.contact
             _end = 0;
         }
 
-        /** Becomes a point. */
-        public function setPoint(x:Number, y:Number, z:Number):void
+        /** Sets the vector of the next calls. */
+        public function setStep(x:Number, y:Number, z:Number):void
         {
-            _end = 0;
-            add(x, y, z);
+            _stepX = x;
+            _stepY = y;
+            _stepZ = z;
         }
 
-        /** Adds a corner after the others. */
-        public function add(x:Number, y:Number, z:Number):void
+        /** Adds a corner after the others, where the vector says. */
+        public function add():void
         {
-            _points[_end] = x;
-            _points[int(_end + 1)] = y;
-            _points[int(_end + 2)] = z;
+            _points[_end] = _stepX;
+            _points[int(_end + 1)] = _stepY;
+            _points[int(_end + 2)] = _stepZ;
             _end += 3;
         }
 
-        /** Moves all points. */
-        public function moveBy(x:Number, y:Number, z:Number):void
+        /** Moves all points by the vector. */
+        public function move():void
         {
             for (var at:int = 0; at < _end; at += 3)
             {
-                _points[at] += x;
-                _points[int(at + 1)] += y;
-                _points[int(at + 2)] += z;
+                _points[at] += _stepX;
+                _points[int(at + 1)] += _stepY;
+                _points[int(at + 2)] += _stepZ;
             }
         }
 
-        /** A point becomes a segment, a segment a parallelogram: as far to both sides. */
-        public function widenBy(x:Number, y:Number, z:Number):void
+        /** A point becomes a segment, a segment a parallelogram: by the vector to both sides. */
+        public function widen():void
         {
-            var end:int = _end;
-            moveBy(-x, -y, -z);
-            for (var at:int = end - 3; at >= 0; at -= 3)
+            var points:Vector.<Number> = _points;
+            for (var at:int = _end - 3; at >= 0; at -= 3)
             {
-                add(_points[at] + 2 * x, _points[int(at + 1)] + 2 * y, _points[int(at + 2)] + 2 * z);
+                points[at] -= _stepX;
+                points[int(at + 1)] -= _stepY;
+                points[int(at + 2)] -= _stepZ;
+                points[_end] = points[at] + 2 * _stepX;
+                points[int(_end + 1)] = points[int(at + 1)] + 2 * _stepY;
+                points[int(_end + 2)] = points[int(at + 2)] + 2 * _stepZ;
+                _end += 3;
             }
         }
 
@@ -80,42 +97,40 @@ package starlogo.intersection.contact
          * between the two.
          *
          * @param other in the same plane, or in one parallel to it
-         * @param x the normal
-         * @param y likewise
-         * @param z likewise
+         * @param contact has the normal
          */
-        public function findCommonPoint(other:Polygon, x:Number, y:Number, z:Number):void
+        public function findCommonPoint(other:Polygon, contact:ContactPoint):void
         {
-            var heights:Number = along(_points, x, y, z) + along(other._points, x, y, z);
+            var normalX:Number = contact.normalX;
+            var normalY:Number = contact.normalY;
+            var normalZ:Number = contact.normalZ;
+            var a:Vector.<Number> = _points;
+            var b:Vector.<Number> = other._points;
+            var heights:Number = a[0] * normalX + a[1] * normalY + a[2] * normalZ + (b[0] * normalX + b[1] * normalY + b[2] * normalZ);
             if (_end == 3)
             {
-                setMiddle(_points, 3);
+                setMiddle(a, 3);
             }
             else if (other._end == 3)
             {
-                setMiddle(other._points, 3);
+                setMiddle(b, 3);
             }
             else if (other._end > 6)
             {
-                setMiddleWithin(this, other, x, y, z);
+                setMiddleWithin(this, other, contact);
             }
             else if (_end > 6)
             {
-                setMiddleWithin(other, this, x, y, z);
+                setMiddleWithin(other, this, contact);
             }
             else
             {
-                setCrossing(_points, other._points);
+                setCrossing(a, b);
             }
-            var height:Number = heights / 2 - (x * this.x + y * this.y + z * this.z);
-            this.x += height * x;
-            this.y += height * y;
-            this.z += height * z;
-        }
-
-        private static function along(points:Vector.<Number>, x:Number, y:Number, z:Number):Number
-        {
-            return points[0] * x + points[1] * y + points[2] * z;
+            var height:Number = heights / 2 - (normalX * x + normalY * y + normalZ * z);
+            x += height * normalX;
+            y += height * normalY;
+            z += height * normalZ;
         }
 
         private function setMiddle(points:Vector.<Number>, end:int):void
@@ -134,8 +149,11 @@ package starlogo.intersection.contact
 
         // Sets the point to the middle of a segment or polygon, clipped to another polygon (Sutherland and Hodgman, "Reentrant polygon
         // clipping", 1974).
-        private function setMiddleWithin(inner:Polygon, outer:Polygon, x:Number, y:Number, z:Number):void
+        private function setMiddleWithin(inner:Polygon, outer:Polygon, contact:ContactPoint):void
         {
+            var normalX:Number = contact.normalX;
+            var normalY:Number = contact.normalY;
+            var normalZ:Number = contact.normalZ;
             var points:Vector.<Number> = inner._points;
             var kept:Vector.<Number> = inner._clipped;
             var end:int = inner._end;
@@ -151,9 +169,9 @@ package starlogo.intersection.contact
                 var edgeY:Number = edges[int(at + 1)] - edges[int(last + 1)];
                 var edgeZ:Number = edges[int(at + 2)] - edges[int(last + 2)];
                 // inwards, in the plane
-                var inX:Number = edgeY * z - edgeZ * y;
-                var inY:Number = edgeZ * x - edgeX * z;
-                var inZ:Number = edgeX * y - edgeY * x;
+                var inX:Number = edgeY * normalZ - edgeZ * normalY;
+                var inY:Number = edgeZ * normalX - edgeX * normalZ;
+                var inZ:Number = edgeX * normalY - edgeY * normalX;
                 var from:Number = inX * edges[at] + inY * edges[int(at + 1)] + inZ * edges[int(at + 2)];
                 if (inX * outer.x + inY * outer.y + inZ * outer.z < from)
                 {
@@ -163,7 +181,11 @@ package starlogo.intersection.contact
                     from = -from;
                 }
                 from -= slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
-                end = cut(points, end, kept, inX, inY, inZ, from);
+                _inX = inX;
+                _inY = inY;
+                _inZ = inZ;
+                _from = from;
+                end = cut(points, end, kept);
                 var swapped:Vector.<Number> = points;
                 points = kept;
                 kept = swapped;
@@ -180,18 +202,21 @@ package starlogo.intersection.contact
             setMiddle(points, end);
         }
 
-        // Keeps what lies beyond a plane; returns the end of it.
-        private static function cut(points:Vector.<Number>, end:int, kept:Vector.<Number>, x:Number, y:Number, z:Number,
-                from:Number):int
+        // Keeps what lies beyond the plane; returns the end of it.
+        private function cut(points:Vector.<Number>, end:int, kept:Vector.<Number>):int
         {
+            var inX:Number = _inX;
+            var inY:Number = _inY;
+            var inZ:Number = _inZ;
+            var from:Number = _from;
             var count:int = 0;
             var last:int = end - 3;
-            var lastBeyond:Number = x * points[last] + y * points[int(last + 1)] + z * points[int(last + 2)] - from;
+            var lastBeyond:Number = inX * points[last] + inY * points[int(last + 1)] + inZ * points[int(last + 2)] - from;
             // a segment is no closed line
             var isSegment:Boolean = end == 6;
             for (var at:int = 0; at < end; at += 3)
             {
-                var beyond:Number = x * points[at] + y * points[int(at + 1)] + z * points[int(at + 2)] - from;
+                var beyond:Number = inX * points[at] + inY * points[int(at + 1)] + inZ * points[int(at + 2)] - from;
                 if (beyond > 0 != lastBeyond > 0 && !(isSegment && at == 0))
                 {
                     var share:Number = lastBeyond / (lastBeyond - beyond);

@@ -5,6 +5,7 @@ package starlogo.intersection.contact
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.sweep.RelativeMotion;
 
     /**
      * A box or a capsule's axis as the sum of three segments, or one, about a middle.
@@ -28,6 +29,9 @@ package starlogo.intersection.contact
         /** The index after the last number of these. */
         public var end:int;
 
+        /** How far it reaches from its middle in the direction that was measured last. */
+        public var reach:Number = 0;
+
         private var _halves:Vector.<Number> = new Vector.<Number>(3, true);
 
         /** No sum yet. */
@@ -39,23 +43,24 @@ package starlogo.intersection.contact
          * Sets the sum to that of a structure.
          *
          * @param structure a Box, or a Capsule of which the axis counts
-         * @param x how far it is displaced
-         * @param y likewise
-         * @param z likewise
+         * @param displacement where it is, from where it stands
          */
-        public function setTo(structure:BoundingStructure, x:Number, y:Number, z:Number):void
+        public function setTo(structure:BoundingStructure, displacement:RelativeMotion):void
         {
-            this.x = x;
-            this.y = y;
-            this.z = z;
+            x = displacement.startX;
+            y = displacement.startY;
+            z = displacement.startZ;
             end = 0;
             if (structure.kind == BoundingStructure.BOX)
             {
                 var box:Box = Box(structure);
                 moveBy(box.center, 1);
-                add(box.axisX, box.halfX);
-                add(box.axisY, box.halfY);
-                add(box.axisZ, box.halfZ);
+                add(box.axisX);
+                add(box.axisY);
+                add(box.axisZ);
+                _halves[0] = box.halfX;
+                _halves[1] = box.halfY;
+                _halves[2] = box.halfZ;
                 return;
             }
             var capsule:Capsule = Capsule(structure);
@@ -75,40 +80,47 @@ package starlogo.intersection.contact
             }
         }
 
-        /** How far it reaches from its middle in a direction. */
-        public function reach(x:Number, y:Number, z:Number):Number
+        /** Finds how far it reaches in a direction, a unit vector. */
+        public function measure(direction:Vector3D):void
         {
+            var toX:Number = direction.x;
+            var toY:Number = direction.y;
+            var toZ:Number = direction.z;
             var sum:Number = 0;
             for (var at:int = 0; at < end; at += 3)
             {
-                var along:Number = directions[at] * x + directions[int(at + 1)] * y + directions[int(at + 2)] * z;
+                var along:Number = directions[at] * toX + directions[int(at + 1)] * toY + directions[int(at + 2)] * toZ;
                 sum += _halves[int(at / 3)] * Math.abs(along);
             }
-            return sum;
+            reach = sum;
         }
 
         /** Writes the feature that is farthest out in a direction: a corner, an edge or a face. */
-        public function supportInto(polygon:Polygon, x:Number, y:Number, z:Number):void
+        public function supportInto(polygon:Polygon, direction:Vector3D):void
         {
-            polygon.setPoint(this.x, this.y, this.z);
+            polygon.clear();
+            polygon.setStep(x, y, z);
+            polygon.add();
             for (var at:int = 0; at < end; at += 3)
             {
                 var dx:Number = directions[at];
                 var dy:Number = directions[int(at + 1)];
                 var dz:Number = directions[int(at + 2)];
                 var half:Number = _halves[int(at / 3)];
-                var along:Number = dx * x + dy * y + dz * z;
+                var along:Number = dx * direction.x + dy * direction.y + dz * direction.z;
+                polygon.setStep(half * dx, half * dy, half * dz);
                 if (along > Tolerances.DIRECTION)
                 {
-                    polygon.moveBy(half * dx, half * dy, half * dz);
+                    polygon.move();
                 }
                 else if (along < -Tolerances.DIRECTION)
                 {
-                    polygon.moveBy(-half * dx, -half * dy, -half * dz);
+                    polygon.setStep(-half * dx, -half * dy, -half * dz);
+                    polygon.move();
                 }
                 else if (half > 0)
                 {
-                    polygon.widenBy(half * dx, half * dy, half * dz);
+                    polygon.widen();
                 }
             }
         }
@@ -120,12 +132,11 @@ package starlogo.intersection.contact
             z += share * point.z;
         }
 
-        private function add(axis:Vector3D, half:Number):void
+        private function add(axis:Vector3D):void
         {
             directions[end] = axis.x;
             directions[int(end + 1)] = axis.y;
             directions[int(end + 2)] = axis.z;
-            _halves[int(end / 3)] = half;
             end += 3;
         }
     }

@@ -16,24 +16,102 @@ package starlogo.intersection.sweep
         /** For tests that are over before the next begins. */
         internal static const SCRATCH:BoxSweep = new BoxSweep();
 
-        // Entry by entry, b's axes in a's: the first is of b's axisX along a's axisX, the next of b's axisY along a's axisX.
-        private var _xx:Number;
-        private var _xy:Number;
-        private var _xz:Number;
-        private var _yx:Number;
-        private var _yy:Number;
-        private var _yz:Number;
-        private var _zx:Number;
-        private var _zy:Number;
-        private var _zz:Number;
+        /** The axes of b in those of a, entry by entry: the first is of b's axisX along a's axisX, the next of b's axisY along a's axisX. */
+        public var xx:Number = 1;
 
-        // b's motion from a's, in a's axes and in b's.
-        private var _motionX:Number;
-        private var _motionY:Number;
-        private var _motionZ:Number;
-        private var _motionAlongX:Number;
-        private var _motionAlongY:Number;
-        private var _motionAlongZ:Number;
+        /** @copy #xx */
+        public var xy:Number = 0;
+
+        /** @copy #xx */
+        public var xz:Number = 0;
+
+        /** @copy #xx */
+        public var yx:Number = 0;
+
+        /** @copy #xx */
+        public var yy:Number = 1;
+
+        /** @copy #xx */
+        public var yz:Number = 0;
+
+        /** @copy #xx */
+        public var zx:Number = 0;
+
+        /** @copy #xx */
+        public var zy:Number = 0;
+
+        /** @copy #xx */
+        public var zz:Number = 1;
+
+        /** How b moves, as seen from a, between times 0 and 1, in a's axes. */
+        public var motionX:Number = 0;
+
+        /** @copy #motionX */
+        public var motionY:Number = 0;
+
+        /** @copy #motionX */
+        public var motionZ:Number = 0;
+
+        /** The gap across which they still touch. */
+        public var gap:Number = 0;
+
+        /** From a's middle to b's at time 0, in a's axes. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** The half-extents of a. */
+        public var aX:Number = 0;
+
+        /** @copy #aX */
+        public var aY:Number = 0;
+
+        /** @copy #aX */
+        public var aZ:Number = 0;
+
+        /** The half-extents of b. */
+        public var bX:Number = 0;
+
+        /** @copy #bX */
+        public var bY:Number = 0;
+
+        /** @copy #bX */
+        public var bZ:Number = 0;
+
+        /** The latest time that is of interest. */
+        public var latest:Number = 1;
+
+        /** When they begin not to be separated by what was tried; or RelativeMotion.NEVER. */
+        public var time:Number = RelativeMotion.NEVER;
+
+        // The absolute values of the entries; the motion in b's axes.
+        private var _absXx:Number = 1;
+        private var _absXy:Number = 0;
+        private var _absXz:Number = 0;
+        private var _absYx:Number = 0;
+        private var _absYy:Number = 1;
+        private var _absYz:Number = 0;
+        private var _absZx:Number = 0;
+        private var _absZy:Number = 0;
+        private var _absZz:Number = 1;
+        private var _motionAlongX:Number = 0;
+        private var _motionAlongY:Number = 0;
+        private var _motionAlongZ:Number = 0;
+
+        // An edge of b, and half of each of its others.
+        private var _pX:Number = 0;
+        private var _pY:Number = 0;
+        private var _pZ:Number = 0;
+        private var _qX:Number = 0;
+        private var _qY:Number = 0;
+        private var _qZ:Number = 0;
+        private var _rX:Number = 0;
+        private var _rY:Number = 0;
+        private var _rZ:Number = 0;
 
         private var _times:TouchingTimes = new TouchingTimes();
 
@@ -42,144 +120,184 @@ package starlogo.intersection.sweep
         {
         }
 
-        /** Sets b's axes in a's: row by row, unit vectors. */
-        public function turn(xx:Number, xy:Number, xz:Number, yx:Number, yy:Number, yz:Number, zx:Number, zy:Number, zz:Number):void
+        /** Prepares what boxes have in common: b's axes and its motion, which are set. */
+        public function prepare():void
         {
-            _xx = xx;
-            _xy = xy;
-            _xz = xz;
-            _yx = yx;
-            _yy = yy;
-            _yz = yz;
-            _zx = zx;
-            _zy = zy;
-            _zz = zz;
+            _absXx = xx < 0 ? -xx : xx;
+            _absXy = xy < 0 ? -xy : xy;
+            _absXz = xz < 0 ? -xz : xz;
+            _absYx = yx < 0 ? -yx : yx;
+            _absYy = yy < 0 ? -yy : yy;
+            _absYz = yz < 0 ? -yz : yz;
+            _absZx = zx < 0 ? -zx : zx;
+            _absZy = zy < 0 ? -zy : zy;
+            _absZz = zz < 0 ? -zz : zz;
+            _motionAlongX = xx * motionX + yx * motionY + zx * motionZ;
+            _motionAlongY = xy * motionX + yy * motionY + zy * motionZ;
+            _motionAlongZ = xz * motionX + yz * motionY + zz * motionZ;
         }
 
-        /** Sets b's motion from a's between times 0 and 1, in a's axes. */
-        public function move(x:Number, y:Number, z:Number):void
+        /** Finds when two boxes begin not to be separated by any face: not after they touch; NEVER if that is not until the latest time. */
+        public function meetFaces():void
         {
-            _motionX = x;
-            _motionY = y;
-            _motionZ = z;
-            _motionAlongX = _xx * x + _yx * y + _zx * z;
-            _motionAlongY = _xy * x + _yy * y + _zy * z;
-            _motionAlongZ = _xz * x + _yz * y + _zz * z;
-        }
-
-        /**
-         * When two boxes begin not to be separated by any face.
-         *
-         * @param x from a's middle to b's at time 0, in a's axes
-         * @param y likewise
-         * @param z likewise
-         * @param aX a's half-extents
-         * @param aY likewise
-         * @param aZ likewise
-         * @param bX b's half-extents
-         * @param bY likewise
-         * @param bZ likewise
-         * @param gap across which they still touch
-         * @param latest the latest time that is of interest
-         * @return not after the boxes touch; RelativeMotion.NEVER if that is not until the latest time
-         */
-        public function facesMeet(x:Number, y:Number, z:Number, aX:Number, aY:Number, aZ:Number, bX:Number, bY:Number, bZ:Number,
-                gap:Number, latest:Number):Number
-        {
+            time = RelativeMotion.NEVER;
             var times:TouchingTimes = _times;
-            times.reset(latest);
-            var xx:Number = _xx < 0 ? -_xx : _xx;
-            var xy:Number = _xy < 0 ? -_xy : _xy;
-            var xz:Number = _xz < 0 ? -_xz : _xz;
-            if (times.areSeparated(x, _motionX, aX + bX * xx + bY * xy + bZ * xz, gap))
+            times.last = latest;
+            times.reset();
+            times.gap = gap;
+            var fromX:Number = x;
+            var fromY:Number = y;
+            var fromZ:Number = z;
+            var halfX:Number = bX;
+            var halfY:Number = bY;
+            var halfZ:Number = bZ;
+            times.at = fromX;
+            times.speed = motionX;
+            times.reach = aX + halfX * _absXx + halfY * _absXy + halfZ * _absXz;
+            if (times.areSeparated())
             {
-                return RelativeMotion.NEVER;
+                return;
             }
-            var yx:Number = _yx < 0 ? -_yx : _yx;
-            var yy:Number = _yy < 0 ? -_yy : _yy;
-            var yz:Number = _yz < 0 ? -_yz : _yz;
-            if (times.areSeparated(y, _motionY, aY + bX * yx + bY * yy + bZ * yz, gap))
+            times.at = fromY;
+            times.speed = motionY;
+            times.reach = aY + halfX * _absYx + halfY * _absYy + halfZ * _absYz;
+            if (times.areSeparated())
             {
-                return RelativeMotion.NEVER;
+                return;
             }
-            var zx:Number = _zx < 0 ? -_zx : _zx;
-            var zy:Number = _zy < 0 ? -_zy : _zy;
-            var zz:Number = _zz < 0 ? -_zz : _zz;
-            if (times.areSeparated(z, _motionZ, aZ + bX * zx + bY * zy + bZ * zz, gap))
+            times.at = fromZ;
+            times.speed = motionZ;
+            times.reach = aZ + halfX * _absZx + halfY * _absZy + halfZ * _absZz;
+            if (times.areSeparated())
             {
-                return RelativeMotion.NEVER;
+                return;
             }
-            if (times.areSeparated(x * _xx + y * _yx + z * _zx, _motionAlongX,
-                        bX + aX * xx + aY * yx + aZ * zx, gap))
+            times.at = fromX * xx + fromY * yx + fromZ * zx;
+            times.speed = _motionAlongX;
+            times.reach = halfX + aX * _absXx + aY * _absYx + aZ * _absZx;
+            if (times.areSeparated())
             {
-                return RelativeMotion.NEVER;
+                return;
             }
-            if (times.areSeparated(x * _xy + y * _yy + z * _zy, _motionAlongY,
-                        bY + aX * xy + aY * yy + aZ * zy, gap))
+            times.at = fromX * xy + fromY * yy + fromZ * zy;
+            times.speed = _motionAlongY;
+            times.reach = halfY + aX * _absXy + aY * _absYy + aZ * _absZy;
+            if (times.areSeparated())
             {
-                return RelativeMotion.NEVER;
+                return;
             }
-            if (times.areSeparated(x * _xz + y * _yz + z * _zz, _motionAlongZ,
-                        bZ + aX * xz + aY * yz + aZ * zz, gap))
+            times.at = fromX * xz + fromY * yz + fromZ * zz;
+            times.speed = _motionAlongZ;
+            times.reach = halfZ + aX * _absXz + aY * _absYz + aZ * _absZz;
+            if (!times.areSeparated())
             {
-                return RelativeMotion.NEVER;
+                time = times.touch < times.last ? times.touch : times.last;
             }
-            return times.first;
         }
 
         /**
-         * When the same two boxes touch; after facesMeet, with the same arguments.
+         * Finds when the same two boxes touch, after meetFaces.
          *
          * <p>The cross products of an edge of each are projected on in full: however short one is because the edges are nearly parallel,
          * it is an axis like any other, and no identity between axes has to hold for more digits than it does.</p>
          */
-        public function edgesMeet(x:Number, y:Number, z:Number, aX:Number, aY:Number, aZ:Number, bX:Number, bY:Number, bZ:Number,
-                gap:Number):Number
+        public function meetEdges():void
         {
-            var isSeparated:Boolean = isSeparatedAcross(x, y, z, aX, aY, aZ, _xx, _yx, _zx,
-                    bY * _xy, bY * _yy, bY * _zy, bZ * _xz, bZ * _yz, bZ * _zz, gap)
-                || isSeparatedAcross(x, y, z, aX, aY, aZ, _xy, _yy, _zy,
-                    bZ * _xz, bZ * _yz, bZ * _zz, bX * _xx, bX * _yx, bX * _zx, gap)
-                || isSeparatedAcross(x, y, z, aX, aY, aZ, _xz, _yz, _zz,
-                    bX * _xx, bX * _yx, bX * _zx, bY * _xy, bY * _yy, bY * _zy, gap);
-            return isSeparated ? RelativeMotion.NEVER : _times.first;
+            time = RelativeMotion.NEVER;
+            _pX = xx;
+            _pY = yx;
+            _pZ = zx;
+            _qX = bY * xy;
+            _qY = bY * yy;
+            _qZ = bY * zy;
+            _rX = bZ * xz;
+            _rY = bZ * yz;
+            _rZ = bZ * zz;
+            if (isSeparatedAcross())
+            {
+                return;
+            }
+            _pX = xy;
+            _pY = yy;
+            _pZ = zy;
+            _qX = _rX;
+            _qY = _rY;
+            _qZ = _rZ;
+            _rX = bX * xx;
+            _rY = bX * yx;
+            _rZ = bX * zx;
+            if (isSeparatedAcross())
+            {
+                return;
+            }
+            _pX = xz;
+            _pY = yz;
+            _pZ = zz;
+            _qX = _rX;
+            _qY = _rY;
+            _qZ = _rZ;
+            _rX = bY * xy;
+            _rY = bY * yy;
+            _rZ = bY * zy;
+            if (!isSeparatedAcross())
+            {
+                time = _times.touch < _times.last ? _times.touch : _times.last;
+            }
         }
 
         // Whether the cross product of edge p of b and one of a's separates all the time; q and r are b's other edges, half of each.
-        private function isSeparatedAcross(x:Number, y:Number, z:Number, aX:Number, aY:Number, aZ:Number,
-                pX:Number, pY:Number, pZ:Number, qX:Number, qY:Number, qZ:Number, rX:Number, rY:Number, rZ:Number, gap:Number):Boolean
+        private function isSeparatedAcross():Boolean
         {
             var times:TouchingTimes = _times;
+            var pX:Number = _pX;
+            var pY:Number = _pY;
+            var pZ:Number = _pZ;
             var sizeX:Number = pX < 0 ? -pX : pX;
             var sizeY:Number = pY < 0 ? -pY : pY;
             var sizeZ:Number = pZ < 0 ? -pZ : pZ;
-            var q:Number = qZ * pY - qY * pZ;
+            var q:Number = _qZ * pY - _qY * pZ;
             q = q < 0 ? -q : q;
-            var r:Number = rZ * pY - rY * pZ;
+            var r:Number = _rZ * pY - _rY * pZ;
             r = r < 0 ? -r : r;
-            if (sizeY + sizeZ > SHORTEST
-                    && times.areSeparated(z * pY - y * pZ, _motionZ * pY - _motionY * pZ,
-                        aY * sizeZ + aZ * sizeY + q + r, gap * (sizeY + sizeZ)))
+            if (sizeY + sizeZ > SHORTEST)
             {
-                return true;
+                times.at = z * pY - y * pZ;
+                times.speed = motionZ * pY - motionY * pZ;
+                times.reach = aY * sizeZ + aZ * sizeY + q + r;
+                times.gap = gap * (sizeY + sizeZ);
+                if (times.areSeparated())
+                {
+                    return true;
+                }
             }
-            q = qX * pZ - qZ * pX;
+            q = _qX * pZ - _qZ * pX;
             q = q < 0 ? -q : q;
-            r = rX * pZ - rZ * pX;
+            r = _rX * pZ - _rZ * pX;
             r = r < 0 ? -r : r;
-            if (sizeX + sizeZ > SHORTEST
-                    && times.areSeparated(x * pZ - z * pX, _motionX * pZ - _motionZ * pX,
-                        aZ * sizeX + aX * sizeZ + q + r, gap * (sizeX + sizeZ)))
+            if (sizeX + sizeZ > SHORTEST)
             {
-                return true;
+                times.at = x * pZ - z * pX;
+                times.speed = motionX * pZ - motionZ * pX;
+                times.reach = aZ * sizeX + aX * sizeZ + q + r;
+                times.gap = gap * (sizeX + sizeZ);
+                if (times.areSeparated())
+                {
+                    return true;
+                }
             }
-            q = qY * pX - qX * pY;
+            if (!(sizeX + sizeY > SHORTEST))
+            {
+                return false;
+            }
+            q = _qY * pX - _qX * pY;
             q = q < 0 ? -q : q;
-            r = rY * pX - rX * pY;
+            r = _rY * pX - _rX * pY;
             r = r < 0 ? -r : r;
-            return sizeX + sizeY > SHORTEST
-                && times.areSeparated(y * pX - x * pY, _motionY * pX - _motionX * pY,
-                    aX * sizeY + aY * sizeX + q + r, gap * (sizeX + sizeY));
+            times.at = y * pX - x * pY;
+            times.speed = motionY * pX - motionX * pY;
+            times.reach = aX * sizeY + aY * sizeX + q + r;
+            times.gap = gap * (sizeX + sizeY);
+            return times.areSeparated();
         }
 
         // The length below which a cross product is rounding: the edges are parallel (Tolerances.PARALLEL).

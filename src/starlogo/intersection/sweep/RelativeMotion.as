@@ -4,7 +4,8 @@ package starlogo.intersection.sweep
 
     /**
      * How one structure moves while another stands still: along a straight line, from time 0 to time 1, neither turning nor growing.
-     * Where both move, it is the motion of the first less that of the second. Plain fields, because the pair tests read them.
+     * Where both move, it is the motion of the first less that of the second. Plain fields, because the pair tests read them, and write their
+     * result: of Numbers that are passed or returned V8 makes objects.
      *
      * @private
      */
@@ -36,6 +37,12 @@ package starlogo.intersection.sweep
         /** @copy #x */
         public var z:Number = 0;
 
+        /** When the structures touch for the first time that were asked about, from 0 to 1, or NEVER. What asks how they touch asks about then. */
+        public var time:Number = NEVER;
+
+        /** How much farther apart than standing structures those on this motion may be and still touch, as of <code>findRounding()</code>. */
+        public var rounding:Number = 0;
+
         /** No motion. */
         public function RelativeMotion()
         {
@@ -52,18 +59,27 @@ package starlogo.intersection.sweep
             startZ = -z;
         }
 
-        /** Makes it a part of another motion, from one time to another; in the opposite direction if the second time is earlier. */
-        public function setPart(of:RelativeMotion, from:Number, to:Number):void
+        /** Makes it a displacement: its start is where another motion is at its time. It has to be none otherwise. */
+        public function stopAt(motion:RelativeMotion):void
         {
-            startX = of.startX + from * of.x;
-            startY = of.startY + from * of.y;
-            startZ = of.startZ + from * of.z;
-            x = (to - from) * of.x;
-            y = (to - from) * of.y;
-            z = (to - from) * of.z;
+            var at:Number = motion.time;
+            startX = motion.startX + at * motion.x;
+            startY = motion.startY + at * motion.y;
+            startZ = motion.startZ + at * motion.z;
         }
 
-        /** Makes it the motion of the other structure, while this one stands still. */
+        /** Makes it the way back of another motion. */
+        public function reverse(motion:RelativeMotion):void
+        {
+            startX = motion.startX + motion.x;
+            startY = motion.startY + motion.y;
+            startZ = motion.startZ + motion.z;
+            x = -motion.x;
+            y = -motion.y;
+            z = -motion.z;
+        }
+
+        /** Makes it the motion of the other structure, while this one stands still, at the same time. */
         public function turn(motion:RelativeMotion):void
         {
             x = -motion.x;
@@ -72,6 +88,7 @@ package starlogo.intersection.sweep
             startX = -motion.startX;
             startY = -motion.startY;
             startZ = -motion.startZ;
+            time = motion.time;
         }
 
         /** The motion of the other structure, while this one stands still; the next call overwrites it. */
@@ -81,8 +98,8 @@ package starlogo.intersection.sweep
             return TURNED;
         }
 
-        /** How much farther apart than standing structures those on this motion may be and still touch: the rounding error of the motion. */
-        public function rounding():Number
+        /** Finds the rounding error of the motion. */
+        public function findRounding():void
         {
             // not with Math.abs, which would be a call for each
             var sum:Number = startX < 0 ? -startX : startX;
@@ -91,7 +108,7 @@ package starlogo.intersection.sweep
             sum = x < 0 ? sum - x : sum + x;
             sum = y < 0 ? sum - y : sum + y;
             sum = z < 0 ? sum - z : sum + z;
-            return Tolerances.ROUNDING * sum;
+            rounding = Tolerances.ROUNDING * sum;
         }
     }
 }

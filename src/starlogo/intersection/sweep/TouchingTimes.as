@@ -10,69 +10,64 @@ package starlogo.intersection.sweep
      */
     public final class TouchingTimes
     {
-        // With the gap.
-        private var _first:Number;
-        private var _last:Number;
+        /** Where on the axis that is tried next the one's middle is, from the other's, at time 0. */
+        public var at:Number = 0;
 
-        // When the last axis ceases to separate them, without the gap.
-        private var _touch:Number;
+        /** How far it moves along it till time 1. */
+        public var speed:Number = 0;
+
+        /** How far the two reach along it together. */
+        public var reach:Number = 0;
+
+        /** The gap across which they still touch. */
+        public var gap:Number = 0;
+
+        /** The end of the interval, with the gap. */
+        public var last:Number = 1;
+
+        /** When the last axis ceases to separate them, without the gap. If that is not after the end, they touch then. */
+        public var touch:Number = 0;
+
+        // The beginning, with the gap.
+        private var _first:Number = 0;
 
         /** No time yet. */
         public function TouchingTimes()
         {
         }
 
-        /** When they touch for the first time, unless an axis separates them. */
-        public function get first():Number
+        /** Begins with no axis tried: <code>last</code> is the latest time that is of interest. */
+        public function reset():void
         {
-            return _touch < _last ? _touch : _last;
+            _first = touch = 0;
         }
 
         /**
-         * Begins with no axis tried.
+         * Tries the axis that the fields describe: of arguments V8 would make objects.
          *
-         * @param latest the latest time that is of interest
-         */
-        public function reset(latest:Number):void
-        {
-            _first = _touch = 0;
-            _last = latest;
-        }
-
-        /** Sets a time before which they do not touch; returns whether they may touch after it. */
-        public function limitTo(time:Number):Boolean
-        {
-            _touch = time;
-            return time <= _last;
-        }
-
-        /**
-         * Tries an axis.
-         *
-         * @param at where on it the one's middle is, from the other's, at time 0
-         * @param speed how far it moves along it till time 1
-         * @param reach how far the two reach along it together
-         * @param gap across which they still touch
          * @return whether it separates them all the time
          */
-        public function areSeparated(at:Number, speed:Number, reach:Number, gap:Number):Boolean
+        public function areSeparated():Boolean
         {
+            var from:Number = at;
+            var rate:Number = speed;
+            var near:Number = reach;
             // mirrored, so that it moves up
-            if (speed < 0)
+            if (rate < 0)
             {
-                speed = -speed;
-                at = -at;
+                rate = -rate;
+                from = -from;
             }
-            var wide:Number = reach * Tolerances.TOUCHING + gap;
+            var wide:Number = near * Tolerances.TOUCHING + gap;
             var time:Number;
-            if (at < -wide)
+            if (from < -wide)
             {
-                if (!(speed > 0))
+                if (!(rate > 0))
                 {
                     return true;
                 }
-                time = (-wide - at) / speed;
-                if (time > _last)
+                time = (-wide - from) / rate;
+                if (time > last)
                 {
                     return true;
                 }
@@ -80,26 +75,26 @@ package starlogo.intersection.sweep
                 {
                     _first = time;
                 }
-                time = (-reach - at) / speed;
-                if (time > _touch)
+                time = (-near - from) / rate;
+                if (time > touch)
                 {
-                    _touch = time;
+                    touch = time;
                 }
             }
-            else if (at > wide)
+            else if (from > wide)
             {
                 return true;
             }
-            if (at + _last * speed > wide)
+            if (from + last * rate > wide)
             {
-                time = (wide - at) / speed;
+                time = (wide - from) / rate;
                 if (time < _first)
                 {
                     return true;
                 }
-                if (time < _last)
+                if (time < last)
                 {
-                    _last = time;
+                    last = time;
                 }
             }
             return false;

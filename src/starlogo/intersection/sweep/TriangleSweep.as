@@ -16,90 +16,82 @@ package starlogo.intersection.sweep
         private var _polygonB:Polygon = new Polygon();
 
         // The shortest separating displacement so far.
-        private var _depth:Number;
-        private var _x:Number;
-        private var _y:Number;
-        private var _z:Number;
+        private var _depth:Number = Infinity;
+        private var _x:Number = 0;
+        private var _y:Number = 0;
+        private var _z:Number = 1;
 
         /** No triangles yet. */
         public function TriangleSweep()
         {
             isStanding = false;
             times = new TouchingTimes();
-            motion = new RelativeMotion();
         }
 
         /**
-         * When two triangles touch for the first time.
+         * Finds when the two triangles that were related touch for the first time.
          *
-         * @param a has nine numbers of the one: x, y, z of each corner
-         * @param atA where in a they begin
-         * @param b has nine numbers of the other, where it is at time 0, in the same space
-         * @param atB where in b they begin
-         * @param motionX how b moves between times 0 and 1
-         * @param motionY likewise
-         * @param motionZ likewise
-         * @param gap what still counts as touching, a distance
-         * @param latest the latest time that is of interest
-         * @return from 0 to the latest time, or RelativeMotion.NEVER
+         * @param motion of the second, which is where it is at time 0; its time is the latest that is of interest, and becomes the time, from 0 on, or
+         *     RelativeMotion.NEVER
          */
-        public function touch(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, motionX:Number, motionY:Number, motionZ:Number,
-                gap:Number, latest:Number):Number
+        public function findTime(motion:RelativeMotion):void
         {
+            this.motion = motion;
             comparesSegments = true;
-            times.reset(latest);
-            motion.x = motionX;
-            motion.y = motionY;
-            motion.z = motionZ;
-            relate(a, atA, b, atB, gap);
-            return areSeparated() ? RelativeMotion.NEVER : times.first;
+            times.last = motion.time;
+            times.reset();
+            if (areSeparated())
+            {
+                motion.time = RelativeMotion.NEVER;
+                return;
+            }
+            motion.time = times.touch < times.last ? times.touch : times.last;
         }
 
         /**
-         * Where two triangles touch: the direction, at right angles to one or to an edge of each, along which they overlap least.
+         * Where the two triangles that were related touch: the direction, at right angles to one or to an edge of each, along which they overlap least.
          *
-         * @param a as in touch
-         * @param atA as in touch
-         * @param b as in touch
-         * @param atB as in touch
-         * @param motionX how far b is displaced
-         * @param motionY likewise
-         * @param motionZ likewise
-         * @param out takes it, the normal pointing from b to a
+         * @param motion displaces the second to where it is at the motion's time
+         * @param out takes it, the normal pointing from b to a, in the space of the triangles
          */
-        public function findContact(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, motionX:Number, motionY:Number, motionZ:Number,
-                out:ContactPoint):void
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
             comparesSegments = false;
             _depth = Infinity;
             _x = _y = 0;
             _z = 1;
-            relate(a, atA, b, atB, 0);
-            px += motionX;
-            py += motionY;
-            pz += motionZ;
-            qx += motionX;
-            qy += motionY;
-            qz += motionZ;
-            rx += motionX;
-            ry += motionY;
-            rz += motionZ;
+            tolerance = 0;
+            var x:Number = motion.time * motion.x;
+            var y:Number = motion.time * motion.y;
+            var z:Number = motion.time * motion.z;
+            px += x;
+            py += y;
+            pz += z;
+            qx += x;
+            qy += y;
+            qz += z;
+            rx += x;
+            ry += y;
+            rz += z;
             areSeparated();
-            out.normalX = _x;
-            out.normalY = _y;
-            out.normalZ = _z;
-            setSupport(_polygonA, 0, 0, 0, ux, uy, uz, vx, vy, vz, -_x, -_y, -_z);
-            setSupport(_polygonB, px, py, pz, qx, qy, qz, rx, ry, rz, _x, _y, _z);
-            _polygonA.findCommonPoint(_polygonB, _x, _y, _z);
+            out.setNormal(_x, _y, _z);
+            supportFirst();
+            supportSecond();
+            _polygonA.findCommonPoint(_polygonB, out);
             out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
-            out.x = a[atA] + _polygonA.x;
-            out.y = a[int(atA + 1)] + _polygonA.y;
-            out.z = a[int(atA + 2)] + _polygonA.z;
+            out.x = _polygonA.x;
+            out.y = _polygonA.y;
+            out.z = _polygonA.z;
         }
 
         // Keeps the shortest separating displacement.
-        override protected function tryDepth(x:Number, y:Number, z:Number, at:Number, reach:Number):void
+        override protected function tryDepth():void
         {
+            var x:Number = axisX;
+            var y:Number = axisY;
+            var z:Number = axisZ;
+            var at:Number = times.at;
+            var reach:Number = times.reach;
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             var depth:Number = (reach - Math.abs(at)) / length;
             // false for NaN
@@ -115,32 +107,64 @@ package starlogo.intersection.sweep
 
         override protected function areSegmentsSeparated():Boolean
         {
-            return !times.limitTo(timeOfImpact(segmentB, segmentA, motion));
+            findTimeOfImpact(segmentB, segmentA, motion);
+            times.touch = motion.time;
+            return !(times.touch <= times.last);
         }
 
-        // The corners of a triangle that are farthest out in a direction.
-        private static function setSupport(polygon:Polygon, px:Number, py:Number, pz:Number, qx:Number, qy:Number, qz:Number,
-                rx:Number, ry:Number, rz:Number, x:Number, y:Number, z:Number):void
+        // The corners of the first triangle that are farthest out against the direction; they are from its first corner.
+        private function supportFirst():void
         {
-            var p:Number = px * x + py * y + pz * z;
-            var q:Number = qx * x + qy * y + qz * z;
-            var r:Number = rx * x + ry * y + rz * z;
+            var points:Polygon = _polygonA;
+            var q:Number = -(ux * _x + uy * _y + uz * _z);
+            var r:Number = -(vx * _x + vy * _y + vz * _z);
+            var far:Number = q > 0 ? q : 0;
+            far = r > far ? r : far;
+            far -= Tolerances.DIRECTION * (Math.abs(ux) + Math.abs(uy) + Math.abs(uz) + Math.abs(vx) + Math.abs(vy) + Math.abs(vz));
+            points.clear();
+            if (far <= 0)
+            {
+                points.setStep(0, 0, 0);
+                points.add();
+            }
+            if (q >= far)
+            {
+                points.setStep(ux, uy, uz);
+                points.add();
+            }
+            if (r >= far)
+            {
+                points.setStep(vx, vy, vz);
+                points.add();
+            }
+        }
+
+        // Those of the second that are farthest out along it.
+        private function supportSecond():void
+        {
+            var points:Polygon = _polygonB;
+            var p:Number = px * _x + py * _y + pz * _z;
+            var q:Number = qx * _x + qy * _y + qz * _z;
+            var r:Number = rx * _x + ry * _y + rz * _z;
             var far:Number = p > q ? p : q;
             far = r > far ? r : far;
             far -= Tolerances.DIRECTION * (Math.abs(px - qx) + Math.abs(py - qy) + Math.abs(pz - qz) + Math.abs(px - rx)
                     + Math.abs(py - ry) + Math.abs(pz - rz));
-            polygon.clear();
+            points.clear();
             if (p >= far)
             {
-                polygon.add(px, py, pz);
+                points.setStep(px, py, pz);
+                points.add();
             }
             if (q >= far)
             {
-                polygon.add(qx, qy, qz);
+                points.setStep(qx, qy, qz);
+                points.add();
             }
             if (r >= far)
             {
-                polygon.add(rx, ry, rz);
+                points.setStep(rx, ry, rz);
+                points.add();
             }
         }
     }

@@ -4,7 +4,7 @@ package starlogo.intersection.sweep
     import starlogo.intersection.PairTable;
 
     /**
-     * When a structure that moves touches one that stands still for the first time: the first moment of the motion, both its ends
+     * Finds when a structure that moves touches one that stands still for the first time: the first moment of the motion, both its ends
      * included, at which <code>intersects()</code> would say that they meet, but for rounding. PairTable has the kernel
      * of each pair. Allocates nothing.
      *
@@ -15,18 +15,20 @@ package starlogo.intersection.sweep
      *
      * @param a a Sphere, Capsule or Box, which moves
      * @param b likewise, in the same space
-     * @param motion of a
-     * @return from 0, which it is when they touch at the beginning, to 1; RelativeMotion.NEVER if they do not touch
+     * @param motion of a; takes the time, from 0, which it is when they touch at the beginning, to 1; RelativeMotion.NEVER if they do not touch
      * @throws ArgumentError when there is no test for the pair
      *
      * @private
      */
-    public function timeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):Number
+    public function findTimeOfImpact(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
     {
         if (a.kind > b.kind)
         {
-            return timeOfImpact(b, a, RelativeMotion.turned(motion));
+            var turned:RelativeMotion = RelativeMotion.turned(motion);
+            PairTable.KERNELS[b.kind << 2 | a.kind].findTime(b, a, turned);
+            motion.time = turned.time;
+            return;
         }
-        return PairTable.KERNELS[a.kind << 2 | b.kind].timeOfImpact(a, b, motion);
+        PairTable.KERNELS[a.kind << 2 | b.kind].findTime(a, b, motion);
     }
 }

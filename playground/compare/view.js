@@ -8,6 +8,7 @@ import { Sight } from "../shared/sight.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
 import { texts } from "../texts.js";
+import { codeOf } from "./code.js";
 import { ScatteredGame, compare } from "./game.js";
 
 const words = texts.compare;
@@ -48,16 +49,24 @@ class CompareView {
 			this.#judge();
 		});
 		this.meeting = h("p.note", { role: "status" });
+		this.code = h("code");
+		const copied = h("span", { role: "status" });
+		const copy = button(words.copy, async () => {
+			await navigator.clipboard?.writeText(this.code.textContent).then(() => {
+				copied.textContent = words.copied;
+			}, () => {});
+		});
 		main.replaceChildren(
 			h("section.pair", { "aria-label": words.pair },
 				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
-				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)))),
+				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)),
+					h("details.code", {}, h("summary", {}, words.code), h("pre", { tabindex: "0", "aria-label": words.code }, this.code), h("div.tools", {}, copy, copied)))),
 			h("section.scattered", { "aria-label": words.game },
 				h("div.side", {}, h("div.tools", {}, h("h2", {}, words.game), field(words.reference, references)), this.gameNote, this.table,
 					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => this.#restart())),
 					this.colourNote, this.legend),
 				h("div.screen", {}, this.gameHost)));
-		this.stage = new Lab(this.pairHost, { label: words.world, eye: [2, 2.9, 1.5], target: [0, 0, 0.4], ground: 6 });
+		this.stage = new Lab(this.pairHost, { label: words.world, eye: [1.6, 2.35, 1.2], target: [0, 0, 0.35], ground: 6 });
 		this.gameStage = new Lab(this.gameHost, { label: words.gameWorld, eye: [0, -45, 142], target: [0, 0, 0], ground: 100, cell: 5 });
 		// seen from so far, outlines would hide the lines
 		if (this.gameStage.renderer) this.gameStage.agents.materials.outline.visible = false;
@@ -114,7 +123,9 @@ class CompareView {
 		});
 		this.sight.update();
 		this.sight.showTested();
-		this.meeting.textContent = this.sight.showMeeting(a, b);
+		const { system } = this.sight;
+		this.meeting.textContent = `${texts.systems[system]}: ${this.sight.showMeeting(a, b)}`;
+		this.code.textContent = codeOf(this.agents, system, this.blocks.systemNamed(system).areColliding(a, b));
 	}
 
 	#restart() {

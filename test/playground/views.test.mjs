@@ -1,8 +1,12 @@
 /** Inspect and Compare, and what goes for every view, in the browser. */
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { execFile } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
+import { serve } from '../headless/server.mjs';
 import { SIZES, begin, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare'];
@@ -273,10 +277,10 @@ test('Inspect: rays, nearest agents, distances and contacts by the pointer', asy
 test('Compare: two agents are moved by sliders and by dragging', async () => {
 	const { page, said } = await shared('compare');
 	const verdicts = () => page.locator('.verdict strong').allTextContents();
-	assert.deepEqual(await verdicts(), ['false collision', 'false collision', 'do not', 'do not', 'do not']);
+	assert.deepEqual(await verdicts(), ['false collision', 'false collision', ...Array(3).fill('no collision')]);
 	const z = page.locator('details[open] .slider', { hasText: /^z/ }).locator('input');
 	await z.fill('3');
-	assert.deepEqual(await verdicts(), ['do not', 'do not', 'do not', 'do not', 'do not']);
+	assert.deepEqual(await verdicts(), [...Array(5).fill('no collision')]);
 	await z.fill('0.1');
 	const x = page.locator('details[open] .slider', { hasText: /^x/ }).locator('input');
 	const before = await x.inputValue();
@@ -291,6 +295,29 @@ test('Compare: two agents are moved by sliders and by dragging', async () => {
 	await page.mouse.move(at.x + 120, at.y + 10, { steps: 4 });
 	await page.mouse.up();
 	assert.notEqual(await x.inputValue(), before);
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Compare: the program that it shows runs, and gives the same verdict', async () => {
+	const { page, said } = await shared('compare');
+	const assets = await serve(null, { '/assets': path.join(root, 'assets') });
+	const folder = path.join(root, 'bin/generated/compare-code');
+	mkdirSync(folder, { recursive: true });
+	try {
+		for (const [system, shape] of [['Tightest fits', 'bear'], ['Unit spheres', 'cube'], ['Exact', 'sphere']]) {
+			await page.locator('.verdict', { hasText: system }).click();
+			await page.locator('details[open] select').selectOption(shape);
+			const text = await page.textContent('.code code');
+			const verdict = await page.locator('.verdict', { hasText: system }).locator('strong').textContent();
+			const file = path.join(folder, `${shape}.mjs`);
+			writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href)).replaceAll('"assets/', `"${assets.url}assets/`));
+			const { stdout } = await promisify(execFile)(process.execPath, [file]);
+			assert.equal(stdout.trim(), text.split('// ')[1], text);
+			assert.equal(stdout.trim(), String(verdict !== 'no collision' && verdict !== 'missed'), verdict);
+		}
+	} finally {
+		assets.close();
+	}
 	assert.deepEqual(said.splice(0), []);
 });
 

@@ -1,0 +1,39 @@
+/** Two agents and a collision system as a program of the npm package. */
+
+/** What a new agent has: where it is otherwise, the code says. */
+const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierarchical: false };
+const BUILT_IN = ["sphere", "cube", "cylinder"];
+const COLLADA = ["dragon", "seagull", "fireman", "person"];
+/** Those that only the playground has. */
+const MADE = ["turtle", "wall"];
+
+/**
+ * A program that asks a collision system about two agents.
+ *
+ * @param {object[]} agents the two
+ * @param {string} system its name
+ * @param {boolean} areColliding what it answers
+ */
+export function codeOf(agents, system, areColliding) {
+	const shapes = [...new Set(agents.map(({ shape }) => shape))];
+	const models = shapes.map((name) => (BUILT_IN.includes(name) ? `greatLand.addModel(BuiltInModel.${name}());`
+		: MADE.includes(name) ? `greatLand.addModel(new Model("${name}", vertices, triangles)); // of your own`
+			: `await loader.loadAsync("${name}", "assets/${name}.${COLLADA.includes(name) ? "dae" : "obj"}");`));
+	const isUsed = (word) => models.some((line) => line.includes(word));
+	const names = ["Agent", ...(isUsed("BuiltInModel") ? ["BuiltInModel"] : []), "CollisionBlocks", "GreatLand", ...(isUsed("new Model") ? ["Model"] : []), ...(isUsed("loader") ? ["ModelLoader"] : [])];
+	return [
+		`import { ${names.join(", ")} } from "starlogo-collision";`,
+		"",
+		"const greatLand = new GreatLand();",
+		...(isUsed("loader") ? ["const loader = new ModelLoader(greatLand);"] : []),
+		...models,
+		...agents.map((agent, i) => `const ${"ab"[i]} = ${made(agent)};`),
+		`const system = new CollisionBlocks(greatLand, [a, b]).systemNamed("${system}");`,
+		`console.log(system.areColliding(a, b)); // ${areColliding}`,
+	].join("\n");
+}
+
+function made(agent) {
+	const traits = Object.entries(USUAL).filter(([name, usual]) => agent[name] !== usual).map(([name]) => `${name}: ${agent[name]}`);
+	return traits.length > 0 ? `Object.assign(new Agent("${agent.shape}"), { ${traits.join(", ")} })` : `new Agent("${agent.shape}")`;
+}

@@ -99,7 +99,13 @@ const WORDS = ["starlogo_", "\"inputs\":{", "\"fields\":{", "{\"block\":{\"type\
 const shorten = (text) => WORDS.reduce((all, word, i) => all.replaceAll(word, String.fromCharCode(1 + i)), text);
 const lengthen = (text) => WORDS.reduceRight((all, word, i) => all.replaceAll(String.fromCharCode(1 + i), word), text);
 
-const squeezed = async (text, stream) => new Uint8Array(await new Response(new Blob([text]).stream().pipeThrough(stream)).arrayBuffer());
+// A Response would read it in one call, but Firefox writes on the console what a Response cannot read.
+async function squeezed(text, stream) {
+	const parts = [];
+	const reader = new Blob([text]).stream().pipeThrough(stream).getReader();
+	for (let part = await reader.read(); !part.done; part = await reader.read()) parts.push(part.value);
+	return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
 
 /** A program as text for an address. */
 export async function toLink(program) {

@@ -6,7 +6,10 @@
  *   node test/mutations/run.mjs TESTS [COUNT [SEED [all]]]
  *
  * TESTS is what the build made of the engine and the tests together. First the hash of all that the soak's game sees is compared, then the test
- * classes run that name the changed class, and with "all" every other.
+ * classes run that name the changed class, and with "all" every other; no *.test.mjs does.
+ *
+ * What survives with "all" has mostly been a change of no answer: of equal numbers the one or the other is taken, 0 or -0; children of nodes
+ * are visited in another order; boxes are wider, or what would spare work does not.
  */
 import { spawnSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
@@ -16,6 +19,9 @@ import { randomNumbers } from "../module/games.mjs";
 
 const PACKAGES = ["collision", "search", "hierarchy", "intersection", "queries"];
 const PATIENCE_MS = 600000;
+
+/** Measures time: a busy machine fails it, whatever was changed. */
+const TIMED = "MeasurementTest";
 
 /** What is written in place of what: the first that a place has. */
 const CHANGES = [
@@ -54,7 +60,7 @@ for (let i = 0; i < 8; i++) random();
 
 function testsOf(name) {
 	const related = testFiles.filter(({ text }) => new RegExp(`\\b${name}\\b`).test(text)).map((each) => each.name);
-	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each)) : [];
+	const others = all ? testFiles.map((each) => each.name).filter((each) => !related.includes(each) && each !== TIMED) : [];
 	return ["SoakTest.whatAGameSeesIsTheSameEverywhere", ...related, ...others];
 }
 

@@ -1,5 +1,5 @@
 /** The playground in a headless browser with software GL, as a desktop's and a phone's browser show it. */
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { isChromium, launch } from '../headless/browsers.mjs';
@@ -56,6 +56,26 @@ export async function open(site, hash, options = SIZES.desktop) {
 	await page.goto(`${site.url}#${hash}`);
 	await ready(page, hash.split('/')[0]);
 	return { page, context, said };
+}
+
+/** Taps on something; where Playwright knows no fingers, as in Firefox, it is clicked. */
+export const tap = (target) => (isChromium ? target.tap() : target.click());
+
+/** The text of the file that a page hands over when something is pressed. Playwright tells of it in Chromium alone: else it is what the page makes of it. */
+export async function saved(page, press) {
+	if (isChromium) {
+		const [download] = await Promise.all([page.waitForEvent('download'), press()]);
+		return readFileSync(await download.path(), 'utf8');
+	}
+	await page.evaluate(() => {
+		const make = URL.createObjectURL;
+		URL.createObjectURL = (blob) => {
+			globalThis.handedOver = blob.text();
+			return make.call(URL, blob);
+		};
+	});
+	await press();
+	return page.evaluate(() => globalThis.handedOver);
 }
 
 export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: 60000 });

@@ -6,6 +6,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
+import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 import { SIZES, begin, open, ready, root } from './browser.mjs';
 
@@ -50,7 +51,8 @@ for (const view of VIEWS) {
 				await page.keyboard.press('ArrowRight');
 				await page.waitForSelector('.answers:visible');
 				await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
-				await reachesAll(page);
+				// as Playwright drives Firefox, nothing is focus-visible after the tab key has gone through the window's own controls
+				await reachesAll(page, isChromium);
 				await faultless(page, 'light');
 			});
 		}
@@ -127,7 +129,7 @@ async function faultless(page, colorScheme) {
 	assert.deepEqual(faults, [], colorScheme);
 }
 
-async function reachesAll(page) {
+async function reachesAll(page, showsFocus = true) {
 	const wanted = await page.evaluate(() => {
 		const groups = new Set();
 		const controls = [...document.querySelectorAll('a[href], button, select, summary, input:not([tabindex="-1"]), .world[tabindex]')]
@@ -149,7 +151,7 @@ async function reachesAll(page) {
 			return { control: element.dataset.control, isShown: getComputedStyle(element).outlineStyle !== 'none', html: element.outerHTML.slice(0, 80) };
 		});
 		if (missing.delete(control)) {
-			assert.ok(isShown, `it is seen that this has the focus: ${html}`);
+			assert.ok(isShown || !showsFocus, `it is seen that this has the focus: ${html}`);
 		}
 	}
 	const names = await page.evaluate((all) => all.map((each) => document.querySelector(`[data-control="${each}"]`).outerHTML.slice(0, 80)), [...missing]);
@@ -408,7 +410,7 @@ test('Inspect: a model that is missing is said to be, and works when it is there
 	await page.getByLabel('Model', { exact: true }).selectOption('dragon');
 	await measured(page, /^Dragon: /);
 	assert.equal(await page.locator('tbody tr').count(), 11);
-	assert.equal(said.splice(0).length, 1, 'the browser says on the console that it was missing');
+	assert.equal(said.splice(0).length, isChromium ? 1 : 0, 'Chromium says on the console that it was missing');
 });
 
 test('Inspect: files by their content, with their names, standing up, points as points, times of warm runs', async () => {
@@ -551,7 +553,7 @@ test('a file that is dropped elsewhere, and a graphics card that goes away, are 
 	await context.close();
 });
 
-test('forced colours leave what is chosen, wrong and meant to be seen', async () => {
+test('forced colours leave what is chosen, wrong and meant to be seen', { skip: isChromium ? false : 'Playwright forces colours in Chromium alone' }, async () => {
 	const { page, context } = await open(site, 'compare', { ...SIZES.desktop, forcedColors: 'active' });
 	const style = (selector, pseudo) => page.evaluate(([which, part]) => {
 		const { outlineStyle, borderStyle, backgroundColor, borderTopColor } = getComputedStyle(document.querySelector(which), part);

@@ -78,7 +78,12 @@ package starlogo.intersection
                     }
                     if (random.chance(0.3))
                     {
-                        b = moved(b, a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+                        // they cross, or share a corner
+                        var s:Number = random.pick([0, random.between(0, 1)]);
+                        var t:Number = random.pick([0, random.between(0, 1)]);
+                        var from:Array = mix(b, [1 - s, s, 0]);
+                        var to:Array = mix(a, [1 - t, t, 0]);
+                        b = moved(b, to[0] - from[0], to[1] - from[1], to[2] - from[2]);
                     }
                     return [a, b];
                 });
@@ -182,11 +187,11 @@ package starlogo.intersection
             return corners;
         }
 
-        // A triangle without area: three points on a line, or two or three of them the same.
+        // A triangle without area: three points on a line, any of them between the others, or two or three of them the same.
         private static function segment(random:SeededRandom):Array
         {
             var corners:Array = triangle(random, 1);
-            var t:Number = random.pick([0, 1, 0.5, 0.25, 2]);
+            var t:Number = random.pick([0, 1, 0.5, 0.25, 2, -1]);
             for (var i:int = 0; i < 3; i++)
             {
                 corners[6 + i] = corners[i] + t * (corners[3 + i] - corners[i]);

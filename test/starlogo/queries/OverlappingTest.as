@@ -173,6 +173,27 @@ package starlogo.queries
             assertMixed();
         }
 
+        // They touch to the last bit, beside the long side of the box, whichever that is.
+        [Test]
+        public function longBoxesTouchInEachDirection():void
+        {
+            var system:Collider = new TightestFitCollider(sGreatLand);
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var along:Array = [axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0];
+                var middle:Vector3D = new Vector3D(1000 * along[0], 1000 * along[1], 1000 * along[2]);
+                var box:Box = new Box(middle, Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, along[0] ? 1000 : 0.5, along[1] ? 1000 : 0.5,
+                        along[2] ? 1000 : 0.5);
+                for each (var gap:Number in [0, 1e-6])
+                {
+                    var agent:Agent = new Agent("cube");
+                    agent.moveTo(axis == 0 ? 10 : 1 + gap, 10 * along[1], axis == 0 ? 0.5 + gap : 10 * along[2] - 0.5);
+                    _agents = new <Agent>[agent];
+                    assertEquals("along axis " + axis + ", a gap of " + gap, gap == 0 ? 1 : 0, find(system, box).length);
+                }
+            }
+        }
+
         [Test]
         public function refusesWhatIsNoStructure():void
         {

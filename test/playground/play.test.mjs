@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { isChromium } from '../headless/browsers.mjs';
 import { SIZES, begin, open, ready } from './browser.mjs';
 
 let site;
@@ -469,6 +470,31 @@ test('a crowd in ever new colours is drawn at once', async () => {
 	});
 	console.log(`${colours} colours: ${calls} draw calls, ${ms.toFixed(1)} ms to prepare them`);
 	assert.ok(colours > 1800 && calls < 20, `${colours} colours, ${calls} calls`);
+	if (isChromium) {
+		assert.equal(await page.evaluate(() => globalThis.playground.stage.renderer.getContextAttributes().antialias), false, 'the processor draws: edges are not smoothed');
+	}
+	// 300 that walk and turn: what the page itself does in a frame, without what WebGL does with it
+	await openProgram(page, program(
+		start({ ...create('turtles', 'turtle'), inputs: { COUNT: number(300), DO: { block: { type: 'starlogo_scatter' } } } }),
+		each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.05) }, next: { block: { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: number(2) } } } })));
+	const [frame, drawing] = await page.evaluate(() => {
+		const { playground } = globalThis;
+		const { world, panel, stage } = playground;
+		const gl = stage.renderer.getContext();
+		let draws = 0;
+		for (const name in gl) if (/^(draw|buffer|clear$)/.test(name) && typeof gl[name] === 'function') gl[name] = () => draws++;
+		const times = [];
+		for (let i = 0; i < 120; i++) {
+			const begin = performance.now();
+			world.step();
+			panel.count();
+			playground.draw(1);
+			times.push(performance.now() - begin);
+		}
+		return [times.sort((a, b) => a - b)[60], draws / 120];
+	});
+	console.log(`300 agents: ${frame.toFixed(2)} ms a frame for the page's own part, ${drawing.toFixed(0)} calls that draw or upload`);
+	assert.ok(drawing > 5 && drawing < 60, `${drawing} calls a frame`);
 	assert.deepEqual(said, []);
 	await context.close();
 });

@@ -11,6 +11,13 @@ before(async () => {
 });
 after(() => site.close());
 
+let common;
+/** A page that tests share which leave nothing of theirs there but the program that is open. */
+async function shared() {
+	common ??= await open(site, 'play');
+	return common;
+}
+
 /** What the world of the open page is; the page lends it for this. */
 const agents = (page, breed) => page.evaluate((which) => globalThis.playground.world.agents.filter((agent) => agent.breed === which)
 	.map(({ x, y, z, heading, color, size }) => ({ x, y, z, heading, color, size })), breed);
@@ -155,7 +162,7 @@ const NEAR_MISSES = {
 
 for (const [example, expected] of Object.entries(NEAR_MISSES)) {
 	test(`switching systems changes the outcome: ${example}`, async () => {
-		const { page, context, said } = await open(site, 'play');
+		const { page, said } = await shared();
 		await page.getByLabel('Program', { exact: true }).selectOption(example);
 		const found = {};
 		for (const system of Object.keys(expected)) {
@@ -164,8 +171,7 @@ for (const [example, expected] of Object.entries(NEAR_MISSES)) {
 			found[system] = (await agents(page, 'turtles'))[0].color === 0xe5484d;
 		}
 		assert.deepEqual(found, expected);
-		assert.deepEqual(said, []);
-		await context.close();
+		assert.deepEqual(said.splice(0), []);
 	});
 }
 
@@ -215,7 +221,7 @@ test('broken programs and links say so, and leave what was there', async () => {
 });
 
 test('an endless loop is stopped and named, and so is a mistake in a block', async () => {
-	const { page, context, said } = await open(site, 'play');
+	const { page, said } = await shared();
 	const endless = { type: 'controls_whileUntil', fields: { MODE: 'WHILE' }, inputs: { BOOL: { block: { type: 'logic_boolean', fields: { BOOL: 'TRUE' } } } } };
 	await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', endless)));
 	await press(page, 'Run');
@@ -231,8 +237,7 @@ test('an endless loop is stopped and named, and so is a mistake in a block', asy
 	const depth = { type: 'starlogo_depth', fields: { WHO: 'turtles' }, inputs: { DEPTH: number(1.5) } };
 	await openProgram(page, program(start(depth)));
 	assert.match(await say(page), /The block "set collision depth" needs a whole number/);
-	assert.deepEqual(said, []);
-	await context.close();
+	assert.deepEqual(said.splice(0), []);
 });
 
 test('a student\'s own program is never lost: not by examples, links, nor broken ones', async () => {
@@ -660,7 +665,7 @@ test('a lesson is opened, done and left for the next; the gallery has all progra
 });
 
 test('the same game under two systems: from the same start, with the same keys, with what differs', async () => {
-	const { page, context, said } = await open(site, 'play');
+	const { page, said } = await shared();
 	await choose(page, 'helmet');
 	await page.getByLabel('Collision system').selectOption('unit spheres');
 	await page.getByLabel('And beside it').selectOption('exact');
@@ -700,8 +705,7 @@ test('the same game under two systems: from the same start, with the same keys, 
 	await page.getByLabel('And beside it').selectOption('');
 	assert.equal(await page.locator('.screens .world').count(), 1);
 	assert.equal(await page.locator('.caption:visible').count(), 0);
-	assert.deepEqual(said, []);
-	await context.close();
+	assert.deepEqual(said.splice(0), []);
 });
 
 test('the world comes before the blocks; the keyboard alone plays, edits, chooses and goes everywhere', async () => {

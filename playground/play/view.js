@@ -28,9 +28,8 @@ export async function createView(main, link) {
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
 	const view = new PlayView(main, models, new World(greatLand));
-	await view.own.takeKept();
 	view.preview(await view.programs.first(link));
-	const { Editor } = await import("./editor.js");
+	const [{ Editor }] = await Promise.all([import("./editor.js"), view.own.takeKept()]);
 	view.edit(Editor);
 	await view.open(link);
 	return view;

@@ -40,9 +40,10 @@ export class Scene {
 		this.caption = h("p.caption", { hidden: true });
 		this.end = h("div.end", { role: "alert", hidden: true });
 		this.legend = h("ul.legend.sees", { hidden: true }, ...["none", "hit", "wrong", "missed"].map((name) => h(`li.${name}`, {}, words.seesNote[name])));
+		this.foot = h("div.foot", {}, this.legend);
 		this.bubbles = h("div.bubbles");
 		this.facts = h("div.inspector", { hidden: true, role: "region", "aria-label": words.inspector });
-		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, this.score), this.facts), this.legend, this.end);
+		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, this.score), this.facts), this.foot, this.end);
 		stage.onDrawn = () => this.#placeBubbles();
 	}
 

@@ -1,4 +1,8 @@
-/** Play: a program of blocks beside the world that it moves. */
+/**
+ * Play: a program of blocks beside the world that it moves.
+ *
+ * This file is long because what a game's controls do, in which order, is one thing: most of it is their layout and starting, stopping and drawing.
+ */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
 import { button, choice, field, fileButton, h, slider, tick } from "../shared/dom.js";
 import { loadModel } from "../shared/models.js";
@@ -24,9 +28,8 @@ export async function createView(main, link) {
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
 	const view = new PlayView(main, models, new World(greatLand));
-	await view.own.takeKept();
 	view.preview(await view.programs.first(link));
-	const { Editor } = await import("./editor.js");
+	const [{ Editor }] = await Promise.all([import("./editor.js"), view.own.takeKept()]);
 	view.edit(Editor);
 	await view.open(link);
 	return view;
@@ -54,6 +57,7 @@ class PlayView {
 		this.#build(main);
 		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
+		this.scene.foot.append(this.keys.legend);
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
 			this.#choose(agent);
@@ -89,7 +93,7 @@ class PlayView {
 			this.#playOn();
 		});
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack((-at / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (at) => this.#goBack(-at));
-		this.screen = h("div.screen", {}, this.worldHost, this.keys.legend, this.keys.pad);
+		this.screen = h("div.screen", {}, this.worldHost, this.keys.pad);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));

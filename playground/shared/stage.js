@@ -1,4 +1,8 @@
-/** A world drawn with three.js: z up, orbited and zoomed, drawn when something has changed. Without WebGL it says so, and draws nothing. */
+/**
+ * A world drawn with three.js: z up, orbited and zoomed, drawn when something has changed. Without WebGL it says so, and draws nothing.
+ *
+ * This file is long because a stage has few fields, and what moves its camera, shows things and answers the pointer all needs most of them.
+ */
 import { AmbientLight, Color, DirectionalLight, GridHelper, Group, Matrix4, PerspectiveCamera, Plane, Raycaster, Scene, TOUCH, Vector2, Vector3, WebGLRenderer } from "three";
 import { ThreeWireframe } from "starlogo-collision/three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -31,7 +35,7 @@ export class Stage {
 		this.ground = ground;
 		this.cell = cell;
 		try {
-			this.renderer = new WebGLRenderer({ antialias: true, powerPreference: isLand ? "high-performance" : "low-power" });
+			this.renderer = new WebGLRenderer({ antialias: !isDrawnSlowly(), powerPreference: isLand ? "high-performance" : "low-power" });
 		} catch {
 			this.renderer = null;
 			host.append(h("p.notice", { role: "status" }, texts.noWebGL));
@@ -121,7 +125,7 @@ export class Stage {
 		this.draw();
 	}
 
-	#resize(width, height, ratio = Math.min(devicePixelRatio, 2)) {
+	#resize(width, height, ratio = Math.min(devicePixelRatio, isDrawnSlowly() ? 1 : 2)) {
 		this.renderer.setPixelRatio(ratio);
 		this.renderer.setSize(width, height);
 		this.camera.aspect = width / height;
@@ -349,6 +353,20 @@ function sayIfLost(stage) {
 }
 
 const placement = new Matrix4();
+let slowness = null;
+
+/** Whether the processor draws, for which smooth edges are twice the work. */
+function isDrawnSlowly() {
+	if (slowness === null) {
+		const probe = h("canvas").getContext("webgl2");
+		const name = probe?.getParameter(probe.RENDERER) ?? "";
+		// Chromium says it in another place, of which Firefox warns
+		const names = /webkit/i.test(name) ? probe.getExtension("WEBGL_debug_renderer_info") : null;
+		slowness = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(names ? probe.getParameter(names.UNMASKED_RENDERER_WEBGL) : name);
+		probe?.getExtension("WEBGL_lose_context")?.loseContext();
+	}
+	return slowness;
+}
 
 /** Lets keys turn and zoom a stage whose host has the focus. */
 export function orbitByKeys(stage, host) {

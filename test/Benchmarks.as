@@ -12,6 +12,7 @@ package
     import benchmark.HierarchyBenchmark;
     import benchmark.IntersectionBenchmark;
     import benchmark.MotionBenchmark;
+    import benchmark.MoveBenchmark;
     import benchmark.PausesBenchmark;
     import benchmark.QueriesBenchmark;
     import benchmark.RayBenchmark;
@@ -29,7 +30,7 @@ package
     public class Benchmarks extends Sprite
     {
         private static const BENCHMARKS:Array = [IntersectionBenchmark, BroadPhaseBenchmark, ContactsBenchmark, CrowdBenchmark, FewAgentsBenchmark, FittingBenchmark, HandlersBenchmark, HierarchyBenchmark,
-                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
+                HierarchicalCrowdBenchmark, TraversalBenchmark, DistanceBenchmark, MotionBenchmark, MoveBenchmark, PausesBenchmark, QueriesBenchmark, RayBenchmark, ReadingBenchmark, CookedBenchmark];
 
         private var _pending:Array;
 

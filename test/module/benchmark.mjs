@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings,
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings,
  *                                                  snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
@@ -361,6 +361,71 @@ async function queries() {
 	print(`Questions, all moving, microseconds an agent (${same} nearest the same)`, ["", "engine", "kdbush", "times"], rows);
 }
 
+/** Motions of agents among others, a patch long, each in another direction, beside a ray along the same way and the standing test. */
+function moves() {
+	const MOVERS = 100;
+	const land = makeGreatLand();
+	land.addModel(new ObjModel("fortress", asset("fortress.obj")));
+	const random = randomNumbers(2260);
+	const between = (low, high) => low + (high - low) * random();
+	const collider = (system) => Object.assign(new SYSTEMS[system === "triangles" ? "hierarchical" : system](land), system === "triangles" ? { exact: true } : {});
+	const until = (count, make, isFree) => {
+		const agents = [];
+		while (agents.length < count) {
+			const agent = make();
+			agent.heading = between(0, 360);
+			if (isFree(agent, agents)) agents.push(agent);
+		}
+		return agents;
+	};
+	const at = (agent, x, y, z) => (agent.moveTo(x, y, z), agent);
+	const crowd = (shape, apart) => until(1000, () => at(new Agent(shape), between(-32, 32), between(-32, 32), 0),
+		(agent, agents) => agents.every((other) => Math.hypot(agent.x - other.x, agent.y - other.y) > apart));
+	const fortress = Object.assign(new Agent("fortress"), { size: 40 });
+	const exact = collider("triangles");
+	const inFortress = () => [...until(MOVERS, () => Object.assign(at(new Agent("cube"), between(-20, 20), between(-20, 20), between(0, 5)), { size: 0.5 }),
+		(agent) => !exact.areColliding(agent, fortress)), fortress];
+	const hit = new engine.RayHit();
+	const origin = new engine.Vector3D();
+	const way = new engine.Vector3D();
+	const rows = [
+		["spheres in a crowd", "bins", crowd("sphere", 1.02)], ["a maze of boxes", "tightest fit", crowd("cube", 1.45)],
+		["a maze of boxes", "hierarchical", crowd("cube", 1.45)], ["in a fortress", "triangles", inFortress()],
+	].map(([name, system, agents]) => {
+		const asked = new AgentQueries(collider(system));
+		const homes = agents.map(({ x, y, z }) => [x, y, z]);
+		const filters = agents.slice(0, MOVERS).map((agent) => Object.assign(new engine.AgentFilter(), { except: [agent] }));
+		const found = [];
+		const ask = (question) => ({
+			prepare: () => {
+				agents.forEach((agent, i) => agent.moveTo(...homes[i]));
+				asked.update(agents);
+				asked.touching(agents[0]);
+			},
+			run: () => {
+				for (let round = 0; round < 50; round++) {
+					for (let i = 0; i < MOVERS; i++) {
+						const angle = i + 2.4 * round;
+						question(agents[i], Math.cos(angle), Math.sin(angle), i);
+					}
+				}
+			},
+		});
+		const times = measure([
+			ask((agent, dx, dy) => asked.slide(agent, dx, dy, 0)),
+			ask((agent, dx, dy) => asked.moveUntilTouch(agent, dx, dy, 0)),
+			ask((agent, dx, dy, i) => {
+				origin.setTo(agent.x, agent.y, agent.z + 0.2);
+				way.setTo(dx, dy, 0);
+				asked.cast(origin, way, 1, filters[i], hit);
+			}),
+			ask((agent) => asked.touching(agent, null, found)),
+		], 10).map((ms) => 1000 * ms / 50 / MOVERS);
+		return [name, system, ...times, times[0] / times[3]];
+	});
+	print("Motions of a patch, microseconds", ["", "system", "slide", "moveUntilTouch", "cast", "touching", "slide of touching"], rows);
+}
+
 /** The twelve models of the thesis's table: cooked, and read and computed. */
 function cooked() {
 	const files = ["bear.obj", "dragon.dae", "seagull.dae", "tree.obj", "kelp.obj", "fortress.obj", "spaceship.obj", "fireman.dae", "person.dae"];
@@ -461,4 +526,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

@@ -4,6 +4,7 @@ package starlogo.bounding
     import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -110,7 +111,8 @@ package starlogo.bounding
         /** @inheritDoc */
         override public function extentsInto(out:Vector.<Number>, offset:int = 0):void
         {
-            var reach:Number = radius + rounding(radius, center);
+            // rounding() written out: V8 makes objects of Numbers that are passed
+            var reach:Number = radius + Tolerances.ROUNDING * (radius + Math.abs(center.x) + Math.abs(center.y) + Math.abs(center.z));
             writeExtent(center.x, center.x, reach, out, offset);
             writeExtent(center.y, center.y, reach, out, offset + 2);
             writeExtent(center.z, center.z, reach, out, offset + 4);

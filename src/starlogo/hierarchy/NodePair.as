@@ -81,7 +81,7 @@ package starlogo.hierarchy
                 _firstB = nodeB.first;
                 _isCoverB = isCover;
                 structureB.place(_pose.placement, moved);
-                moved.widen(_pose.gap);
+                _pose.widen(moved);
             }
             a = structureA;
             b = moved;

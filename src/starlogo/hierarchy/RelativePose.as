@@ -1,6 +1,7 @@
 package starlogo.hierarchy
 {
     import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
@@ -163,6 +164,12 @@ package starlogo.hierarchy
             relative.r02 = r00 * x + r01 * y + r02 * z;
             relative.r12 = r10 * x + r11 * y + r12 * z;
             relative.r22 = r20 * x + r21 * y + r22 * z;
+        }
+
+        /** Makes a structure of the second model, in the space of the first, wider by the gap: in a function of its own V8 makes no object of it. */
+        public function widen(structure:BoundingStructure):void
+        {
+            structure.widen(gap);
         }
 
         /** The second model, which is so small that it is a point of the first's space: a sphere around it, which the next call overwrites. */

@@ -22,9 +22,6 @@ package starlogo.intersection
      */
     public class TriangleAxes
     {
-        /** For tests that are over before the next begins. */
-        internal static const SCRATCH:TriangleAxes = new TriangleAxes();
-
         /** Whether triangles stand, and no contact is looked for. */
         protected var isStanding:Boolean = true;
 
@@ -305,33 +302,43 @@ package starlogo.intersection
         // Whether a corner of the second is where one of the first is.
         private function areCornersShared():Boolean
         {
-            var limit:Number = tolerance * tolerance;
-            var isShared:Boolean = false;
-            var x:Number = 0;
-            var y:Number = 0;
-            var z:Number = 0;
-            for (var i:int = 0; i < 3 && !isShared; i++)
+            var corner:Vector3D = _from;
+            corner.x = corner.y = corner.z = 0;
+            if (isCornerShared())
             {
-                if (i > 0)
-                {
-                    x = i == 1 ? ux : vx;
-                    y = i == 1 ? uy : vy;
-                    z = i == 1 ? uz : vz;
-                }
-                var dx:Number = px - x;
-                var dy:Number = py - y;
-                var dz:Number = pz - z;
-                isShared = dx * dx + dy * dy + dz * dz <= limit;
-                dx = qx - x;
-                dy = qy - y;
-                dz = qz - z;
-                isShared ||= dx * dx + dy * dy + dz * dz <= limit;
-                dx = rx - x;
-                dy = ry - y;
-                dz = rz - z;
-                isShared ||= dx * dx + dy * dy + dz * dz <= limit;
+                return true;
             }
-            return isShared;
+            corner.x = ux;
+            corner.y = uy;
+            corner.z = uz;
+            if (isCornerShared())
+            {
+                return true;
+            }
+            corner.x = vx;
+            corner.y = vy;
+            corner.z = vz;
+            return isCornerShared();
+        }
+
+        private function isCornerShared():Boolean
+        {
+            var x:Number = _from.x;
+            var y:Number = _from.y;
+            var z:Number = _from.z;
+            var limit:Number = tolerance * tolerance;
+            var dx:Number = px - x;
+            var dy:Number = py - y;
+            var dz:Number = pz - z;
+            var isShared:Boolean = dx * dx + dy * dy + dz * dz <= limit;
+            dx = qx - x;
+            dy = qy - y;
+            dz = qz - z;
+            isShared ||= dx * dx + dy * dy + dz * dz <= limit;
+            dx = rx - x;
+            dy = ry - y;
+            dz = rz - z;
+            return isShared || dx * dx + dy * dy + dz * dz <= limit;
         }
 
         private function setEdges():void

@@ -23,12 +23,12 @@ package starlogo.intersection
      * @param atA where in a they begin
      * @param b has nine numbers of the other, in the same space
      * @param atB where in b they begin
-     * @param tolerance the gap that still counts as touching, a distance: Tolerances.SURFACES of the coordinates' size is
+     * @param axes for the rest, with the tolerance, the gap that still counts as touching: Tolerances.SURFACES of the coordinates' size is
      *     above the rounding errors
      *
      * @private
      */
-    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, tolerance:Number):Boolean
+    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, axes:TriangleAxes):Boolean
     {
         // all relative to a's first corner
         var x:Number = a[atA];
@@ -49,6 +49,7 @@ package starlogo.intersection
         var rx:Number = b[int(atB + 6)] - x;
         var ry:Number = b[int(atB + 7)] - y;
         var rz:Number = b[int(atB + 8)] - z;
+        var tolerance:Number = axes.tolerance;
         var limit:Number = tolerance * tolerance;
 
         // b on one side of a's plane
@@ -114,7 +115,6 @@ package starlogo.intersection
             }
         }
 
-        var axes:TriangleAxes = TriangleAxes.SCRATCH;
         // Only where no rounding matters: neither a needle, and each corner well off the other's plane.
         var lone:Number = at0 * atU;
         var lone2:Number = at0 * atV;
@@ -210,7 +210,6 @@ package starlogo.intersection
                 axes.rx = rx;
                 axes.ry = ry;
                 axes.rz = rz;
-                axes.tolerance = tolerance;
                 // the edges through the ends that face each other: begins are on a first edge, or a second where a third corner is alone
                 var isFirst:Boolean = highA < lowB;
                 var isBegin:Boolean = isFirst ? highA == beginA : lowA == beginA;
@@ -236,7 +235,6 @@ package starlogo.intersection
             }
         }
         axes.relate(a, atA, b, atB);
-        axes.tolerance = tolerance;
         return !axes.areApart();
     }
 }

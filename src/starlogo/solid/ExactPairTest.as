@@ -4,6 +4,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
+    import starlogo.intersection.TriangleAxes;
     import starlogo.intersection.triangleTriangle;
 
     use namespace engine;
@@ -29,6 +30,7 @@ package starlogo.solid
 
         // A triangle of the second model in the space of the first.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _axes:TriangleAxes = new TriangleAxes();
 
         /** @inheritDoc */
         public function ExactPairTest(pose:RelativePose)
@@ -39,6 +41,7 @@ package starlogo.solid
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
+            _axes.tolerance = touching;
             setCommonBox(a, b);
             _countA = collect(solidA.extents, a.first, a.end, _nearA);
             if (_countA == 0)
@@ -235,7 +238,7 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (triangleTriangle(solidA.corners, 9 * i, corners, 0, touching))
+                if (triangleTriangle(solidA.corners, 9 * i, corners, 0, _axes))
                 {
                     return true;
                 }

@@ -11,6 +11,7 @@ package starlogo.solid
     import starlogo.hierarchy.LeafTest;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ClosestTriangles;
+    import starlogo.intersection.TriangleAxes;
     import starlogo.intersection.triangleTriangle;
 
     use namespace engine;
@@ -34,7 +35,9 @@ package starlogo.solid
 
         // Of a sphere or capsule the middles of its ends, as a triangle, and the squared distance at which it touches; of a box its faces.
         private var _core:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _radius:Number = 0;
         private var _reach:Number;
+        private var _axes:TriangleAxes = new TriangleAxes();
         private var _faces:Vector.<Number> = new Vector.<Number>(108, true);
 
         /**
@@ -58,6 +61,7 @@ package starlogo.solid
             }
             _solid = model.solid;
             _touching = _pose.gap + Tolerances.SURFACES * model.root.radius;
+            _axes.tolerance = _touching;
             _moved[structure.kind] = structure.place(_pose.placement, _moved[structure.kind]);
             _structure = _moved[structure.kind];
             _structure.extentsInto(_extents);
@@ -72,11 +76,15 @@ package starlogo.solid
             }
             else if (structure.kind == BoundingStructure.CAPSULE)
             {
-                setCore(Capsule(_structure).start, Capsule(_structure).end, Capsule(_structure).radius);
+                var capsule:Capsule = Capsule(_structure);
+                _radius = capsule.radius;
+                setCore(capsule.start, capsule.end);
             }
             else
             {
-                setCore(Sphere(_structure).center, Sphere(_structure).center, Sphere(_structure).radius);
+                var sphere:Sphere = Sphere(_structure);
+                _radius = sphere.radius;
+                setCore(sphere.center, sphere.center);
             }
             return true;
         }
@@ -125,7 +133,7 @@ package starlogo.solid
             }
             for (var face:int = 0; face < 108; face += 9)
             {
-                if (triangleTriangle(corners, at, _faces, face, _touching))
+                if (triangleTriangle(corners, at, _faces, face, _axes))
                 {
                     return true;
                 }
@@ -133,7 +141,7 @@ package starlogo.solid
             return false;
         }
 
-        private function setCore(start:Vector3D, end:Vector3D, radius:Number):void
+        private function setCore(start:Vector3D, end:Vector3D):void
         {
             _core[0] = start.x;
             _core[1] = start.y;
@@ -141,7 +149,7 @@ package starlogo.solid
             _core[3] = _core[6] = end.x;
             _core[4] = _core[7] = end.y;
             _core[5] = _core[8] = end.z;
-            _reach = (radius + _touching) * (radius + _touching);
+            _reach = (_radius + _touching) * (_radius + _touching);
         }
 
         private function setFaces(box:Box):void

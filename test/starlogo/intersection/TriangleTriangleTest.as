@@ -174,7 +174,9 @@ package starlogo.intersection
 
         private static function meet(a:Array, b:Array):Boolean
         {
-            return triangleTriangle(Vector.<Number>(a), 0, Vector.<Number>([0, 0].concat(b)), 2, TOLERANCE);
+            var axes:TriangleAxes = new TriangleAxes();
+            axes.tolerance = TOLERANCE;
+            return triangleTriangle(Vector.<Number>(a), 0, Vector.<Number>([0, 0].concat(b)), 2, axes);
         }
 
         private static function triangle(random:SeededRandom, size:Number):Array

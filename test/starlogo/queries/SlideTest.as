@@ -76,7 +76,7 @@ package starlogo.queries
                     var dx:Number = 0;
                     var dy:Number = 0;
                     var dz:Number = 0;
-                    for (var step:int = Effort.choose(250, 40000); step > 0; step--)
+                    for (var step:int = Effort.choose(250, 65000); step > 0; step--)
                     {
                         if (step % 20 == 0 || dx == 0)
                         {
@@ -117,7 +117,7 @@ package starlogo.queries
             {
                 var collider:Collider = EachCollider.make(name, sGreatLand);
                 var gone:Number = 0;
-                var steps:int = Effort.choose(name == "triangles" ? 150 : 400, 30000);
+                var steps:int = Effort.choose(name == "triangles" ? 150 : 400, 44100);
                 for (var world:int = 0; world < 3; world++)
                 {
                     var agents:Vector.<Agent> = mixture(collider, world == 2);

@@ -113,6 +113,11 @@ package starlogo.collision
                 }
             }
             assertEquals("all refused", 300, refused);
+            // the last pair is the one before again
+            var doubled:ByteArray = new ByteArray();
+            doubled.writeBytes(bytes, 0, bytes.length - 17);
+            doubled.writeBytes(bytes, bytes.length - 34, 17);
+            assertThrows(ArgumentError, /no snapshot/, game.collision.restore, doubled, list);
             assertThrows(ArgumentError, /bytes must not be null/, game.collision.restore, null, list);
             assertThrows(ArgumentError, /agents must not be null/, game.collision.restore, bytes, null);
             assertThrows(ArgumentError, /no snapshot of 0 agents/, game.collision.restore, bytes, new Vector.<Agent>());

@@ -324,13 +324,8 @@ package starlogo.queries
                     return true;
                 }
             }
-            return sGreatLand.hierarchies.has(agent.shape) && isClosed(agent.shape)
-                && Math.abs(SolidAngles.windingAround(model, from[0], from[1], from[2])) > 0.5;
-        }
-
-        private static function isClosed(shape:String):Boolean
-        {
-            return shape == "sphere" || shape == "cube";
+            // the leaves of kelp enclose nothing, the parts of a bear do
+            return agent.shape != "kelp" && Math.abs(SolidAngles.windingAround(model, from[0], from[1], from[2])) > 0.5;
         }
 
         private static function inModel(agent:Agent, point:Vector3D):Array

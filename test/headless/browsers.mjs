@@ -1,6 +1,6 @@
 /**
  * The browser that tests open pages in: Chromium, or what TEST_BROWSER says. Of Debian's browsers Playwright drives Chromium and, by WebDriver BiDi,
- * Firefox, which draws in three dimensions only where there is a display: Debian's xvfb is one. For WebKit it needs a build of its own.
+ * Firefox, which draws in three dimensions only where there is a display: Debian's xvfb is one. For WebKit it needs a build of its own: webkit.mjs drives Debian's.
  */
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -10,7 +10,7 @@ import { chromium, firefox } from 'playwright-core';
 const XVFB = '/usr/bin/Xvfb';
 
 /** Where there is no display, one that ends with this process. */
-async function display() {
+export async function display() {
 	if (process.env.DISPLAY || !existsSync(XVFB)) return;
 	const server = spawn(XVFB, ['-displayfd', '1', '-noreset', '-nolisten', 'tcp'], { stdio: ['ignore', 'pipe', 'ignore'] });
 	process.on('exit', () => server.kill());

@@ -78,4 +78,17 @@ export async function saved(page, press) {
 	return page.evaluate(() => globalThis.handedOver);
 }
 
+/** Keeps a page waiting for the files of an address, until what this gives is called. */
+export async function hold(page, address) {
+	let release;
+	const held = new Promise((resolve) => {
+		release = resolve;
+	});
+	await page.route(address, async (route) => {
+		await held;
+		await route.continue();
+	});
+	return release;
+}
+
 export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: 60000 });

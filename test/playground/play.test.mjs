@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, open, ready, saved, tap } from './browser.mjs';
+import { SIZES, begin, hold, open, ready, saved, tap } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -711,14 +711,7 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 	const page = await context.newPage();
 	const said = [];
 	page.on('pageerror', (error) => said.push(String(error)));
-	let release;
-	const held = new Promise((resolve) => {
-		release = resolve;
-	});
-	await page.route('**/parts/editor-*.js', async (route) => {
-		await held;
-		await route.continue();
-	});
+	const release = await hold(page, '**/parts/editor-*.js');
 	await page.goto(`${site.url}#play`);
 	await page.waitForSelector('.goal:visible');
 	assert.match(await page.textContent('.cast'), /bears 1.*turtles 10/);

@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, open, ready, root } from './browser.mjs';
+import { SIZES, begin, hold, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare'];
 const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
@@ -372,14 +372,7 @@ test('Compare: each pair of systems, with a line for each pair of agents', async
 
 test('a view that comes late is not written over the one chosen since', async () => {
 	const { page, context, said } = await open(site, 'inspect');
-	let release;
-	const held = new Promise((resolve) => {
-		release = resolve;
-	});
-	await page.route('**/models/*.json', async (route) => {
-		await held;
-		await route.continue();
-	});
+	const release = await hold(page, '**/models/*.json');
 	const asked = page.waitForRequest('**/models/person.json');
 	await page.getByRole('link', { name: 'Compare' }).click();
 	await asked;

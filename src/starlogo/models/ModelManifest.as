@@ -1,6 +1,5 @@
 package starlogo.models
 {
-    import flash.net.URLLoader;
     import flash.utils.ByteArray;
 
     /** The list of the cooked files of a folder and those below it, fetched when it is first asked for. */

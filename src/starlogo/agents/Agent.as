@@ -1,3 +1,4 @@
+// This file is long because every trait is a documented property that checks what it is given.
 package starlogo.agents
 {
     import flash.geom.Matrix3D;
@@ -16,8 +17,6 @@ package starlogo.agents
      * point in z (thesis §2.2, §3.5).</p>
      *
      * <p>A trait that gets a value that it can't have throws a RangeError that names the agent, and keeps its value.</p>
-     *
-     * <p>This file is long because every trait is a documented property that checks what it is given.</p>
      */
     public class Agent
     {

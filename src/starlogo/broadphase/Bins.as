@@ -1,3 +1,4 @@
+// This file is long because its loops are written out: they are those of every frame.
 package starlogo.broadphase
 {
     /**
@@ -19,8 +20,6 @@ package starlogo.broadphase
      * <p>Bins do not depend on what becomes of the pairs, and keep nothing from search to search but allocated memory. A search takes time
      * in proportion to the members and the pairs that overlap, memory in proportion to the members, and allocates nothing once it has
      * run.</p>
-     *
-     * <p>This file is long because its loops are written out: they are those of every frame.</p>
      *
      * @private
      */

@@ -1,3 +1,4 @@
+// This file is long because it is the class that clients name, and most of its lines tell how to use it.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
@@ -30,8 +31,6 @@ package starlogo.collision
      *
      * <p>Any number of Collisions and collision systems may share agents, and a handler of one may update another. The time for the calls is
      * in proportion to the agents and the calls; an agent that was taken out of the list costs one search of it.</p>
-     *
-     * <p>This file is long because it is the class that clients name, and most of its lines tell how to use it.</p>
      */
     public class Collision
     {

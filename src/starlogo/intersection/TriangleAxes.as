@@ -1,3 +1,4 @@
+// This file is long because all that an axis is computed from is in fields of its own: V8 makes objects of Numbers that are passed.
 package starlogo.intersection
 {
     import flash.geom.Vector3D;
@@ -15,8 +16,6 @@ package starlogo.intersection
      * that nearly parallel edges and needle-like triangles need no cases of their own. A triangle without area is a segment or
      * a point; of two of them, the longest edges are compared. Here an axis separates triangles that stand still; TriangleSweep asks of
      * each for how long it does, or how deep they overlap.</p>
-     *
-     * <p>This file is long because all that an axis is computed from is in fields of its own: V8 makes objects of Numbers that are passed.</p>
      *
      * @private
      */

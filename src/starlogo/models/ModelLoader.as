@@ -1,3 +1,4 @@
+// This file is long because most of it tells what may be loaded, and how.
 package starlogo.models
 {
     import flash.display.Shape;
@@ -46,8 +47,6 @@ package starlogo.models
      * <p>The reader is chosen by content: OBJ, glTF (JSON, with its data inside or beside it, or binary), STL (text or binary), COLLADA, or that in a
      * zip archive. Only where the content says nothing the name does. Agents may have a shape from when its ModelEvent comes; before that the
      * collision systems do not know it.</p>
-     *
-     * <p>This file is long because most of it tells what may be loaded, and how.</p>
      *
      * @example
      * <listing version="3.0">

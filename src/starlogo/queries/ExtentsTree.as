@@ -1,3 +1,4 @@
+// This file is long because its loops are written out.
 package starlogo.queries
 {
     import starlogo.broadphase.Extents;
@@ -12,8 +13,6 @@ package starlogo.queries
      * that a ray meets, the nearest first. The boxes are wider than the extents by more than rounding comes to.
      *
      * <p>Rows are given as numbers of the list. One whose model is loading is in no box.</p>
-     *
-     * <p>This file is long because its loops are written out.</p>
      *
      * @private
      */

@@ -1,3 +1,4 @@
+// This file is long because all steps of a motion share where the row is and what it is kept away from.
 package starlogo.queries
 {
     import starlogo.agents.Agent;
@@ -25,8 +26,6 @@ package starlogo.queries
      *
      * <p>Sliding is the projection on the planes of all that was touched (Fauerby, "Improved collision detection and response", 2003, with all planes
      * kept).</p>
-     *
-     * <p>This file is long because all steps of a motion share where the row is and what it is kept away from.</p>
      *
      * @private
      */

@@ -1,3 +1,4 @@
+// This file is long because its loops are written out.
 package starlogo.queries
 {
     import starlogo.geometry.Placement;
@@ -11,8 +12,6 @@ package starlogo.queries
      * <p>The nodes are numbered as in a heap: 1 is the root, the children of node i are 2 i and 2 i + 1. All leaves are on one level, and
      * those on each level have equal parts of the rows, so that nothing but the boxes has to be kept. Distances are compared as squares, in the
      * order of arithmetic (x x + y y) + z z, in which that to a box is never more than that to a place in it, to the last bit.</p>
-     *
-     * <p>This file is long because its loops are written out.</p>
      *
      * @private
      */

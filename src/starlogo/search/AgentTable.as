@@ -1,3 +1,4 @@
+// This file is long because all that reads agents in every frame is in it, and its loops are written out.
 package starlogo.search
 {
     import flash.utils.ByteArray;
@@ -18,8 +19,6 @@ package starlogo.search
      *
      * <p>A row is as of the last search, however the agent has changed since: where the agent was, how it was turned, and what its shape was.
      * docs/state.md tells what voids it.</p>
-     *
-     * <p>This file is long because all that reads agents in every frame is in it, and its loops are written out.</p>
      *
      * @private
      */

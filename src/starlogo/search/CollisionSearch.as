@@ -1,3 +1,4 @@
+// This file is long because its loops are written out.
 package starlogo.search
 {
     import flash.utils.ByteArray;
@@ -16,8 +17,6 @@ package starlogo.search
      * the strategy decide which of them touch; standing or, where an agent sweeps, as they moved since the last search.
      *
      * <p>Questions about two agents have a table and shapes of their own, and change nothing that a search keeps.</p>
-     *
-     * <p>This file is long because its loops are written out.</p>
      *
      * @private
      */

@@ -1,3 +1,4 @@
+// This file is long because all its steps share where the two are, what is tried, and what was found.
 package starlogo.search
 {
     import starlogo.broadphase.Extents;
@@ -16,8 +17,6 @@ package starlogo.search
      * Where that is, the surfaces have a normal, and along it the way out is shorter than before, of convex bodies always (as the plane through the
      * point is crossed at the cosine of the angle). So the direction is improved until that ends. It begins with the normal of the contact that is
      * given, and with that axis of the world along which the extents overlap least, so that the depth is never more than that.</p>
-     *
-     * <p>This file is long because all its steps share where the two are, what is tried, and what was found.</p>
      *
      * @private
      */

@@ -48,11 +48,11 @@ const formatsApart = {
 	},
 };
 
-/** Of Blockly's messages, those that something bundled names. */
+/** Of Blockly's messages in each language, those that something bundled names. */
 const fewMessages = {
 	name: "few-messages",
 	setup({ onLoad }) {
-		onLoad({ filter: /blockly\/msg\/en\.js$/ }, ({ path: file }) => {
+		onLoad({ filter: /blockly\/msg\/\w+\.js$/ }, ({ path: file }) => {
 			const plugin = path.join(npm, "@blockly/keyboard-navigation/src");
 			const files = [path.join(npm, "blockly/blockly_compressed.js"), ...readdirSync(plugin, { recursive: true }).filter((each) => each.endsWith(".ts")).map((each) => path.join(plugin, each))];
 			const sources = files.map((each) => readFileSync(each, "utf8")).join("\n");
@@ -77,7 +77,7 @@ const result = await build({
 	metafile: true,
 	legalComments: "none",
 	chunkNames: "parts/[name]-[hash]",
-	alias: { "blockly/msg/en": path.join(npm, "blockly/msg/en.js"), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
+	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
 	plugins: [tameBlockly, formatsApart, fewMessages],
 	logLevel: "warning",
@@ -95,7 +95,7 @@ for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "ins
 }
 console.log(`written: ${path.relative(process.cwd(), out)}`);
 
-/** The script files that a part needs before anything of it runs, the page's first one among them. */
+/** The script files that a part needs before anything of it runs, the page's first one and its words among them. */
 function neededFor(entry) {
 	const { outputs } = result.metafile;
 	const files = new Set();
@@ -104,7 +104,7 @@ function neededFor(entry) {
 		files.add(file);
 		for (const { path: other, kind } of outputs[file].imports) if (kind === "import-statement") add(other);
 	};
-	for (const [file, { entryPoint }] of Object.entries(outputs)) if (entryPoint?.endsWith("playground/main.js") || entryPoint?.endsWith(entry)) add(file);
+	for (const [file, { entryPoint }] of Object.entries(outputs)) if ([entry, "playground/main.js", "playground/languages/en.js"].some((each) => entryPoint?.endsWith(each))) add(file);
 	return [...files];
 }
 

@@ -1,6 +1,13 @@
-/** Shows the view that the address names: #play, #inspect or #compare. Each loads only what it needs. */
-import { button, h } from "./shared/dom.js";
-import { texts } from "./texts.js";
+/** Loads the page's words in one language, and shows the view that the address names: #play, #inspect or #compare. Each loads only what it needs. */
+import { button, choice, h } from "./shared/dom.js";
+import { speak, texts } from "./shared/language.js";
+
+/** The languages that there are, each with its own name and its words. */
+const LANGUAGES = {
+	en: { name: "English", load: () => import("./languages/en.js") },
+	de: { name: "Deutsch", load: () => import("./languages/de.js") },
+};
+const LANGUAGE_KEY = "starlogo-playground.language";
 
 const VIEWS = {
 	play: () => import("./play/view.js"),
@@ -8,10 +15,52 @@ const VIEWS = {
 	compare: () => import("./compare/view.js"),
 };
 
-const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` }, texts.views[name])]));
-document.getElementById("views").append(...links.values());
+const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
 const note = h("p.note", { role: "status" });
-document.querySelector("header").append(note);
+
+/** The language of the address (?language=de), or the one that was chosen here before, or the first of the browser's that there is. */
+function languageOf() {
+	const asked = [new URLSearchParams(location.search).get("language"), kept(), ...navigator.languages.map((each) => each.split("-")[0])];
+	return asked.find((each) => Object.hasOwn(LANGUAGES, each)) ?? "en";
+}
+
+function kept() {
+	try {
+		return localStorage.getItem(LANGUAGE_KEY);
+	} catch {
+		return null;
+	}
+}
+
+/** Loads the page anew in a language. A browser that keeps nothing has it in the address. */
+function changeLanguage(code) {
+	const address = new URL(location.href);
+	address.searchParams.delete("language");
+	try {
+		localStorage.setItem(LANGUAGE_KEY, code);
+	} catch {
+		address.searchParams.set("language", code);
+	}
+	if (address.href === location.href) location.reload();
+	else location.replace(address);
+}
+
+/** The page's frame in its language. */
+async function begin() {
+	const code = languageOf();
+	speak((await LANGUAGES[code].load()).texts);
+	document.documentElement.lang = code;
+	document.querySelector("h1 span").textContent = texts.page.name;
+	const views = document.getElementById("views");
+	views.setAttribute("aria-label", texts.page.views);
+	for (const [name, link] of links) link.textContent = texts.views[name];
+	views.append(...links.values());
+	const languages = choice(Object.entries(LANGUAGES).map(([each, { name }]) => [each, name]), code, changeLanguage);
+	languages.setAttribute("aria-label", texts.page.language);
+	languages.className = "language";
+	document.querySelector("header").append(note, languages);
+	await show();
+}
 
 let main = document.getElementById("view");
 let shown = null;
@@ -78,4 +127,4 @@ addEventListener("hashchange", () => {
 	delete main.dataset.ready;
 	show().then(() => main.focus({ preventScroll: true }));
 });
-show();
+begin();

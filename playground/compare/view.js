@@ -7,7 +7,7 @@ import { SHAPES } from "../shared/names.js";
 import { Sight } from "../shared/sight.js";
 import { orbitByKeys } from "../shared/stage.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { codeOf } from "./code.js";
 import { ScatteredGame, compare } from "./game.js";
 
@@ -144,7 +144,7 @@ class CompareView {
 		if (!(this.gameSystem in systems)) [this.gameSystem] = Object.keys(systems);
 		const isExact = this.reference === CollisionBlocks.EXACT;
 		const percent = (part, whole) => (whole === 0 ? "–" : `${Math.round((100 * part) / whole)} %`);
-		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(texts.systems[this.reference].toLowerCase());
+		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(texts.systems[this.reference]);
 		this.legend.replaceChildren(...Object.entries({ right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
 		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(AGENTS, truth.size, texts.systems[this.reference]);
 		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall];

@@ -5,7 +5,7 @@ import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Sight, placeText } from "../shared/sight.js";
 import { TraitSliders, dragAgents } from "../shared/traits.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 
 const words = texts.questions;
 const COLOURS = { model: 0x8fa6c8, other: 0xe0a030, touching: 0xd8435a };

@@ -5,7 +5,7 @@ import { Lab } from "../shared/lab.js";
 import { loadModel, parseModel } from "../shared/models.js";
 import { MODELS } from "../shared/names.js";
 import { orbitByKeys } from "../shared/stage.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { depthOf, measure, nodesAt } from "./measure.js";
 import { Questions } from "./questions.js";
 
@@ -170,7 +170,7 @@ class InspectView {
 				h("div.table", {}, h("table", {},
 					h("thead", {}, h("tr", {}, ...[words.show, words.volume, words.emptier, words.time].map((text) => h("th", { scope: "col" }, text)))),
 					h("tbody", {}, ...rows.map((row) => this.#row(row, least, volume))))),
-				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.timeNote, " ", words.chosen(words.fitters[chosen].toLowerCase()))),
+				h("p.note", {}, Number.isNaN(volume) ? words.openNote : words.emptierNote(short(volume)), " ", words.timeNote, " ", words.chosen(words.fitters[chosen]))),
 			h("div.card", {}, h("h2", {}, words.hierarchy),
 				tick(words.showLevel, this.#levelShown, (on) => {
 					this.#levelShown = on;

@@ -1,6 +1,6 @@
 /** What single blocks do, and what values they have: functions that act upon a world. Nothing here needs Blockly or a page. */
 import { Collision } from "starlogo-collision";
-import { texts } from "../texts.js";
+import { plain, texts } from "../shared/language.js";
 import { COLOURS } from "./colours.js";
 
 /** What a student did wrong, and where. */
@@ -160,7 +160,10 @@ export const STATEMENTS = {
 const FAR = 1000000;
 
 /** What an agent says: numbers without tails. */
-const said = (value) => String(typeof value === "number" ? Number(value.toFixed(2)) : value ?? "").slice(0, 80);
+export function said(value) {
+	if (typeof value === "number") return plain(value);
+	return typeof value === "boolean" ? texts.blocks.truths[String(value).toUpperCase()] : String(value ?? "").slice(0, 80);
+}
 
 const ARITHMETIC = { ADD: (a, b) => a + b, MINUS: (a, b) => a - b, MULTIPLY: (a, b) => a * b, DIVIDE: (a, b) => a / b, POWER: (a, b) => a ** b };
 const COMPARISONS = { EQ: (a, b) => a === b, NEQ: (a, b) => a !== b, LT: (a, b) => a < b, LTE: (a, b) => a <= b, GT: (a, b) => a > b, GTE: (a, b) => a >= b };

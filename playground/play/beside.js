@@ -1,7 +1,7 @@
 /** The same game once more, as another collision system sees it: from the same start and with the same keys, beside the first one. */
 import { h } from "../shared/dom.js";
 import { Stage } from "../shared/stage.js";
-import { texts } from "../texts.js";
+import { fixed, texts } from "../shared/language.js";
 import { nameOf } from "./panel.js";
 import { STAGE, Scene } from "./scene.js";
 import { FRAMES_A_SECOND, World } from "./world.js";
@@ -76,7 +76,7 @@ export class Beside {
 		if (only[at].length === 0 || this.#frames.at(-1) >= frame) return;
 		if (this.#frames.length === 0) {
 			const [a, b] = games[at].world.state.pairs.get(only[at][0]);
-			this.#first = words.firstDifference((frame / FRAMES_A_SECOND).toFixed(1), systemOf(games[at]), nameOf(a), nameOf(b));
+			this.#first = words.firstDifference(fixed(frame / FRAMES_A_SECOND, 1), systemOf(games[at]), nameOf(a), nameOf(b));
 		}
 		this.#frames.push(frame);
 	}

@@ -1,5 +1,5 @@
 /** The playground's blocks and its toolbox, for Blockly. */
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { SHAPES } from "../shared/names.js";
 
 const words = texts.blocks;
@@ -20,7 +20,7 @@ export const MENUS = {
 	BREED: () => [...breedOptions(), newBreed],
 	OTHER: () => [...breedOptions(), [words.anyBreed, "anyone"], newBreed],
 	WHO: () => [[words.me, "me"], [words.collidee, "collidee"], ...breedOptions().map(([text, value]) => [words.allOf(text), value])],
-	SHAPE: () => shapes.map((name) => [nameOf(texts.shapes, name).toLowerCase(), name]),
+	SHAPE: () => shapes.map((name) => [texts.inSentence(nameOf(texts.shapes, name)), name]),
 };
 
 /**
@@ -37,11 +37,11 @@ export function meet(field, value) {
 /** A menu that grows: `menu` says what its options are when it opens. */
 const menu = (name, kind = name) => ({ ...dropdown(name, MENUS[kind]()), menu: kind });
 const SHAPE = menu("SHAPE");
-const SYSTEM = dropdown("SYSTEM", options(texts.systems).map(([text, value]) => [text.toLowerCase(), value]));
+const SYSTEM = dropdown("SYSTEM", options(texts.systems).map(([text, value]) => [texts.inSentence(text), value]));
 const WHO = menu("WHO");
 const ONE = dropdown("WHO", [[words.me, "me"], [words.collidee, "collidee"]]);
 const ON = dropdown("ON", options(words.onOff));
-const AS = dropdown("AS", ["tightest", "sphere", "box", "capsule"].map((name) => [name, name]));
+const AS = dropdown("AS", options(words.structures));
 const KEY = dropdown("KEY", options(words.keys));
 const breed = (name, kind = name) => menu(name, kind);
 const anyone = menu("BREED", "OTHER");

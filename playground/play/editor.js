@@ -1,9 +1,9 @@
 /** The program as blocks: Blockly, dressed as the page and tamed for its policy. */
 import * as Blockly from "blockly/core";
-import messages from "blockly/msg/en";
+import "./locale.js";
 import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { isDark, onThemeChange } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, TOOLBOX, meet } from "./blocks.js";
 
 const PARTS = {
@@ -13,7 +13,6 @@ const PARTS = {
 /** Blocks' words in points, and how large they are drawn: together 14 pixels and more. */
 const [WORDS, SCALE] = [12, 0.9];
 
-Blockly.setLocale(messages);
 Blockly.common.defineBlocksWithJsonArray(DEFINITIONS.map((definition) => ({
 	...definition,
 	args0: definition.args0.map((part) => (part.menu ? { ...part, options: MENUS[part.menu] } : part)),

@@ -1,5 +1,5 @@
 /** The programs that the playground brings, in Blockly's notation. */
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { number, colour, numbers, inside, move, turn, paint, size, up, heading, scatter, create, key, each, touch, start, remove, program, folded, field, along, compare, when, score, end, goal, nearMiss } from "./notation.js";
 
 const splash = [paint("collidee", { block: { type: "starlogo_colour_of", fields: { WHO: "me" } } }), remove("me")];

@@ -1,6 +1,6 @@
 /** All programs with pictures of how they begin: the user's own, which can be renamed and deleted, examples, lessons. */
 import { button, h } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 
 const words = texts.gallery;
 

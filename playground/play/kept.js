@@ -1,6 +1,6 @@
 /** The user's own models, which the browser keeps between visits if it wants to. */
 import { parseModel } from "../shared/models.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { meet } from "./blocks.js";
 
 const words = texts.play;

@@ -1,6 +1,6 @@
 /** What plays a game: keys, the pad of keys over the world, which says what they do, and the pointer. */
 import { button, h } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { keysOf } from "./program.js";
 
 const words = texts.play;

@@ -1,6 +1,6 @@
 /** What Play says first: what this is, and, while a lesson is open, what it is about, what is to be done, and whether it is. */
 import { button, h } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { LESSONS, LESSON_NAMES } from "./lessons.js";
 
 const words = texts.lessons;

@@ -1,8 +1,9 @@
 /**
  * The lessons: each a program, and a check of the game that its reader is to make of it. A check is asked after every frame, with a memory of the
- * game's own; words are in texts.js.
+ * game's own; words are in languages/.
  */
 import { CollisionBlocks } from "starlogo-collision";
+import { said } from "./actions.js";
 import { colour, create, each, go, heading, inside, move, nearMiss, number, numbers, paint, program, remove, scatter, size, start, touch, turn } from "./notation.js";
 
 const touching = (world) => world.collisions.collision.statistics.collisions;
@@ -79,7 +80,7 @@ export const LESSONS = {
 			const [bear] = all(world, "bears");
 			const near = bear ? all(world, "turtles").filter(({ x, y, z }) => Math.hypot(x - bear.x, y - bear.y, z - bear.z) <= 5).length : 0;
 			memory.counts ??= new Set();
-			if (near > 0 && bear.said.text === String(near)) memory.counts.add(near);
+			if (near > 0 && bear.said.text === said(near)) memory.counts.add(near);
 			return memory.counts.size >= 2;
 		},
 	},
@@ -90,8 +91,9 @@ export const LESSONS = {
 		isDone: (world, memory) => {
 			const [[bear], [turtle]] = [all(world, "bears"), all(world, "turtles")];
 			memory.said ??= new Set();
-			if (bear && turtle && world.frame > 1 && bear.said.text === String(world.senses.canSee(bear, turtle))) memory.said.add(bear.said.text);
-			return memory.said.has("true") && memory.said.has("false");
+			const isSeen = bear && turtle && world.frame > 1 ? world.senses.canSee(bear, turtle) : null;
+			if (isSeen !== null && bear.said.text === said(isSeen)) memory.said.add(isSeen);
+			return memory.said.has(true) && memory.said.has(false);
 		},
 	},
 	hunt: {

@@ -1,6 +1,6 @@
 /** What a game has been through, beside its world: figures, who met whom, totals. */
 import { button, h, short } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { fixed, texts } from "../shared/language.js";
 import { FRAMES_A_SECOND } from "./world.js";
 
 const words = texts.play;
@@ -92,7 +92,7 @@ export class Panel {
 		if (shown === this.#shown) return;
 		this.#shown = shown;
 		this.list.replaceChildren(...(events.length === 0 ? [h("li", {}, words.noEvents)] : events.slice(0, LISTED).map(({ frame, a, b, names }) => h("li", {},
-			h("time", {}, `${(frame / FRAMES_A_SECOND).toFixed(1)} s`), ` ${words.met(nameOf({ breed: names[0], number: a.number }), nameOf({ breed: names[1], number: b.number }))}`))));
+			h("time", {}, words.after(fixed(frame / FRAMES_A_SECOND, 1))), ` ${words.met(nameOf({ breed: names[0], number: a.number }), nameOf({ breed: names[1], number: b.number }))}`))));
 		this.totals.replaceChildren(...[...totals].sort(([, a], [, b]) => b - a).slice(0, 8).map(([names, count]) => h("li", {}, `${names.split("\n").map(breedName).join(" × ")} `, h("b", {}, String(count)))));
 	}
 }

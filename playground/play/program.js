@@ -4,7 +4,7 @@
  * A script is run for an agent, "me"; in a collision block there is a "collidee" too. Both stand in `world`, as do the variables. What a run of
  * a script knows besides is a Thread, which can wait, and can be copied: so a game can be set back to an earlier frame.
  */
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { ProgramError, STATEMENTS, fail, me, number, value } from "./actions.js";
 
 /** How many times the loops of one frame may go round. */

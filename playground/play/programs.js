@@ -1,6 +1,6 @@
 /** Which program is open, and what becomes of it: the user's own are never lost, whatever is opened in their place. */
 import { button, h } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { EXAMPLES } from "./examples.js";
 import { MODEL_FILE } from "./kept.js";
 import { LessonCard } from "./lessoncard.js";

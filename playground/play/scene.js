@@ -2,7 +2,7 @@
 import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
 import { button, h } from "../shared/dom.js";
-import { texts } from "../texts.js";
+import { fixed, plain, texts } from "../shared/language.js";
 import { nameOf } from "./panel.js";
 import { HALF_WIDTH } from "./world.js";
 
@@ -115,7 +115,7 @@ export class Scene {
 		this.legend.hidden = !this.isSeen;
 		if (this.end.hidden === Boolean(ended)) {
 			this.end.hidden = !ended;
-			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(seconds.toFixed(1))}`), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
+			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
 			if (ended) this.end.querySelector("button")?.focus({ preventScroll: true });
 		}
 	}
@@ -185,7 +185,7 @@ export class Scene {
 		this.facts.replaceChildren(
 			h("strong", {}, nameOf(chosen)),
 			h("span", {}, `${words.inspected.shape(texts.shapes[chosen.shape] ?? chosen.shape)}, ${words.inspected.as(texts.systems[world.collisions.systemName])}`),
-			h("span", {}, Object.entries(values).map(([name, value]) => `${name} ${Number(value.toFixed(2))}`).join("  ")),
+			h("span", {}, Object.entries(values).map(([name, value]) => `${texts.blocks.traits[name]} ${plain(value)}`).join("  ")),
 			h("span", {}, touched.length > 0 ? words.inspected.touching(touched.join(", ")) : words.inspected.alone),
 			button(words.inspected.close, () => {
 				this.chosen = null;

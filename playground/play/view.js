@@ -8,9 +8,10 @@ import { button, choice, field, fileButton, h, slider, tick } from "../shared/do
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
-import { texts } from "../texts.js";
+import { fixed, texts } from "../shared/language.js";
 import { Keys } from "./keys.js";
 import { Models } from "./kept.js";
+import { loadMessages } from "./messages.js";
 import { Panel } from "./panel.js";
 import { STAGE, Scene } from "./scene.js";
 import { Programs } from "./programs.js";
@@ -24,12 +25,13 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const PICTURE = [240, 150];
 
 export async function createView(main, link) {
+	const words = loadMessages();
 	const models = new Map(await Promise.all(SHAPES.map(async (name) => [name, await loadModel(name)])));
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
 	const view = new PlayView(main, models, new World(greatLand));
 	view.preview(await view.programs.first(link));
-	const [{ Editor }] = await Promise.all([import("./editor.js"), view.own.takeKept()]);
+	const [{ Editor }] = await Promise.all([words.then(() => import("./editor.js")), view.own.takeKept()]);
 	view.edit(Editor);
 	await view.open(link);
 	return view;
@@ -92,7 +94,7 @@ class PlayView {
 			this.#speed = SPEEDS[i];
 			this.#playOn();
 		});
-		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack((-at / FRAMES_A_SECOND).toFixed(1)) : words.rewindNow) }, (at) => this.#goBack(-at));
+		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
 		this.screen = h("div.screen", {}, this.worldHost, this.keys.pad);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);

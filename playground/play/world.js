@@ -1,6 +1,6 @@
 /** The game that a program plays: agents, keys, time, collisions. Nothing here draws. */
 import { AgentFilter, Collision, CollisionBlocks, DetectionBlocks, StructureBlocks, TraitBlocks } from "starlogo-collision";
-import { texts } from "../texts.js";
+import { texts } from "../shared/language.js";
 import { ProgramError, breedOf } from "./actions.js";
 import { Being } from "./being.js";
 import { History } from "./history.js";

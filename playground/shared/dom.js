@@ -1,4 +1,5 @@
 /** Elements in few words. Styles are classes: the page's policy allows no style attributes. */
+import { fixed } from "./language.js";
 
 /**
  * Makes an element.
@@ -90,5 +91,5 @@ export const isDark = () => matchMedia("(prefers-color-scheme: dark)").matches;
 export function short(value) {
 	if (!Number.isFinite(value)) return "–";
 	const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
-	return value.toFixed(digits);
+	return fixed(value, digits);
 }

@@ -1,6 +1,6 @@
 /** Agents on a stage as a collision system sees them. */
 import { AgentQueries, CollisionBlocks, Contact, StructureBlocks, Vector3D } from "starlogo-collision";
-import { texts } from "../texts.js";
+import { fixed, texts } from "./language.js";
 import { short } from "./dom.js";
 
 const TESTED = { color: 0xff8a00 };
@@ -53,4 +53,4 @@ export class Sight {
 }
 
 /** A place, or a direction, in words. */
-export const placeText = ({ x, y, z }) => [x, y, z].map((each) => (Math.abs(each) < 0.005 ? 0 : each).toFixed(2)).join(", ");
+export const placeText = ({ x, y, z }) => [x, y, z].map((each) => fixed(Math.abs(each) < 0.005 ? 0 : each, 2)).join(texts.numbers.between);

@@ -12,7 +12,7 @@ import { Land } from "./land.js";
 import { Marks } from "./marks.js";
 import { LANDS } from "./colours.js";
 import { Agents } from "./paint.js";
-import { texts } from "../texts.js";
+import { texts } from "./language.js";
 
 const THEMES = {
 	light: { sky: 0xeef1f6, grid: 0xc9d1de, middle: 0xaab5c6, ambient: 1.5, sun: 2.2 },

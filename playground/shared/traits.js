@@ -1,5 +1,5 @@
 /** Where an agent is, how it is turned and how large: by sliders, and by the pointer. */
-import { texts } from "../texts.js";
+import { fixed, texts } from "./language.js";
 import { slider } from "./dom.js";
 
 const RANGES = { x: [-2, 2, 0.01], y: [-2, 2, 0.01], z: [-1, 3, 0.01], heading: [-180, 180, 1], pitch: [-180, 180, 1], roll: [-180, 180, 1], size: [0.2, 3, 0.01] };
@@ -9,7 +9,7 @@ export class TraitSliders {
 	constructor(agent, onChange) {
 		this.agent = agent;
 		this.sliders = Object.entries(RANGES).map(([trait, [min, max, step]]) => {
-			const made = slider(texts.traits[trait], { min, max, step, value: agent[trait], format: (value) => value.toFixed(step < 1 ? 2 : 0) }, (value) => {
+			const made = slider(texts.traits[trait], { min, max, step, value: agent[trait], format: (value) => fixed(value, step < 1 ? 2 : 0) }, (value) => {
 				agent[trait] = value;
 				onChange();
 			});

@@ -17,6 +17,11 @@ export const SIZES = {
 	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, ...(isChromium && { isMobile: true }) },
 };
 
+/** Lets a browser's context draw nothing in 3D, for what is no matter of pictures: the processor draws, and slowly. */
+export const drawNothing = (context) => context.addInitScript(() => {
+	HTMLCanvasElement.prototype.getContext = () => null;
+});
+
 /** Begins: a server below a path of its own, and a browser. */
 export async function begin() {
 	if (!existsSync(path.join(folder, 'index.html'))) {
@@ -39,11 +44,12 @@ export async function begin() {
  *
  * @param {object} site what begin gave
  * @param {string} hash the view, with its argument
- * @param {object} options of the browser's context
+ * @param {object} options of the browser's context; isDrawn says whether it draws 3D
  * @returns {Promise<{page: object, context: object, said: string[]}>} said is what came on the console, and from elsewhere
  */
-export async function open(site, hash, options = SIZES.desktop) {
+export async function open(site, hash, { isDrawn = true, ...options } = SIZES.desktop) {
 	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...options });
+	if (!isDrawn) await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];
 	page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));

@@ -1,7 +1,7 @@
 /** The worlds that programs of the playground move, without a page. */
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { before, test } from 'node:test';
@@ -21,9 +21,14 @@ let greatLand;
 before(async () => {
 	const out = path.join(root, 'bin/generated/playground-world.mjs');
 	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'texts.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	// words come before what is made of them
+	const english = path.join(root, 'bin/generated/english.mjs');
+	const from = (file) => JSON.stringify(path.join(root, 'playground', file));
+	mkdirSync(path.dirname(english), { recursive: true });
+	writeFileSync(english, `import { texts } from ${from('languages/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\n`);
 	buildSync({
-		stdin: { contents: [...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
+		stdin: { contents: [`import ${JSON.stringify(english)};`, ...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
 		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', nodePaths: [path.join(root, 'playground/node_modules')],
 		alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
 	});

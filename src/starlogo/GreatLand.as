@@ -118,7 +118,9 @@ package starlogo
 
         /**
          * Which structures the nodes of hierarchies have (thesis §7.7): BoundingStructure.BOX, the default, SPHERE or CAPSULE. Boxes
-         * are the fastest by far. Anything else is refused when the next model is added.
+         * are the fastest by far.
+         *
+         * @throws ArgumentError if it is set to anything else
          */
         public function get hierarchyBounds():int
         {
@@ -151,7 +153,6 @@ package starlogo
          *
          * @param model has the name that agents have as their shape
          * @throws ArgumentError if it is null, or as the add of BoundingStructuresLibrary and HierarchiesLibrary do
-         * @throws RangeError as HierarchiesLibrary.add does
          */
         public function addModel(model:Model):void
         {
@@ -166,7 +167,6 @@ package starlogo
          * @param model has the name that agents have as their shape; not to be changed meanwhile
          * @throws ArgumentError if it is null; here or in a step, as the add of BoundingStructuresLibrary and
          *         HierarchiesLibrary do
-         * @throws RangeError as HierarchiesLibrary.add does
          */
         public function receive(model:Model):Steps
         {

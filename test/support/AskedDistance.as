@@ -37,10 +37,11 @@ package support
         /** How far two agents are apart. */
         public function between(a:Agent, b:Agent):Number
         {
-            _table.readPair(a, b);
+            _table.readGuest(0, a);
+            _table.readGuest(1, b);
             areTouching = _strategy.areTouching(_table, 0, 1);
             _distances.find(_strategy, _table, 0, 1, true);
-            _table.endPair();
+            _table.endGuests();
             return closest.distance;
         }
 

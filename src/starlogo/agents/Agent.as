@@ -62,6 +62,7 @@ package starlogo.agents
         private static var sCreated:int = 0;
         private static var sTurned:Placement = new Placement();
         private static var sAngles:Vector3D = new Vector3D();
+        private static var sMatrix:Vector.<Number> = new Matrix3D().rawData;
 
         /**
          * @private The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
@@ -103,9 +104,6 @@ package starlogo.agents
         private var _rotationIsStale:Boolean = false;
         private var _isTurnedByQuaternion:Boolean = false;
         private var _anglesAreStale:Boolean = false;
-        private var _transform:Matrix3D;
-        private var _transformRevision:int = -1;
-        private var _transformData:Vector.<Number>;
 
         /**
          * An agent of size 1 at the origin.
@@ -400,23 +398,12 @@ package starlogo.agents
         }
 
         /**
-         * The transform from the model's space to the world, computed when it has changed. It is the agent's own matrix, which
-         * the next change overwrites: clone it to keep it.
+         * The transform from the model's space to the world: a new matrix, which is the caller's. <code>getMatrix()</code> writes into a matrix
+         * that is there already.
          */
         public function get transform():Matrix3D
         {
-            if (_transformRevision != revision)
-            {
-                if (_transform == null)
-                {
-                    _transform = new Matrix3D();
-                    _transformData = _transform.rawData;
-                }
-                worldPlacement().writeMatrix(_transformData);
-                _transform.copyRawDataFrom(_transformData);
-                _transformRevision = revision;
-            }
-            return _transform;
+            return getMatrix();
         }
 
         /**
@@ -488,7 +475,7 @@ package starlogo.agents
         }
 
         /**
-         * A copy of <code>transform</code>.
+         * The transform from the model's space to the world.
          *
          * @param out takes it; made if null
          * @return out
@@ -496,7 +483,8 @@ package starlogo.agents
         public function getMatrix(out:Matrix3D = null):Matrix3D
         {
             out ||= new Matrix3D();
-            out.copyFrom(transform);
+            worldPlacement().writeMatrix(sMatrix);
+            out.copyRawDataFrom(sMatrix);
             return out;
         }
 

@@ -24,26 +24,10 @@ package starlogo.libraries
     public final class HierarchiesLibrary
     {
         /**
-         * A node of no more vertices than this is a leaf (§4.4; §4.8 would split one of just as many), and so is a single
-         * triangle. The vertices of a node's triangles count once each. At least 1.
-         */
-        public var minVerticesToSplit:int = 5;
-
-        /** A node on this level is a leaf (§4.4); the root is on level 1. At least 1. */
-        public var maxDepth:int = 10;
-
-        /**
          * Whether a node is split at the mean of its vertices along the longest axis of its box, or of its triangles'
          * centres, rather than at the halfway point of that axis (§4.4).
          */
         public var splitByMean:Boolean = false;
-
-        /**
-         * Which kind of structure the nodes have: BoundingStructure.BOX, SPHERE or CAPSULE (§7.7). The splits are those of the
-         * boxes in any case. A sphere is about the middle of the node's box, a capsule along the box's longest axis; both
-         * are as small as the vertices then allow.
-         */
-        public var boundsKind:int = BoundingStructure.BOX;
 
         /**
          * Whether what exact colliders need of a model's triangles is prepared when the model is added, rather than when an
@@ -58,9 +42,67 @@ package starlogo.libraries
          */
         engine var shapes:ShapeTable = new ShapeTable();
 
+        private var _minVerticesToSplit:int = 5;
+        private var _maxDepth:int = 10;
+        private var _boundsKind:int = BoundingStructure.BOX;
+
         /** A library without models. */
         public function HierarchiesLibrary()
         {
+        }
+
+        /**
+         * A node of no more vertices than this is a leaf (§4.4; §4.8 would split one of just as many), and so is a single
+         * triangle. The vertices of a node's triangles count once each. The default is 5.
+         *
+         * @throws RangeError if it is set to less than 1
+         */
+        public function get minVerticesToSplit():int
+        {
+            return _minVerticesToSplit;
+        }
+
+        public function set minVerticesToSplit(value:int):void
+        {
+            requirePositive("minVerticesToSplit", value);
+            _minVerticesToSplit = value;
+        }
+
+        /**
+         * A node on this level is a leaf (§4.4); the root is on level 1. The default is 10.
+         *
+         * @throws RangeError if it is set to less than 1
+         */
+        public function get maxDepth():int
+        {
+            return _maxDepth;
+        }
+
+        public function set maxDepth(value:int):void
+        {
+            requirePositive("maxDepth", value);
+            _maxDepth = value;
+        }
+
+        /**
+         * Which kind of structure the nodes have: BoundingStructure.BOX, the default, SPHERE or CAPSULE (§7.7). The splits are those of the
+         * boxes in any case. A sphere is about the middle of the node's box, a capsule along the box's longest axis; both
+         * are as small as the vertices then allow.
+         *
+         * @throws ArgumentError if it is set to anything else
+         */
+        public function get boundsKind():int
+        {
+            return _boundsKind;
+        }
+
+        public function set boundsKind(value:int):void
+        {
+            if (value != BoundingStructure.BOX && value != BoundingStructure.SPHERE && value != BoundingStructure.CAPSULE)
+            {
+                throw new ArgumentError("boundsKind must be BoundingStructure.BOX, SPHERE or CAPSULE: " + value);
+            }
+            _boundsKind = value;
         }
 
         /**
@@ -72,8 +114,7 @@ package starlogo.libraries
          * @param triangles three vertex indices each, or null where only vertices are known; an empty one is taken for
          *     null; copied. Triangles without area are allowed
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, or a coordinate is missing or
-         *     not finite; if a triangle names a vertex that is not there; if boundsKind is none of the three
-         * @throws RangeError if minVerticesToSplit or maxDepth is less than 1
+         *     not finite; if a triangle names a vertex that is not there
          */
         public function add(name:String, vertices:Vector.<Number>, triangles:Vector.<uint> = null):void
         {
@@ -120,7 +161,6 @@ package starlogo.libraries
         engine function newBuilder(name:String, vertices:Vector.<Number>, triangles:Vector.<uint>):SolidHierarchyBuilder
         {
             ShapeTable.checkName(name);
-            checkSettings();
             refuse(name, VertexData.vertexProblem(vertices));
             if (triangles == null || triangles.length == 0)
             {
@@ -137,7 +177,6 @@ package starlogo.libraries
          */
         engine function newBuilderOf(model:Model):SolidHierarchyBuilder
         {
-            checkSettings();
             return builderOf(model.vertices, model.triangles);
         }
 
@@ -146,17 +185,11 @@ package starlogo.libraries
             return new SolidHierarchyBuilder(vertices, triangles, boundsKind, minVerticesToSplit, maxDepth, splitByMean, prepareExact);
         }
 
-        private function checkSettings():void
+        private static function requirePositive(setting:String, value:int):void
         {
-            if (minVerticesToSplit < 1 || maxDepth < 1)
+            if (value < 1)
             {
-                throw new RangeError("minVerticesToSplit and maxDepth must be at least 1: " + minVerticesToSplit + ", "
-                        + maxDepth);
-            }
-            if (boundsKind != BoundingStructure.BOX && boundsKind != BoundingStructure.SPHERE
-                    && boundsKind != BoundingStructure.CAPSULE)
-            {
-                throw new ArgumentError("boundsKind must be BoundingStructure.BOX, SPHERE or CAPSULE: " + boundsKind);
+                throw new RangeError(setting + " must be at least 1: " + value);
             }
         }
 

@@ -64,18 +64,14 @@ package starlogo.queries
                 throw new ArgumentError("two agents are needed, not " + a + " and " + b);
             }
             var table:AgentTable = _seen.table;
-            var row:int = table.rowOf(b);
-            if (row < 0)
+            var rowA:int = _seen.rowOfNow(a, 0);
+            var rowB:int = table.rowOf(b);
+            if (rowB < 0)
             {
-                table = _seen.pairTable;
-                table.readPair(a, b);
-                measure(table, 0, 1, withPoints);
-                table.endPair();
-                return;
+                rowB = _seen.rowOfNow(b, 1);
             }
-            var asker:int = _seen.rowOfNow(a);
-            measure(table, asker, row, withPoints);
-            _seen.endRowOfNow(a, asker);
+            measure(table, rowA, rowB, withPoints);
+            table.endGuests();
         }
 
         private function measure(table:AgentTable, a:int, b:int, withPoints:Boolean):void

@@ -67,7 +67,6 @@ package starlogo.queries
 
         private var _places:PlaceTree;
         private var _table:AgentTable;
-        private var _isRound:Boolean = false;
 
         // The least x, y, z, then the greatest: of the nodes, as in PlaceTree, and of the rows in the order of the leaves.
         private var _nodeBoxes:Vector.<Number> = new Vector.<Number>();
@@ -93,13 +92,11 @@ package starlogo.queries
          *
          * @param places a tree that was made of the places of the same rows
          * @param table has the rows and their extents
-         * @param isRound whether boxes reach as far along x and y as the circles on the ground around what has the extents
          */
-        public function build(places:PlaceTree, table:AgentTable, isRound:Boolean):void
+        public function build(places:PlaceTree, table:AgentTable):void
         {
             _places = places;
             _table = table;
-            _isRound = isRound;
             var count:int = places.count;
             var leaves:int = places.firstLeaf;
             if (_rowBoxes.length < PER_BOX * count)
@@ -166,10 +163,6 @@ package starlogo.queries
             var halfY:Number = extents.halfY[row];
             var halfZ:Number = extents.halfZ[row];
             var slack:Number = Tolerances.EXTENTS * (halfX + halfY + halfZ) + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(atX) + Math.abs(atY) + Math.abs(atZ));
-            if (_isRound)
-            {
-                halfX = halfY = extents.radius[row];
-            }
             minX = atX - halfX - slack;
             minY = atY - halfY - slack;
             minZ = atZ - halfZ - slack;

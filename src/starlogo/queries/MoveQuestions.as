@@ -82,7 +82,7 @@ package starlogo.queries
                 _mover.move(table, row, _agents, slides);
                 part = _mover.part;
             }
-            _seen.endRowOfNow(agent, row);
+            table.endGuests();
             if (contact != null && isSeen)
             {
                 _mover.writeContact(contact);
@@ -138,7 +138,7 @@ package starlogo.queries
                     }
                 }
             }
-            _seen.endRowOfNow(agent, row);
+            table.endGuests();
             _answers.list(_members, _squares, count, filter, _agents);
         }
     }

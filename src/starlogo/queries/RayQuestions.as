@@ -132,7 +132,7 @@ package starlogo.queries
                 out.y = table.extents.y[row];
                 out.z = table.extents.z[row];
             }
-            _seen.endRowOfNow(agent, row);
+            table.endGuests();
         }
 
         // Begins with the ray that is aimed, up to the limit that is set, and the boxes that it meets.

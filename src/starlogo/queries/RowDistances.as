@@ -68,8 +68,7 @@ package starlogo.queries
                 findClosest(structureOf(table, a, _sphereA), structureOf(table, b, _sphereB), closest);
                 var extents:Extents = table.extents;
                 var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
-                // boxes of which only the faces are tested may touch across a gap
-                var isNear:Boolean = strategy.isRound || closest.distance <= Tolerances.APART * size;
+                var isNear:Boolean = strategy.touchesAcrossGaps || closest.distance <= Tolerances.APART * size;
                 closest.settle(isNear && strategy.areTouching(table, a, b));
                 return;
             }

@@ -37,16 +37,12 @@ package starlogo.queries
         /** Counts questions under way whose filters are being asked: the list may not change. */
         public var asking:int = 0;
 
-        // For two agents as they are now; made when it is needed.
-        private var _pair:AgentTable = null;
-
         private var _source:Object;
         private var _system:Object;
         private var _places:PlaceTree = new PlaceTree();
         private var _extents:ExtentsTree = new ExtentsTree();
         private var _placesAreStale:Boolean = true;
         private var _extentsAreStale:Boolean = true;
-        private var _isRound:Boolean = false;
         private var _moves:int = 0;
 
         // By row: its number in the list of this number.
@@ -88,7 +84,6 @@ package starlogo.queries
             if (collider !== _system)
             {
                 next = tableFor(collider);
-                _pair = null;
             }
             next.check(agents);
             next.read(agents);
@@ -172,10 +167,9 @@ package starlogo.queries
         /** The tree of the extents, up to date. */
         public function get extents():ExtentsTree
         {
-            if (_extentsAreStale || strategy.isRound != _isRound)
+            if (_extentsAreStale)
             {
-                _isRound = strategy.isRound;
-                _extents.build(places, table, _isRound);
+                _extents.build(places, table);
                 _extentsAreStale = false;
             }
             return _extents;
@@ -183,31 +177,21 @@ package starlogo.queries
 
         /**
          * A row of an agent as it is now: its own if that is so, else a guest's. Its shape is null while its model is loading.
-         * <code>endRowOfNow()</code> has to follow.
+         * <code>table.endGuests()</code> has to follow.
          *
+         * @param guest the row for a guest, 0 or 1
          * @throws ArgumentError if its model is unknown, or what is needed of it was not loaded
          */
-        public function rowOfNow(asker:Agent):int
+        public function rowOfNow(asker:Agent, guest:int = 0):int
         {
             requireAgent(asker);
             var row:int = table.rowOf(asker);
-            return row >= 0 && table.isOfNow(row) ? row : table.readGuest(asker);
-        }
-
-        /** Lets go of what rowOfNow gave. */
-        public function endRowOfNow(asker:Agent, row:int):void
-        {
-            if (table.rowOf(asker) != row)
+            if (row >= 0 && table.isOfNow(row))
             {
-                table.endGuest();
+                return row;
             }
-        }
-
-        /** A table of two agents, which is filled and emptied in a question. */
-        public function get pairTable():AgentTable
-        {
-            _pair ||= tableFor(Collider(_system));
-            return _pair;
+            table.readGuest(guest, asker);
+            return guest;
         }
 
         private function numberMembers(of:AgentTable):void

@@ -2,9 +2,7 @@ package starlogo.queries
 {
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
-    import starlogo.geometry.Tolerances;
     import starlogo.search.AgentTable;
 
     use namespace engine;
@@ -44,7 +42,7 @@ package starlogo.queries
             {
                 count = findTouching(agent, row, _rows.of(filter));
             }
-            _seen.endRowOfNow(agent, row);
+            _seen.table.endGuests();
             return _answers.list(_found, _squares, count, filter, out);
         }
 
@@ -91,7 +89,7 @@ package starlogo.queries
                     continue;
                 }
                 var other:int = table.rows[member];
-                if (areNear(table, row, other) && _seen.strategy.areTouching(table, row, other))
+                if (_seen.strategy.areTouching(table, row, other))
                 {
                     _found[count] = member;
                     _squares[count] = places.squareOf(member);
@@ -99,27 +97,6 @@ package starlogo.queries
                 }
             }
             return count;
-        }
-
-        // Whether two rows are a pair for the collision system, of which the tree's boxes overlap: where these are around circles, boxes are one
-        // if the circles overlap, and others if the extents do.
-        private function areNear(table:AgentTable, a:int, b:int):Boolean
-        {
-            if (!_seen.strategy.isRound)
-            {
-                return true;
-            }
-            var extents:Extents = table.extents;
-            var x:Number = extents.x[a] - extents.x[b];
-            var y:Number = extents.y[a] - extents.y[b];
-            if (table.isBox(a) && table.isBox(b))
-            {
-                var reach:Number = extents.radius[a] + extents.radius[b];
-                return x * x + y * y <= reach * reach * Tolerances.OUTER;
-            }
-            var reachX:Number = (extents.halfX[a] + extents.halfX[b]) * Tolerances.OUTER;
-            var reachY:Number = (extents.halfY[a] + extents.halfY[b]) * Tolerances.OUTER;
-            return x <= reachX && x >= -reachX && y <= reachY && y >= -reachY;
         }
     }
 }

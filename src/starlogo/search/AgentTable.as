@@ -17,6 +17,8 @@ package starlogo.search
      * What a collider sees of its agents: a row for each agent listed, in columns of numbers, because with thousands of agents memory
      * is what takes time. An agent keeps its row while it is listed; the same list has the same rows.
      *
+     * <p>The first two rows are of no list: they are for guests, agents as they are now that a question is about.</p>
+     *
      * <p>A row is as of the last search, however the agent has changed since: where the agent was, how it was turned, and what its shape was.
      * docs/state.md tells what voids it.</p>
      *
@@ -35,6 +37,9 @@ package starlogo.search
         private static const DISPLACED:int = -3;
 
         private static const ROTATION_SIZE:int = 9;
+
+        // How many rows are for guests.
+        private static const GUESTS:int = 2;
 
         // The rows of the agents, in the order of the list; how many there are, none after a list that was refused, and how many of them have a
         // model that is loading. The list's number counts its changes: while it stays, the rows are of the same agents.
@@ -89,7 +94,7 @@ package starlogo.search
 
         // Rows below _rowCount are in use, or free.
         private var _rowsById:IdTable = new IdTable();
-        private var _rowCount:int = 0;
+        private var _rowCount:int = GUESTS;
         private var _freeRows:Vector.<int> = new Vector.<int>();
         private var _freeCount:int = 0;
 
@@ -105,9 +110,8 @@ package starlogo.search
         private var _foundExtents:Vector.<Number> = new Vector.<Number>(6, true);
         private var _scratch:Placement = new Placement();
 
-        // Of a list that is checked: the agents' places in it. By kind: a structure for a row of a guest.
+        // Of a list that is checked: the agents' places in it.
         private var _checked:IdTable = new IdTable();
-        private var _spares:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
 
         /**
          * @param strategy finds the shapes of agents
@@ -119,6 +123,7 @@ package starlogo.search
             _strategy = strategy;
             _shapes = shapes;
             _bins = bins;
+            makeRows(GUESTS);
         }
 
         /**
@@ -136,6 +141,7 @@ package starlogo.search
                 readPositions(agents);
             }
             findShapes();
+            countLoading();
             if (_freedList != listNumber)
             {
                 freeRows(false);
@@ -187,11 +193,6 @@ package starlogo.search
         public function readRow(row:int):void
         {
             forgetReplaced();
-            var loading:int = loadingCount;
-            if (shapes[row] == null)
-            {
-                loading--;
-            }
             var agent:Agent = agents[row];
             _changedCount = 0;
             if (agent.placement.extentsRevision != _extentsRevisions[row])
@@ -199,7 +200,6 @@ package starlogo.search
                 _changed[0] = row;
                 _changedCount = 1;
                 findShapes();
-                loadingCount += loading;
             }
             revisions[row] = agent.revision;
             x[row] = agent.placement.x;
@@ -215,50 +215,37 @@ package starlogo.search
         }
 
         /**
-         * Makes a row for an agent as it is now, beside that which it may have: of no list, until <code>endGuest()</code>.
+         * Makes the row of a guest that of an agent as it is now, beside the row that the agent may have. <code>endGuests()</code> has to follow.
          *
-         * @return the row; its shape is null while its model is loading
+         * @param guest the row, 0 or 1; its shape is null while the agent's model is loading
          * @throws ArgumentError as readRow does
          */
-        public function readGuest(agent:Agent):int
+        public function readGuest(guest:int, agent:Agent):void
         {
-            var row:int = _rowCount;
-            makeRows(row + 1);
-            agents[row] = agent;
-            // a question that threw may have left one
-            shapes[row] = null;
-            _extentsRevisions[row] = STALE;
-            var structure:BoundingStructure = _placed[row];
-            if (structure != null)
-            {
-                // of guests of all kinds, one structure each is enough
-                _spares[structure.kind] = structure;
-            }
-            var shape:ModelShape = _shapes.shapeOf(agent);
-            if (shape != null && shape.decides)
-            {
-                _placed[row] = _spares[shape.structure.kind];
-            }
-            loadingCount++;
-            readRow(row);
-            if (shapes[row] == null)
-            {
-                loadingCount--;
-            }
-            return row;
+            agents[guest] = agent;
+            // a question that threw may have left a shape
+            shapes[guest] = null;
+            _extentsRevisions[guest] = STALE;
+            readRow(guest);
         }
 
-        /** Lets go of a guest. */
-        public function endGuest():void
+        /** Lets go of the guests. */
+        public function endGuests():void
         {
-            agents[_rowCount] = null;
-            shapes[_rowCount] = null;
+            agents[0] = agents[1] = null;
+            shapes[0] = shapes[1] = null;
         }
 
-        /** Whether a row is a box, and only that. */
-        public function isBox(row:int):Boolean
+        /** Makes a box along the world's axes that of a row's extents, wider by more than rounding comes to. */
+        internal function readExtents(row:int, box:Box):void
         {
-            return boxes[row] != null;
+            var margin:Number = Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
+            box.center.x = extents.x[row];
+            box.center.y = extents.y[row];
+            box.center.z = extents.z[row];
+            box.halfX = extents.halfX[row] * Tolerances.OUTER + margin;
+            box.halfY = extents.halfY[row] * Tolerances.OUTER + margin;
+            box.halfZ = extents.halfZ[row] * Tolerances.OUTER + margin;
         }
 
         /**
@@ -316,31 +303,6 @@ package starlogo.search
         public function rowOf(agent:Agent):int
         {
             return _rowsById.valueOf(agent.number);
-        }
-
-        /** Has two rows, 0 and 1: of the two agents of a question, where they are now. */
-        public function readPair(a:Agent, b:Agent):void
-        {
-            _shapes.forgetReplaced();
-            makeRows(2);
-            count = 2;
-            rows[0] = 0;
-            rows[1] = 1;
-            agents[0] = a;
-            agents[1] = b;
-            // a question that threw may have left some
-            shapes[0] = shapes[1] = null;
-            _extentsRevisions[0] = _extentsRevisions[1] = STALE;
-            readPositions(agents);
-            findShapes();
-            swapPositions();
-        }
-
-        /** Lets go of the agents of a question. */
-        public function endPair():void
-        {
-            agents[0] = agents[1] = null;
-            shapes[0] = shapes[1] = null;
         }
 
         /** Whether an agent has moved from where the search before saw it to where it is: it was in that search, and has not jumped. */
@@ -628,7 +590,7 @@ package starlogo.search
         // Frees the rows of agents that are not in the list; or, of a list that is refused, the rows that it has added.
         private function freeRows(isRefused:Boolean):void
         {
-            for (var row:int = 0; row < _rowCount; row++)
+            for (var row:int = GUESTS; row < _rowCount; row++)
             {
                 var isToGo:Boolean = isRefused ? shapes[row] == null : _lists[row] != listNumber;
                 if (isToGo && agents[row] != null)
@@ -668,7 +630,6 @@ package starlogo.search
                     _changedShapes[i] = _shapes.shapeOf(agents[row]);
                 }
             }
-            loadingCount = 0;
             for (i = 0; i < _changedCount; i++)
             {
                 row = _changed[i];
@@ -680,6 +641,19 @@ package starlogo.search
                 if (shapes[row] != null)
                 {
                     findExtents(row);
+                }
+            }
+        }
+
+        // A row whose model is loading changes in every search.
+        private function countLoading():void
+        {
+            loadingCount = 0;
+            for (var i:int = 0; i < _changedCount; i++)
+            {
+                if (shapes[_changed[i]] == null)
+                {
+                    loadingCount++;
                 }
             }
         }
@@ -704,7 +678,6 @@ package starlogo.search
             {
                 // asked again in the next search
                 _extentsRevisions[row] = STALE;
-                loadingCount++;
             }
             else if (shape.decides)
             {

@@ -16,7 +16,7 @@ package starlogo.search
      * What all colliders do: keeps a table of the agents, has the bins find the pairs of its rows that are near each other (thesis §3.7), and
      * the strategy decide which of them touch; standing or, where an agent sweeps, as they moved since the last search.
      *
-     * <p>Questions about two agents have a table and shapes of their own, and change nothing that a search keeps.</p>
+     * <p>In questions about two agents these are guests of the table. They change nothing that a search keeps.</p>
      *
      * @private
      */
@@ -25,7 +25,6 @@ package starlogo.search
         private var _strategy:ShapeStrategy;
         private var _bins:Bins = new Bins();
         private var _table:AgentTable;
-        private var _asked:AgentTable;
         private var _breedNumbers:BreedNumbers = new BreedNumbers();
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
@@ -56,7 +55,6 @@ package starlogo.search
         {
             _strategy = strategy;
             _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), _bins);
-            _asked = new AgentTable(strategy, new ModelShapes(greatLand, strategy), null);
             _motions = new Motions(strategy);
         }
 
@@ -69,9 +67,10 @@ package starlogo.search
         /** Whether two agents touch where they are now, as CollisionSystem says. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
-            _asked.readPair(a, b);
-            var areTouching:Boolean = _asked.loadingCount == 0 && _strategy.areTouching(_asked, 0, 1);
-            _asked.endPair();
+            readGuests(a, b);
+            var shapes:Vector.<ModelShape> = _table.shapes;
+            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _strategy.areTouching(_table, 0, 1);
+            _table.endGuests();
             return areTouching;
         }
 
@@ -150,16 +149,22 @@ package starlogo.search
             {
                 return _motions.findContact(_table, rowA, rowB, _isSwept, out);
             }
-            _asked.readPair(a, b);
-            if (_asked.loadingCount > 0)
+            readGuests(a, b);
+            var isLoadingA:Boolean = _table.shapes[0] == null;
+            if (isLoadingA || _table.shapes[1] == null)
             {
-                var loading:Agent = _asked.shapes[0] == null ? a : b;
-                _asked.endPair();
-                throw new ArgumentError(loading + ": its model is still loading");
+                _table.endGuests();
+                throw new ArgumentError((isLoadingA ? a : b) + ": its model is still loading");
             }
-            var time:Number = _motions.findContact(_asked, 0, 1, false, out);
-            _asked.endPair();
+            var time:Number = _motions.findContact(_table, 0, 1, false, out);
+            _table.endGuests();
             return time;
+        }
+
+        private function readGuests(a:Agent, b:Agent):void
+        {
+            _table.readGuest(0, a);
+            _table.readGuest(1, b);
         }
 
         /** @inheritDoc */

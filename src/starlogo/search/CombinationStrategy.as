@@ -149,9 +149,9 @@ package starlogo.search
         }
 
         /** @inheritDoc */
-        override public function get isRound():Boolean
+        override public function get touchesAcrossGaps():Boolean
         {
-            return _tightestFit.isRound;
+            return _tightestFit.touchesAcrossGaps;
         }
 
         /** @inheritDoc */

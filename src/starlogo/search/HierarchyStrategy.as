@@ -130,8 +130,8 @@ package starlogo.search
             {
                 return _traversal.structureOverlaps(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB);
             }
-            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, levelsOf(table, a), shapeB.hierarchy, placementB,
-                    levelsOf(table, b), exact && !_leavesDecide);
+            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
+                    depthOf(table, b), exact && !_leavesDecide);
         }
 
         /** @inheritDoc */
@@ -195,6 +195,10 @@ package starlogo.search
         /** @inheritDoc */
         override public function depthOf(table:AgentTable, row:int):int
         {
+            if (exact)
+            {
+                return int.MAX_VALUE;
+            }
             return table.depths[row] == 0 ? maxDepth : table.depths[row];
         }
 
@@ -224,15 +228,8 @@ package starlogo.search
         {
             var shapeB:ModelShape = table.shapes[b];
             var toLeaves:Boolean = byLeaves && shapeB.hierarchy != null;
-            _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), toLeaves ? int.MAX_VALUE : depthOf(table, a),
-                    shapeB.hierarchy, shapeB.structure, table.placementOf(b, _placementB), toLeaves ? int.MAX_VALUE : depthOf(table, b),
-                    exact && !toLeaves);
-        }
-
-        // How many levels are visited of one of two hierarchies: all of them where leaves decide.
-        private function levelsOf(table:AgentTable, row:int):int
-        {
-            return _leavesDecide ? int.MAX_VALUE : depthOf(table, row);
+            _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy,
+                    shapeB.structure, table.placementOf(b, _placementB), depthOf(table, b), exact && !toLeaves);
         }
 
         /**

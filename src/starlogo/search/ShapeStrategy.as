@@ -236,8 +236,8 @@ package starlogo.search
             return false;
         }
 
-        /** Whether two boxes may be found to touch although their extents along x and y do not overlap, because only their faces are tested. */
-        public function get isRound():Boolean
+        /** Whether two boxes may be found to touch that are apart, because only their faces are tested. */
+        public function get touchesAcrossGaps():Boolean
         {
             return false;
         }

@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
@@ -46,6 +47,10 @@ package starlogo.search
         // The interval in which all structures under way touch.
         private var _first:Number = 0;
         private var _last:Number = 1;
+
+        // The extents of two rows.
+        private var _extentsA:Box = newBox();
+        private var _extentsB:Box = newBox();
 
         /**
          * @param greatLand has the structures
@@ -102,7 +107,7 @@ package starlogo.search
             var row:int = rowAt[slot];
             var atZ:Number = zs[row];
             var reachZ:Number = halfZs[row] + bins.slack;
-            var box:Box = boxes[row];
+            var box:Box = boxFacesOnly ? null : boxes[row];
             var shapes:Vector.<ModelShape> = table.shapes;
             var isSphere:Boolean = shapes[row].isSphere;
             var boxTests:int = 0;
@@ -135,7 +140,7 @@ package starlogo.search
                     {
                         table.place(otherRow);
                     }
-                    if (!boxBox(box, otherBox, boxFacesOnly))
+                    if (!boxBox(box, otherBox))
                     {
                         continue;
                     }
@@ -179,9 +184,10 @@ package starlogo.search
                 return false;
             }
             noteTest(structureA, structureB);
-            if (structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            if (isByFaces(table, a, b))
             {
-                return boxBox(Box(structureA), Box(structureB), boxFacesOnly);
+                readExtents(table, a, b);
+                return boxBox(Box(structureA), Box(structureB), true) && boxBox(_extentsA, _extentsB);
             }
             return intersects(structureA, structureB);
         }
@@ -192,15 +198,13 @@ package starlogo.search
             var structureA:BoundingStructure = table.structureOf(a);
             var structureB:BoundingStructure = table.structureOf(b);
             noteTest(structureA, structureB);
-            if (boxFacesOnly && structureA.kind == BoundingStructure.BOX && structureB.kind == BoundingStructure.BOX)
+            var byFaces:Boolean = isByFaces(table, a, b);
+            findTimeOfStructures(structureA, structureB, byFaces, motion);
+            if (motion.time != RelativeMotion.NEVER && (byFaces || haveOuter(table, a, b)))
             {
-                findBoxImpact(Box(structureA), Box(structureB), motion, true);
-                return;
-            }
-            findTimeOfImpact(structureA, structureB, motion);
-            if (motion.time != RelativeMotion.NEVER && haveOuter(table, a, b))
-            {
-                findTimeOfAll(table, a, b, motion);
+                _back.reverse(motion);
+                findTimeOfStructures(structureA, structureB, byFaces, _back);
+                findTimeOfAll(table, a, b, byFaces, motion);
             }
             // no rounding hides what stands there
             if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
@@ -223,11 +227,11 @@ package starlogo.search
             {
                 return false;
             }
-            return !boxFacesOnly || table.shapes[a].structure.kind != BoundingStructure.BOX || table.shapes[b].structure.kind != BoundingStructure.BOX;
+            return !isByFaces(table, a, b);
         }
 
         /** @inheritDoc */
-        override public function get isRound():Boolean
+        override public function get touchesAcrossGaps():Boolean
         {
             return boxFacesOnly;
         }
@@ -252,21 +256,35 @@ package starlogo.search
             return true;
         }
 
-        // Finds when the outer structures and the structures all touch; the structures' time is there. Each two of them touch during one interval.
-        private function findTimeOfAll(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        private static function findTimeOfStructures(a:BoundingStructure, b:BoundingStructure, byFaces:Boolean, motion:RelativeMotion):void
         {
-            var outerA:OuterStructures = table.outer[a];
-            var outerB:OuterStructures = table.outer[b];
-            _back.reverse(motion);
-            findTimeOfImpact(table.structureOf(a), table.structureOf(b), _back);
+            if (byFaces)
+            {
+                findBoxImpact(Box(a), Box(b), motion, true);
+                return;
+            }
+            findTimeOfImpact(a, b, motion);
+        }
+
+        // Finds when all that decides touches; the structures' times, on the motion and on the way back, are there. Each two touch during one interval.
+        private function findTimeOfAll(table:AgentTable, a:int, b:int, byFaces:Boolean, motion:RelativeMotion):void
+        {
             _first = motion.time;
             _last = 1 - _back.time;
-            if (spheresFirst)
+            if (byFaces)
+            {
+                readExtents(table, a, b);
+                limitTimes(_extentsA, _extentsB, motion);
+            }
+            var outerA:OuterStructures = table.outer[a];
+            var outerB:OuterStructures = table.outer[b];
+            var areOuter:Boolean = haveOuter(table, a, b);
+            if (areOuter && spheresFirst)
             {
                 noteTest(outerA.sphere, outerB.sphere);
                 limitTimes(outerA.sphere, outerB.sphere, motion);
             }
-            if (capsulesFirst && isOneBox(table, a, b))
+            if (areOuter && capsulesFirst && isOneBox(table, a, b))
             {
                 noteTest(outerA.capsule, outerB.capsule);
                 limitTimes(outerA.capsule, outerB.capsule, motion);
@@ -285,6 +303,23 @@ package starlogo.search
         private function noteTest(a:BoundingStructure, b:BoundingStructure):void
         {
             counts.tests[a.kind << 2 | b.kind]++;
+        }
+
+        // Whether the faces of two boxes decide, and their extents, without which boxes far from each other would touch.
+        private function isByFaces(table:AgentTable, a:int, b:int):Boolean
+        {
+            return boxFacesOnly && table.shapes[a].structure.kind == BoundingStructure.BOX && table.shapes[b].structure.kind == BoundingStructure.BOX;
+        }
+
+        private function readExtents(table:AgentTable, a:int, b:int):void
+        {
+            table.readExtents(a, _extentsA);
+            table.readExtents(b, _extentsB);
+        }
+
+        private static function newBox():Box
+        {
+            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
         }
 
         private static function haveOuter(table:AgentTable, a:int, b:int):Boolean

@@ -78,11 +78,25 @@ package starlogo.agents
         }
 
         [Test]
+        public function transformsAreTheCallers():void
+        {
+            var agent:Agent = new Agent("bear");
+            agent.moveTo(1, 2, 3);
+            var first:Matrix3D = agent.transform;
+            agent.transform.appendScale(5, 5, 5);
+            assertNear(agent, new Vector3D(), 1, 2, 3);
+            agent.moveTo(4, 5, 6);
+            assertEquals("as it was", 2, agent.getMatrix().position.y - 3 * first.position.x);
+            assertEquals(1, first.position.x);
+            var own:Matrix3D = new Matrix3D();
+            assertTrue(agent.getMatrix(own) === own);
+            assertEquals(4, own.position.x);
+        }
+
+        [Test]
         public function transformFollowsEveryChange():void
         {
             var agent:Agent = new Agent("bear");
-            var first:Matrix3D = agent.transform;
-            assertTrue("computed once", agent.transform === first);
             agent.x = 3;
             assertNear(agent, new Vector3D(), 3, 0, 0);
             agent.y = 4;

@@ -151,6 +151,55 @@ package starlogo.collision
             assertTrue(_collider.areColliding(plain, precise));
         }
 
+        // Two levels of a ball are boxes with corners that stand out from it.
+        [Test]
+        public function exactKnowsNoDepth():void
+        {
+            var random:SeededRandom = new SeededRandom(410);
+            var reference:HierarchyReference = new HierarchyReference(_greatLand);
+            _collider.maxDepth = 2;
+            _collider.exact = true;
+            var hits:int = 0;
+            var deeper:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var a:Agent = randomAgent(random, "ball", i % 2 == 0);
+                var b:Agent = randomAgent(random, random.pick(SHAPES), i % 2 == 0);
+                a.hierarchical = true;
+                a.traversalDepth = i % 3;
+                var expected:Boolean = reference.meetsTightestFit(a, 100, b);
+                hits += expected ? 1 : 0;
+                deeper += expected == reference.meetsTightestFit(a, 2, b) ? 0 : 1;
+                assertEquals("pair " + i, expected, _collider.areColliding(a, b));
+                assertEquals("pair " + i + " of a frame", expected ? 2 : 0, _collider.findCollisions(new <Agent>[b, a]).length);
+            }
+            assertTrue("hits: " + hits + ", of which depth 2 knows no better: " + deeper, hits > 60 && hits < 240 && deeper > 5);
+        }
+
+        // Where one of two hierarchies has no triangles, the leaves decide.
+        [Test]
+        public function exactKnowsNoDepthOfPointsEither():void
+        {
+            _greatLand.addModel(new Model("points", BuiltInModel.sphere().vertices));
+            var random:SeededRandom = new SeededRandom(411);
+            var deep:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            deep.maxDepth = 100;
+            var shallow:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            shallow.maxDepth = 2;
+            var exact:HierarchicalCollider = new HierarchicalCollider(_greatLand);
+            exact.maxDepth = 2;
+            exact.exact = true;
+            var differ:int = 0;
+            for (var i:int = 0; i < 300; i++)
+            {
+                var a:Agent = randomAgent(random, "points", false);
+                var b:Agent = randomAgent(random, random.pick(SHAPES), false);
+                assertEquals("pair " + i, deep.areColliding(a, b), exact.areColliding(a, b));
+                differ += deep.areColliding(a, b) == shallow.areColliding(a, b) ? 0 : 1;
+            }
+            assertTrue("depths that differ: " + differ, differ > 5);
+        }
+
         private function compareOneHierarchical(shape:String, seed:uint):void
         {
             var random:SeededRandom = new SeededRandom(seed);

@@ -5,6 +5,7 @@ package starlogo.collision
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
 
     /**
@@ -65,6 +66,36 @@ package starlogo.collision
             assertTrue("the tightest fits alone do earlier: " + later, later > 3);
         }
 
+        // Cubes whose faces alone count, turned: where a motion ends, and all along it.
+        [Test]
+        public function boxesByTheirFacesToo():void
+        {
+            _all.addModel(BuiltInModel.cube());
+            var bySpheres:int = 0;
+            for (var i:int = 0; i < 600; i++)
+            {
+                var mover:Agent = newAgent();
+                var other:Agent = newAgent();
+                mover.shape = other.shape = "cube";
+                var from:Array = [mover.x, mover.y, mover.z];
+                _standing.structureTests.boxFacesOnly = true;
+                var isHit:Boolean = _standing.areColliding(mover, other);
+                assertEquals("pair " + i + " stands", isHit, _standing.findCollisions(new <Agent>[mover, other]).length > 0);
+                assertEquals("pair " + i + " sweeps without a motion", isHit, firstFound(_all, mover, other, from, from) <= 1);
+                var length:Number = _random.pick([1e-6, 0.1]);
+                var to:Array = [from[0] + length * _random.normal(), from[1] + length * _random.normal(), from[2] + length * _random.normal()];
+                var expected:Number = firstSeen(mover, other, from, to);
+                var time:Number = firstFound(_all, mover, other, from, to);
+                assertTrue("pair " + i + ": seen at " + expected + ", found at " + time, time <= expected + SHORTLY);
+                assertTrue("pair " + i + ": no touch at " + time, time > 1 || collideAt(mover, other, from, to, time)
+                        || collideAt(mover, other, from, to, Math.min(1, time + SHORTLY)));
+                _standing.structureTests.spheresFirst = false;
+                bySpheres += isHit == _standing.areColliding(mover, other) ? 0 : 1;
+                _standing.structureTests.spheresFirst = true;
+            }
+            assertTrue("the spheres decide: " + bySpheres, bySpheres > 0);
+        }
+
         private function firstSeen(mover:Agent, other:Agent, from:Array, to:Array):Number
         {
             for (var k:int = 0; k <= MOMENTS; k++)
@@ -86,6 +117,7 @@ package starlogo.collision
         private function firstFound(greatLand:GreatLand, mover:Agent, other:Agent, from:Array, to:Array):Number
         {
             var collider:TightestFitCollider = new TightestFitCollider(greatLand);
+            collider.structureTests.boxFacesOnly = _standing.structureTests.boxFacesOnly;
             var agents:Vector.<Agent> = new <Agent>[mover, other];
             mover.sweeps = true;
             mover.jumpTo(from[0], from[1], from[2]);

@@ -40,6 +40,7 @@ package starlogo.collision
 
         // one that has seen nothing but the last frame
         private var _younger:Collider;
+        private var _levels:int = 0;
         private var _isSwept:Boolean;
         private var _wrong:Complaints;
         private var _pairs:int;
@@ -648,16 +649,17 @@ package starlogo.collision
                 });
         }
 
+        // Two levels are coarse, so that it matters.
         [Test]
         public function exactChanged():void
         {
+            _levels = 2;
             check(["hierarchies", "triangles", "combinations"], function():void
                 {
                     var precise:PreciseCollider = _kept as PreciseCollider;
                     if (precise != null)
                     {
                         precise.exact = !precise.exact;
-                        precise.maxDepth = 2;
                     }
                 });
         }
@@ -950,6 +952,10 @@ package starlogo.collision
         {
             _name = name;
             _kept = EachCollider.make(name, sGreatLand);
+            if (_levels > 0 && _kept is PreciseCollider)
+            {
+                PreciseCollider(_kept).maxDepth = _levels;
+            }
         }
 
         // What the kept one finds.

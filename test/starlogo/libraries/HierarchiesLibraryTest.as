@@ -253,16 +253,26 @@ package starlogo.libraries
             assertThrows(ArgumentError, /too large/, _library.add, "a", new <Number>[-1.7e308, 0, 0, 1.7e308, 0, 0]);
             assertThrows(ArgumentError, /"a".*4 indices/, _library.add, "a", good, new <uint>[0, 1, 2, 0]);
             assertThrows(ArgumentError, /"a".*triangle 1.*vertex 3.*last one is 2/, _library.add, "a", good, new <uint>[0, 1, 2, 0, 1, 3]);
-            _library.maxDepth = 0;
-            assertThrows(RangeError, /maxDepth/, _library.add, "a", good);
-            _library.maxDepth = 1;
-            _library.minVerticesToSplit = 0;
-            assertThrows(RangeError, /minVerticesToSplit/, _library.add, "b", good);
-            _library.minVerticesToSplit = 1;
-            _library.boundsKind = BoundingStructure.CYLINDER;
-            assertThrows(ArgumentError, /boundsKind/, _library.add, "b", good);
             assertStrictlyEquals(root, _library.root("a"));
-            assertFalse(_library.has("b"));
+        }
+
+        [Test]
+        public function settingsAreRefusedWhenTheyAreSet():void
+        {
+            for each (var value:int in [0, -3])
+            {
+                assertThrows(RangeError, new RegExp("maxDepth.*" + value), set , "maxDepth", value);
+                assertThrows(RangeError, new RegExp("minVerticesToSplit.*" + value), set , "minVerticesToSplit", value);
+            }
+            assertThrows(ArgumentError, /boundsKind/, set , "boundsKind", BoundingStructure.CYLINDER);
+            assertThrows(ArgumentError, /boundsKind/, set , "boundsKind", -1);
+            assertEquals("10 5 " + BoundingStructure.BOX, [_library.maxDepth, _library.minVerticesToSplit, _library.boundsKind].join(" "));
+            _library.add("a", new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0]);
+
+            function set (name:String, value:int):void
+            {
+                _library[name] = value;
+            }
         }
 
         [Test]

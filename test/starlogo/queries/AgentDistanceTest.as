@@ -101,6 +101,42 @@ package starlogo.queries
             }
         }
 
+        // Strangers ask before, while and after agents join and leave the list: each answer is that of a list of these two alone.
+        [Test]
+        public function strangersAskWhileTheListGrows():void
+        {
+            for each (var collider:Collider in colliders())
+            {
+                var listed:Vector.<Agent> = new Vector.<Agent>();
+                var queries:AgentQueries = new AgentQueries(collider);
+                for (var step:int = 0; step < 24; step++)
+                {
+                    if (listed.length > 6)
+                    {
+                        listed.splice(_random.integer(0, 5), 2);
+                    }
+                    listed.push(world(1, 6)[0]);
+                    queries.update(listed);
+                    var strangers:Vector.<Agent> = world(2, 6);
+                    queries.touching(strangers[step % 2]);
+                    assertEquals(collider + ", strangers", distanceOf(collider, strangers[0], strangers[1]), queries.distance(strangers[0], strangers[1]));
+                    for each (var agent:Agent in listed)
+                    {
+                        var expected:Number = distanceOf(collider, strangers[0], agent);
+                        assertEquals(collider + ", step " + step, expected, queries.distance(strangers[0], agent));
+                        assertEquals(collider + ", step " + step, expected, queries.distance(agent, strangers[0]));
+                    }
+                }
+            }
+        }
+
+        private static function distanceOf(collider:Collider, a:Agent, b:Agent):Number
+        {
+            var queries:AgentQueries = new AgentQueries(collider);
+            queries.update(new <Agent>[a, b]);
+            return queries.distance(a, b);
+        }
+
         [Test]
         public function thoseThatTouchAreThoseAtDistanceNull():void
         {

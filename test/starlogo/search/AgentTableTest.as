@@ -95,11 +95,13 @@ package starlogo.search
         [Test]
         public function letsGoOfTheAgentsOfAQuestion():void
         {
-            var asked:AgentTable = new AgentTable(_strategy, new ModelShapes(_land, _strategy), null);
-            asked.readPair(_agents[0], _agents[1]);
-            assertTrue(asked.agents[0] === _agents[0] && asked.agents[1] === _agents[1]);
-            asked.endPair();
-            assertEquals("null,null,null,null", asked.agents[0] + "," + asked.agents[1] + "," + asked.shapes[0] + "," + asked.shapes[1]);
+            var row:int = _table.rowOf(_agents[0]);
+            _table.readGuest(0, _agents[0]);
+            _table.readGuest(1, new Agent("cube"));
+            assertTrue(_table.agents[0] === _agents[0] && _table.agents[1] != null);
+            assertEquals(row, _table.rowOf(_agents[0]));
+            _table.endGuests();
+            assertHasOnly(_agents);
         }
 
         // An agent has a row if it is listed, and only then.

@@ -62,12 +62,14 @@ const questions = {
 	"countNear, filter": (agent) => { found += queries.countNear(agent, 3, filter); },
 	nearest: (agent) => { found += queries.nearest(agent) === null ? 0 : 1; },
 	"nearest, filter": (agent) => { found += queries.nearest(agent, 3, filter) === null ? 0 : 1; },
+	nearestOf: (agent) => { found += queries.nearestOf(agent, 5, Infinity, null, out).length; },
 	inCone: (agent) => { found += queries.inCone(agent, 3, 90, null, out).length; },
 	nearPoint: (agent) => {
 		put(point, agent, 0.5);
 		found += queries.nearPoint(point, 3, null, out).length;
 	},
 	touching: (agent) => { found += queries.touching(agent, null, out).length; },
+	touchesAny: (agent) => { found += queries.touchesAny(agent) ? 1 : 0; },
 	overlapping: (agent) => {
 		put(structure.center, agent, 0);
 		found += queries.overlapping(structure, null, out).length;

@@ -165,13 +165,15 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const nearest: Agent | null = queries.nearest(agents[0], Infinity, filter);
 	const near: Agent[] = queries.near(agents[0], 3, null, []);
 	const touching: Agent[] = queries.touching(agents[0]);
+	const nearestTwo: Agent[] = queries.nearestOf(agents[0], 2, 9, filter);
 	const overlapping: Agent[] = queries.overlapping(new Sphere(new Vector3D(0, 0, 1), 2));
 	const origin = new Vector3D(0, 0, 0);
 	const first: Agent | null = queries.nearestToPoint(origin, 9);
 	const nearIt: Agent[] = queries.nearPoint(origin, 9, filter);
 	const inFront: Agent[] = queries.inCone(agents[0], 9, 90);
 	log.push(`${first}, ${nearIt.length} of ${queries.countNearPoint(origin, 9)}, ${inFront.length} of ${queries.countNear(agents[0], 9)}`);
-	log.push(`${nearest}, ${near.length} near, ${touching.length} touching, ${overlapping.length} overlapping`);
+	const touches: boolean = queries.touchesAny(agents[0], filter);
+	log.push(`${nearest}, ${nearestTwo.length} nearest, ${near.length} near, ${touching.length} touching, ${touches}, ${overlapping.length} overlapping`);
 	const [eye, ahead] = [new Vector3D(-9, 0, 0.5), new Vector3D(1, 0, 0)];
 	const hit: RayHit | null = queries.cast(eye, ahead, Infinity, filter, new RayHit());
 	const hits: RayHit[] = queries.castAll(eye, ahead);

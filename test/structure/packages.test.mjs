@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { codeOf, definitionIn, importsIn, layout, packageOf, read, sourcesBelow, usesIn } from './sources.mjs';
 
-const MOST_LINES = 350;
+const MOST_LINES = 450;
 const REASON = 'This file is long because';
 
 const order = layout().get('src/starlogo');

@@ -47,7 +47,7 @@ package starlogo.geometry
          * The rule of touching: how far apart shapes may be, as a fraction of the sum of all six coordinates of where they are, without their signs, and
          * still touch, because these are rounded. It holds in every collision system, for agents that stand, that sweep, and for questions about two
          * agents; for the rounding of sizes there are TOUCHING, SURFACES and NESTING. It is written out, to the last bit, wherever it is needed: of
-         * Numbers that are passed to a function V8 makes objects. Mover and ExtentsTree make margins of it, which are wider. Below 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
+         * Numbers that are passed to a function V8 makes objects. Mover and RowTree make margins of it, which are wider. Below 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
          * Larger: far out, shapes with a gap between them collide.
          */
         public static const PLACES:Number = 6e-16;

@@ -4,6 +4,10 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.bounding.BoundingStructure;
     import starlogo.collision.Contact;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+
+    use namespace engine;
 
     /**
      * Answers questions about agents in space: who is near, who is nearest, who touches, as a collision system sees them: as spheres of their
@@ -41,13 +45,13 @@ package starlogo.queries
         public function AgentQueries(collisionOrSystem:Object)
         {
             _seen = new SeenAgents(collisionOrSystem);
-            var rows:FilteredRows = new FilteredRows(_seen);
+            var filters:FilteredRows = new FilteredRows(_seen);
             var answers:Answers = new Answers(_seen);
-            _places = new PlaceQuestions(_seen, rows, answers);
-            _touches = new TouchQuestions(_seen, rows, answers);
+            _places = new PlaceQuestions(_seen, filters, answers);
+            _touches = new TouchQuestions(_seen, filters, answers);
             _distances = new DistanceQuestions(_seen);
-            _rays = new RayQuestions(_seen, rows, answers);
-            _moves = new MoveQuestions(_seen, rows, answers);
+            _rays = new RayQuestions(_seen, filters, answers);
+            _moves = new MoveQuestions(_seen, filters, answers);
         }
 
         /**
@@ -88,7 +92,8 @@ package starlogo.queries
          */
         public function near(agent:Agent, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.near(agent, radius, filter, out);
+            var at:Placement = _seen.placeOf(agent);
+            return _places.list(agent, at.x, at.y, at.z, radius, FoundRows.ALL, filter, out);
         }
 
         /**
@@ -100,7 +105,8 @@ package starlogo.queries
          */
         public function countNear(agent:Agent, radius:Number, filter:AgentFilter = null):int
         {
-            return _places.countNear(agent, radius, filter);
+            var at:Placement = _seen.placeOf(agent);
+            return _places.count(agent, at.x, at.y, at.z, radius, filter);
         }
 
         /**
@@ -113,7 +119,30 @@ package starlogo.queries
          */
         public function nearest(agent:Agent, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return _places.nearest(agent, radius, filter);
+            var at:Placement = _seen.placeOf(agent);
+            return _places.nearest(agent, at.x, at.y, at.z, radius, filter);
+        }
+
+        /**
+         * Lists the agents that are nearest to an agent: the first of those that <code>near()</code> lists, found without listing them all.
+         *
+         * @param agent to which
+         * @param count how many, at most
+         * @param radius the greatest distance
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         * @throws ArgumentError if the agent is null
+         * @throws RangeError if count or radius is negative or not a number
+         */
+        public function nearestOf(agent:Agent, count:int, radius:Number = Infinity, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            if (count < 0)
+            {
+                throw new RangeError("count must not be negative: " + count);
+            }
+            var at:Placement = _seen.placeOf(agent);
+            return _places.list(agent, at.x, at.y, at.z, radius, count, filter, out);
         }
 
         /**
@@ -127,7 +156,8 @@ package starlogo.queries
          */
         public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return _places.nearPoint(point, radius, filter, out);
+            requirePoint(point);
+            return _places.list(null, point.x, point.y, point.z, radius, FoundRows.ALL, filter, out);
         }
 
         /**
@@ -139,7 +169,8 @@ package starlogo.queries
          */
         public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter = null):int
         {
-            return _places.countNearPoint(point, radius, filter);
+            requirePoint(point);
+            return _places.count(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**
@@ -152,7 +183,8 @@ package starlogo.queries
          */
         public function nearestToPoint(point:Vector3D, radius:Number = Infinity, filter:AgentFilter = null):Agent
         {
-            return _places.nearestToPoint(point, radius, filter);
+            requirePoint(point);
+            return _places.nearest(null, point.x, point.y, point.z, radius, filter);
         }
 
         /**
@@ -185,6 +217,18 @@ package starlogo.queries
         public function touching(agent:Agent, filter:AgentFilter = null, out:Vector.<Agent> = null):Vector.<Agent>
         {
             return _touches.touching(agent, filter, out);
+        }
+
+        /**
+         * Whether an agent touches any other: whether <code>touching()</code> would list one. It looks no further than to the first.
+         *
+         * @param agent which; its shape is of now too
+         * @param filter which agents count; null for all. <code>accepts</code> is asked of those that it touches, the nearest first
+         * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
+         */
+        public function touchesAny(agent:Agent, filter:AgentFilter = null):Boolean
+        {
+            return _touches.touchesAny(agent, filter);
         }
 
         /**
@@ -331,6 +375,18 @@ package starlogo.queries
             _moves.aim(dx, dy, dz);
             _moves.move(agent, filter, null, true);
             return _moves.part;
+        }
+
+        private static function requirePoint(point:Vector3D):void
+        {
+            if (point == null)
+            {
+                throw new ArgumentError("a point is needed, not null");
+            }
+            if (!isFinite(point.x) || !isFinite(point.y) || !isFinite(point.z))
+            {
+                throw new RangeError("a point must be finite: " + point);
+            }
         }
     }
 }

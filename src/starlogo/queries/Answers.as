@@ -6,7 +6,7 @@ package starlogo.queries
     use namespace engine;
 
     /**
-     * Makes the answer of what a search has found: in the order of distance, without the agents that a filter's <code>accepts</code> refuses. That
+     * Lists the agents whose rows a search has found: in the order of distance, without those that a filter's <code>accepts</code> refuses. That
      * is asked when the search is over, so that it may ask questions of its own.
      *
      * @private
@@ -14,7 +14,6 @@ package starlogo.queries
     public final class Answers
     {
         private var _seen:SeenAgents;
-        private var _order:DistanceOrder = new DistanceOrder();
 
         // By how many questions are under way: the agents that accepts is asked of.
         private var _asked:Vector.<Vector.<Agent>> = new Vector.<Vector.<Agent>>();
@@ -28,23 +27,21 @@ package starlogo.queries
         /**
          * Lists what a search has found.
          *
-         * @param members what it has found; gets sorted
-         * @param squares the squared distances of these
-         * @param count how many
+         * @param found gets sorted
          * @param filter of which accepts has not been asked yet; null for none
          * @param out takes the list; null for a new one
          * @return out
          */
-        public function list(members:Vector.<int>, squares:Vector.<Number>, count:int, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        public function list(found:FoundRows, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             var listed:Vector.<Agent> = out || new Vector.<Agent>();
-            _order.sort(members, squares, count);
+            found.sort();
             if (filter == null || filter.accepts == null)
             {
-                write(members, 0, count, listed);
+                write(found, 0, listed);
                 return listed;
             }
-            var accepted:Vector.<Agent> = keepAccepted(members, 0, count, filter.accepts, int.MAX_VALUE);
+            var accepted:Vector.<Agent> = keepAccepted(found, 0, filter.accepts, FoundRows.ALL);
             shorten(listed, accepted.length);
             for (var i:int = 0; i < accepted.length; i++)
             {
@@ -54,45 +51,23 @@ package starlogo.queries
             return listed;
         }
 
-        /** How many of those that a search has found are accepted; parameters as in list. */
-        public function countAccepted(members:Vector.<int>, squares:Vector.<Number>, count:int, accepts:Function):int
-        {
-            _order.sort(members, squares, count);
-            return keepAccepted(members, 0, count, accepts, int.MAX_VALUE).length;
-        }
-
         /**
-         * The first that is accepted of those that a search has found, or null.
+         * Asks of agents that a search has found, in their order, whether they are accepted.
          *
-         * @param members what it has found; gets sorted
-         * @param squares the squared distances of these
-         * @param first how many, in the order of distance, are known to be refused
-         * @param count how many there are
+         * @param found has their rows
+         * @param first how many of the first are not asked
          * @param accepts decides
-         */
-        public function firstAccepted(members:Vector.<int>, squares:Vector.<Number>, first:int, count:int, accepts:Function):Agent
-        {
-            _order.sort(members, squares, count);
-            var accepted:Vector.<Agent> = keepAccepted(members, first, count, accepts, 1);
-            return accepted.length > 0 ? accepted[0] : null;
-        }
-
-        /**
-         * Those that are accepted of some members, in their order.
-         *
-         * @param first how many are known to be refused
-         * @param count how many there are
          * @param most when so many are accepted no more are asked
-         * @return overwritten by the next call
+         * @return those that are accepted; overwritten by the next call
          */
-        public function keepAccepted(members:Vector.<int>, first:int, count:int, accepts:Function, most:int):Vector.<Agent>
+        public function keepAccepted(found:FoundRows, first:int, accepts:Function, most:int):Vector.<Agent>
         {
             if (_seen.asking == _asked.length)
             {
                 _asked.push(new Vector.<Agent>());
             }
             var asked:Vector.<Agent> = _asked[_seen.asking];
-            write(members, first, count, asked);
+            write(found, first, asked);
             _seen.asking++;
             try
             {
@@ -120,19 +95,20 @@ package starlogo.queries
             shorten(asked, kept);
         }
 
-        private function write(members:Vector.<int>, first:int, count:int, out:Vector.<Agent>):void
+        private function write(found:FoundRows, first:int, out:Vector.<Agent>):void
         {
             var agents:Vector.<Agent> = _seen.table.agents;
-            var rows:Vector.<int> = _seen.table.rows;
+            var rows:Vector.<int> = found.rows;
+            var count:int = found.count;
             shorten(out, count - first);
             for (var i:int = first; i < count; i++)
             {
-                out[i - first] = agents[rows[members[i]]];
+                out[int(i - first)] = agents[rows[i]];
             }
         }
 
-        // One by one: of an array whose length is set to less, V8 gives up the store.
-        private static function shorten(list:Vector.<Agent>, length:int):void
+        /** Makes a list shorter, one by one: of an array whose length is set to less, V8 gives up the store. */
+        public static function shorten(list:Vector.<Agent>, length:int):void
         {
             while (list.length > length)
             {

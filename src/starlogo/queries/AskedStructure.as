@@ -32,8 +32,16 @@ package starlogo.queries
         /** @copy #x */
         public var z:Number = 0;
 
-        /** Its extents: least x, greatest x, least y, ... */
-        public var extents:Vector.<Number> = new Vector.<Number>(6, true);
+        /** Half its length along x. */
+        public var halfX:Number = 0;
+
+        /** Half its length along y. */
+        public var halfY:Number = 0;
+
+        /** Half its length along z. */
+        public var halfZ:Number = 0;
+
+        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // By kind: as wide as it is for touching; with its middle at the origin of a space that is placed where it is.
         private var _inWorld:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
@@ -64,6 +72,7 @@ package starlogo.queries
             {
                 throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
             }
+            var extents:Vector.<Number> = _extents;
             structure.extentsInto(extents);
             for (var i:int = 0; i < 6; i++)
             {
@@ -72,6 +81,9 @@ package starlogo.queries
                     throw new RangeError("a structure must be finite: " + structure);
                 }
             }
+            halfX = (extents[1] - extents[0]) / 2;
+            halfY = (extents[3] - extents[2]) / 2;
+            halfZ = (extents[5] - extents[4]) / 2;
             _kind = structure.kind;
             findMiddle(structure);
             _placement.x = x;

@@ -83,9 +83,8 @@ package starlogo.queries
         }
 
         /** @inheritDoc */
-        override public function accepts(member:int):Boolean
+        override public function accepts(row:int):Boolean
         {
-            var row:int = _table.rows[member];
             if (_excepts && _excepted[row] == _question)
             {
                 return false;

@@ -18,7 +18,7 @@ package starlogo.queries
         public var part:Number = 1;
 
         private var _seen:SeenAgents;
-        private var _rows:FilteredRows;
+        private var _filters:FilteredRows;
         private var _answers:Answers;
         private var _mover:Mover = null;
 
@@ -26,21 +26,22 @@ package starlogo.queries
         private var _dy:Number = 0;
         private var _dz:Number = 0;
 
-        // What is near the way: members, all with a squared distance of 0, and those that count as agents and as rows.
-        private var _members:Vector.<int> = new Vector.<int>();
-        private var _squares:Vector.<Number> = new Vector.<Number>();
+        // What is near the way, with a squared distance of 0, and of these the agents that count.
+        private var _search:WaySearch = new WaySearch();
+        private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * @param seen the agents that are asked about
-         * @param rows applies filters to them
+         * @param filters applies filters to them
          * @param answers asks the rest of the filters
          */
-        public function MoveQuestions(seen:SeenAgents, rows:FilteredRows, answers:Answers)
+        public function MoveQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
         {
             _seen = seen;
-            _rows = rows;
+            _filters = filters;
             _answers = answers;
+            _found = new FoundRows(seen);
         }
 
         /** Sets the motion of the next question: an object would be made of each Number that is given to a longer function. */
@@ -109,37 +110,28 @@ package starlogo.queries
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
-            var count:int = 0;
+            _found.begin(FoundRows.ALL, Infinity, _seen.rowOf(agent), _filters.of(filter));
             if (table.shapes[row] != null)
             {
-                var tree:ExtentsTree = _seen.extents;
-                var test:RowTest = _rows.of(filter);
-                var own:int = _seen.memberOf(agent);
-                tree.setBox(row);
-                var length:Number = Math.sqrt(_dx * _dx + _dy * _dy + _dz * _dz);
-                tree.directionX = isAnywhere ? length : _dx;
-                tree.directionY = isAnywhere ? length : _dy;
-                tree.directionZ = isAnywhere ? length : _dz;
-                tree.extendBox();
+                _seen.beginWay(_search, row);
                 if (isAnywhere)
                 {
-                    tree.directionX = tree.directionY = tree.directionZ = -length;
-                    tree.extendBox();
+                    _search.widen(Math.sqrt(_dx * _dx + _dy * _dy + _dz * _dz));
                 }
-                var near:int = tree.findOverlapping();
-                for (var i:int = 0; i < near; i++)
+                else
                 {
-                    var member:int = tree.found[i];
-                    if (member != own && (test == null || test.accepts(member)))
+                    _search.moveAlong(_dx, _dy, _dz, 1);
+                }
+                for (var other:int = _search.next(); other >= 0; other = _search.next())
+                {
+                    if (_found.wants(other))
                     {
-                        _members[count] = member;
-                        _squares[count] = 0;
-                        count++;
+                        _found.add(other, 0);
                     }
                 }
             }
             table.endGuests();
-            _answers.list(_members, _squares, count, filter, _agents);
+            _answers.list(_found, filter, _agents);
         }
     }
 }

@@ -1,71 +1,88 @@
 package starlogo.queries
 {
-    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
 
     use namespace engine;
 
     /**
-     * The questions about where agents are: which are near, and which is the nearest.
+     * The questions about where agents are: which are near a place, and which are the nearest.
      *
      * @private
      */
     public final class PlaceQuestions
     {
-        // How much farther, squared, those are that are asked at once after all that are nearer have been refused.
-        private static const FARTHER:Number = 4;
+        // How many times as many agents are looked for if too few of the nearest are accepted.
+        private static const MORE:int = 4;
 
         private var _seen:SeenAgents;
-        private var _rows:FilteredRows;
+        private var _filters:FilteredRows;
         private var _answers:Answers;
+        private var _search:NearSearch = new NearSearch();
+        private var _found:FoundRows;
+        private var _cone:Cone = new Cone();
+        private var _nearest:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * @param seen the agents that are asked about
-         * @param rows applies filters to them
+         * @param filters applies filters to them
          * @param answers makes the lists
          */
-        public function PlaceQuestions(seen:SeenAgents, rows:FilteredRows, answers:Answers)
+        public function PlaceQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
         {
             _seen = seen;
-            _rows = rows;
+            _filters = filters;
             _answers = answers;
+            _found = new FoundRows(seen);
         }
 
-        /** As AgentQueries.near. */
-        public function near(agent:Agent, radius:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        /**
+         * Lists the agents that are near a place.
+         *
+         * @param asker is not in the list; or null
+         * @param x the place
+         * @param y likewise
+         * @param z likewise
+         * @param radius the greatest distance
+         * @param most how many of the nearest are wanted; or FoundRows.ALL
+         * @param filter which agents count; null for all
+         * @param out takes the list; null for a new one
+         * @return out
+         */
+        public function list(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            return list(within(_seen.placesAbout(agent), radius), filter, out);
+            if (most < FoundRows.ALL && filter != null && filter.accepts != null)
+            {
+                return listAccepted(asker, x, y, z, radius, most, filter, out || new Vector.<Agent>());
+            }
+            find(asker, x, y, z, radius, most, _filters.of(filter));
+            return _answers.list(_found, filter, out);
         }
 
-        /** As AgentQueries.nearPoint. */
-        public function nearPoint(point:Vector3D, radius:Number, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        /** Counts the agents that are near a place; parameters as in list. */
+        public function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
-            return list(within(placesAt(point), radius), filter, out);
+            var accepts:Function = filter == null ? null : filter.accepts;
+            find(asker, x, y, z, radius, accepts == null ? FoundRows.NUMBER : FoundRows.ALL, _filters.of(filter));
+            if (accepts == null)
+            {
+                return _found.count;
+            }
+            _found.sort();
+            return _answers.keepAccepted(_found, 0, accepts, FoundRows.ALL).length;
         }
 
-        /** As AgentQueries.countNear. */
-        public function countNear(agent:Agent, radius:Number, filter:AgentFilter):int
+        /** The agent that is nearest to a place, or null; parameters as in list. */
+        public function nearest(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):Agent
         {
-            return count(within(_seen.placesAbout(agent), radius), filter);
-        }
-
-        /** As AgentQueries.countNearPoint. */
-        public function countNearPoint(point:Vector3D, radius:Number, filter:AgentFilter):int
-        {
-            return count(within(placesAt(point), radius), filter);
-        }
-
-        /** As AgentQueries.nearest. */
-        public function nearest(agent:Agent, radius:Number, filter:AgentFilter):Agent
-        {
-            return find(within(_seen.placesAbout(agent), radius), filter);
-        }
-
-        /** As AgentQueries.nearestToPoint. */
-        public function nearestToPoint(point:Vector3D, radius:Number, filter:AgentFilter):Agent
-        {
-            return find(within(placesAt(point), radius), filter);
+            if (filter != null && filter.accepts != null)
+            {
+                listAccepted(asker, x, y, z, radius, 1, filter, _nearest);
+                return _nearest.length > 0 ? _nearest.pop() : null;
+            }
+            find(asker, x, y, z, radius, 1, _filters.of(filter));
+            return _found.count > 0 ? _seen.table.agents[_found.rows[0]] : null;
         }
 
         /** As AgentQueries.inCone. */
@@ -75,118 +92,52 @@ package starlogo.queries
             {
                 throw new RangeError("degrees must not be negative: " + degrees);
             }
-            var places:PlaceTree = within(_seen.placesAbout(agent), radius);
-            var count:int = places.findNear(_rows.of(filter));
+            var at:Placement = _seen.placeOf(agent);
+            var test:RowTest = _filters.of(filter);
             if (degrees < 360)
             {
-                places.coneAngle = degrees / 2;
-                count = places.keepInCone(agent.worldPlacement(), count);
+                test = _cone.setTo(agent.worldPlacement(), degrees / 2, _seen.table, test);
             }
-            return _answers.list(places.found, places.squares, count, filter, out);
+            find(agent, at.x, at.y, at.z, radius, FoundRows.ALL, test);
+            return _answers.list(_found, filter, out);
         }
 
-        private function placesAt(point:Vector3D):PlaceTree
-        {
-            if (point == null)
-            {
-                throw new ArgumentError("a point is needed, not null");
-            }
-            if (!isFinite(point.x) || !isFinite(point.y) || !isFinite(point.z))
-            {
-                throw new RangeError("a point must be finite: " + point);
-            }
-            var places:PlaceTree = _seen.places;
-            places.x = point.x;
-            places.y = point.y;
-            places.z = point.z;
-            return places;
-        }
-
-        private static function within(places:PlaceTree, radius:Number):PlaceTree
+        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, test:RowTest):void
         {
             if (!(radius >= 0))
             {
                 throw new RangeError("radius must not be negative: " + radius);
             }
-            places.limit = radius * radius;
-            return places;
+            _found.begin(most, radius * radius, asker == null ? -1 : _seen.rowOf(asker), test);
+            _search.find(_seen.findPlaces(), x, y, z, _found);
         }
 
-        private function list(places:PlaceTree, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
+        // Asks of some of the nearest, then of those that come after them. The filter may ask questions of its own.
+        private function listAccepted(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            var count:int = places.findNear(_rows.of(filter));
-            return _answers.list(places.found, places.squares, count, filter, out);
-        }
-
-        private function count(places:PlaceTree, filter:AgentFilter):int
-        {
-            var test:RowTest = _rows.of(filter);
-            if (filter == null || filter.accepts == null)
+            var kept:int = 0;
+            var asked:int = 0;
+            var wanted:int = most;
+            while (kept < most)
             {
-                return places.countNear(test);
-            }
-            return _answers.countAccepted(places.found, places.squares, places.findNear(test), filter.accepts);
-        }
-
-        private function find(places:PlaceTree, filter:AgentFilter):Agent
-        {
-            var member:int = places.findNearest(_rows.of(filter));
-            if (member < 0)
-            {
-                return null;
-            }
-            if (filter == null || filter.accepts == null)
-            {
-                return _seen.agentOf(member);
-            }
-            return findAccepted(places, filter, member);
-        }
-
-        // Asks of the nearest, then of those that are up to twice as far, and so on. The filter may ask questions of the same tree.
-        private function findAccepted(places:PlaceTree, filter:AgentFilter, member:int):Agent
-        {
-            var x:Number = places.x;
-            var y:Number = places.y;
-            var z:Number = places.z;
-            var limit:Number = places.limit;
-            var skipped:int = places.skipped;
-            var square:Number = places.squareOf(member);
-            places.found[0] = member;
-            places.squares[0] = square;
-            var accepted:Agent = _answers.firstAccepted(places.found, places.squares, 0, 1, filter.accepts);
-            var asked:int = 1;
-            while (accepted == null)
-            {
-                places = _seen.places;
-                places.x = x;
-                places.y = y;
-                places.z = z;
-                places.skipped = skipped;
-                places.limit = limit;
-                if (FARTHER * square < limit)
+                find(asker, x, y, z, radius, wanted, _filters.of(filter));
+                _found.sort();
+                var found:int = _found.count;
+                var accepted:Vector.<Agent> = _answers.keepAccepted(_found, asked, filter.accepts, most - kept);
+                for (var i:int = 0; i < accepted.length; i++)
                 {
-                    places.limit = FARTHER * square;
+                    out[kept] = accepted[i];
+                    kept++;
                 }
-                var found:int = places.findNear(_rows.of(filter));
-                if (found > asked)
-                {
-                    square = places.limit;
-                    accepted = _answers.firstAccepted(places.found, places.squares, asked, found, filter.accepts);
-                    asked = found;
-                    continue;
-                }
-                // the nearest of those that are beyond
-                places.beyond = places.limit;
-                places.limit = limit;
-                member = places.findNearest(_rows.of(filter));
-                places.beyond = -1;
-                if (member < 0)
+                if (found < wanted)
                 {
                     break;
                 }
-                square = places.squareOf(member);
+                asked = found;
+                wanted = MORE * wanted;
             }
-            return accepted;
+            Answers.shorten(out, kept);
+            return out;
         }
     }
 }

@@ -2,7 +2,6 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.intersection.ray.Ray;
     import starlogo.search.AgentTable;
@@ -17,20 +16,20 @@ package starlogo.queries
     public final class RayQuestions
     {
         private var _seen:SeenAgents;
-        private var _rows:FilteredRows;
+        private var _filters:FilteredRows;
         private var _answers:Answers;
-        private var _order:DistanceOrder = new DistanceOrder();
+        private var _search:WaySearch = new WaySearch();
         private var _rays:RowRays = new RowRays();
 
-        // Members that do not count.
+        // Which rows count: two do not, and others if the test says so.
+        private var _test:RowTest = null;
         private var _except:int = -1;
         private var _exceptToo:int = -1;
 
-        // What the ray meets: the members, how far along it, and the normals there; by member, where it is among these.
-        private var _found:Vector.<int> = new Vector.<int>();
-        private var _distances:Vector.<Number> = new Vector.<Number>();
-        private var _normals:Vector.<Number> = new Vector.<Number>();
-        private var _normalOf:Vector.<int> = new Vector.<int>();
+        // What the ray meets, with the distances themselves; the hits in the order in which they are found; by row: the number of its hit.
+        private var _found:FoundRows;
+        private var _hits:Vector.<RayHit> = new Vector.<RayHit>();
+        private var _hitOf:Vector.<int> = new Vector.<int>();
 
         // By how many questions are under way: the hits of which accepts is asked. Hits that lists have no use for at present.
         private var _asked:Vector.<Vector.<RayHit>> = new Vector.<Vector.<RayHit>>();
@@ -43,47 +42,48 @@ package starlogo.queries
 
         /**
          * @param seen the agents that are asked about
-         * @param rows applies filters to them
+         * @param filters applies filters to them
          * @param answers asks the rest of the filters
          */
-        public function RayQuestions(seen:SeenAgents, rows:FilteredRows, answers:Answers)
+        public function RayQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
         {
             _seen = seen;
-            _rows = rows;
+            _filters = filters;
             _answers = answers;
+            _found = new FoundRows(seen);
         }
 
         /** As AgentQueries.cast. */
         public function cast(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, hit:RayHit):RayHit
         {
-            _rays.ray.aim(origin, direction);
-            _rays.limit = maxDistance;
-            begin();
+            begin(origin, direction, maxDistance, filter);
             if (filter != null && filter.accepts != null)
             {
                 return findAccepted(filter, hit);
             }
-            var member:int = findFirst(_rows.of(filter));
-            if (member < 0)
+            var first:int = -1;
+            for (var row:int = next(); row >= 0; row = next())
             {
-                return null;
+                if (first < 0 || _rays.distance < hit.distance || _seen.ranks[row] < _seen.ranks[first])
+                {
+                    first = row;
+                    hit ||= new RayHit();
+                    write(row, hit);
+                    _search.limit = _rays.limit = _rays.distance;
+                }
             }
-            hit ||= new RayHit();
-            write(hit, member, 0, 0);
-            return hit;
+            return first < 0 ? null : hit;
         }
 
         /** As AgentQueries.castAll. */
         public function castAll(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter, out:Vector.<RayHit>):Vector.<RayHit>
         {
-            _rays.ray.aim(origin, direction);
-            _rays.limit = maxDistance;
-            begin();
+            begin(origin, direction, maxDistance, filter);
             var hits:Vector.<RayHit> = out || new Vector.<RayHit>();
-            list(_rows.of(filter), hits);
+            list(hits);
             if (filter != null && filter.accepts != null)
             {
-                setLength(hits, keepAccepted(hits, filter.accepts, int.MAX_VALUE));
+                setLength(hits, keepAccepted(hits, filter.accepts, FoundRows.ALL));
             }
             return hits;
         }
@@ -100,18 +100,16 @@ package starlogo.queries
                 // whatever is there
                 _towards.z = 1;
             }
-            _rays.ray.aim(_middle, _towards);
-            _rays.limit = distance;
-            begin();
-            _except = _seen.memberOf(a);
-            _exceptToo = _seen.memberOf(b);
+            begin(_middle, _towards, distance, filter);
+            _except = _seen.rowOf(a);
+            _exceptToo = _seen.rowOf(b);
             if (filter != null && filter.accepts != null)
             {
                 var isBlocked:Boolean = findAccepted(filter, _blocking) != null;
                 _blocking.agent = null;
                 return !isBlocked;
             }
-            return next(_rows.of(filter)) < 0;
+            return next() < 0;
         }
 
         // Where the middle of an agent's extents is now; its place while its model is loading.
@@ -119,123 +117,73 @@ package starlogo.queries
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
-            // field by field: of Numbers that it passes V8 makes objects
             if (table.shapes[row] == null)
             {
-                out.x = agent.x;
-                out.y = agent.y;
-                out.z = agent.z;
+                out.setTo(agent.x, agent.y, agent.z);
             }
             else
             {
-                out.x = table.extents.x[row];
-                out.y = table.extents.y[row];
-                out.z = table.extents.z[row];
+                out.setTo(table.extents.x[row], table.extents.y[row], table.extents.z[row]);
             }
             table.endGuests();
         }
 
-        // Begins with the ray that is aimed, up to the limit that is set, and the boxes that it meets.
-        private function begin():void
+        private function begin(origin:Vector3D, direction:Vector3D, maxDistance:Number, filter:AgentFilter):void
         {
-            _rays.begin(_seen.table, _seen.strategy);
-            _except = _exceptToo = -1;
-            var boxes:ExtentsTree = _seen.extents;
             var ray:Ray = _rays.ray;
-            boxes.x = ray.x;
-            boxes.y = ray.y;
-            boxes.z = ray.z;
-            boxes.directionX = ray.directionX;
-            boxes.directionY = ray.directionY;
-            boxes.directionZ = ray.directionZ;
-            boxes.limit = _rays.limit;
-            boxes.beginRay();
+            ray.aim(origin, direction);
+            _rays.limit = maxDistance;
+            _rays.begin(_seen.table, _seen.strategy);
+            _test = _filters.of(filter);
+            _except = _exceptToo = -1;
+            _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
+            _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
         }
 
-        // The next member that the ray meets, or -1; those that are excluded cost no test.
-        private function next(test:RowTest):int
+        // The next row that counts and that the ray meets, or -1.
+        private function next():int
         {
-            var rows:Vector.<int> = _seen.table.rows;
-            var boxes:ExtentsTree = _seen.extents;
-            var member:int = boxes.nextOnRay();
-            while (member >= 0)
+            var row:int = _search.next();
+            while (row >= 0 && (row == _except || row == _exceptToo || (_test != null && !_test.accepts(row)) || !_rays.meets(row)))
             {
-                if (member != _except && member != _exceptToo && (test == null || test.accepts(member)) && _rays.meets(rows[member]))
-                {
-                    return member;
-                }
-                member = boxes.nextOnRay();
+                row = _search.next();
             }
-            return -1;
-        }
-
-        // The member that is met first, of several the first in the list; its distance and normal are the first of the columns.
-        private function findFirst(test:RowTest):int
-        {
-            var boxes:ExtentsTree = _seen.extents;
-            var first:int = -1;
-            var member:int = next(test);
-            while (member >= 0)
-            {
-                if (first < 0 || _rays.distance < _distances[0] || member < first)
-                {
-                    first = member;
-                    note(0);
-                    boxes.limit = _rays.limit = _rays.distance;
-                }
-                member = next(test);
-            }
-            return first;
+            return row;
         }
 
         // Lists every hit, but for accepts.
-        private function list(test:RowTest, out:Vector.<RayHit>):void
+        private function list(out:Vector.<RayHit>):void
         {
-            var count:int = 0;
-            if (_normalOf.length < _seen.count)
+            _found.begin(FoundRows.ALL, Infinity, -1, null);
+            _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
+            for (var row:int = next(); row >= 0; row = next())
             {
-                _normalOf.length = _seen.count;
+                var count:int = _found.count;
+                if (count == _hits.length)
+                {
+                    _hits.push(new RayHit());
+                }
+                write(row, _hits[count]);
+                _hitOf[row] = count;
+                _found.add(row, _rays.distance);
             }
-            var member:int = next(test);
-            while (member >= 0)
+            _found.sort();
+            setLength(out, _found.count);
+            for (var i:int = 0; i < out.length; i++)
             {
-                _found[count] = member;
-                _normalOf[member] = count;
-                note(count);
-                count++;
-                member = next(test);
-            }
-            _order.sort(_found, _distances, count);
-            setLength(out, count);
-            for (var i:int = 0; i < count; i++)
-            {
-                write(out[i], _found[i], i, _normalOf[_found[i]]);
+                copy(_hits[_hitOf[_found.rows[i]]], out[i]);
             }
         }
 
-        // Keeps the distance and the normal of what was met last.
-        private function note(at:int):void
+        // How the ray meets a row, which it met last.
+        private function write(row:int, hit:RayHit):void
         {
-            _distances[at] = _rays.distance;
-            at *= 3;
-            _normals[at] = _rays.normalX;
-            _normals[int(at + 1)] = _rays.normalY;
-            _normals[int(at + 2)] = _rays.normalZ;
-        }
-
-        private function write(hit:RayHit, member:int, at:int, normal:int):void
-        {
-            var distance:Number = _distances[at];
             var ray:Ray = _rays.ray;
-            hit.agent = _seen.agentOf(member);
+            var distance:Number = _rays.distance;
+            hit.agent = _seen.table.agents[row];
             hit.distance = distance;
-            hit.point.x = ray.x + distance * ray.directionX;
-            hit.point.y = ray.y + distance * ray.directionY;
-            hit.point.z = ray.z + distance * ray.directionZ;
-            normal *= 3;
-            hit.normal.x = _normals[normal];
-            hit.normal.y = _normals[int(normal + 1)];
-            hit.normal.z = _normals[int(normal + 2)];
+            hit.point.setTo(ray.x + distance * ray.directionX, ray.y + distance * ray.directionY, ray.z + distance * ray.directionZ);
+            hit.normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
         }
 
         // Gives a list so many hits; those that it has no use for are kept for others. One by one, as in Answers.shorten.
@@ -273,12 +221,12 @@ package starlogo.queries
         // Asks accepts of the hits, the nearest first, until one is accepted: copies that one.
         private function findAccepted(filter:AgentFilter, hit:RayHit):RayHit
         {
-            if (_seen.asking == _asked.length)
+            while (_seen.asking >= _asked.length)
             {
                 _asked.push(new Vector.<RayHit>());
             }
             var hits:Vector.<RayHit> = _asked[_seen.asking];
-            list(_rows.of(filter), hits);
+            list(hits);
             var isAccepted:Boolean = keepAccepted(hits, filter.accepts, 1) > 0;
             if (isAccepted)
             {
@@ -292,7 +240,7 @@ package starlogo.queries
         // Puts those hits first, of the list that was made last, that accepts says yes to, until these are so many; returns how many.
         private function keepAccepted(hits:Vector.<RayHit>, accepts:Function, most:int):int
         {
-            var accepted:Vector.<Agent> = _answers.keepAccepted(_found, 0, hits.length, accepts, most);
+            var accepted:Vector.<Agent> = _answers.keepAccepted(_found, 0, accepts, most);
             var kept:int = 0;
             for (var i:int = 0; i < hits.length && kept < accepted.length; i++)
             {

@@ -3,7 +3,7 @@ package starlogo.queries
     import flash.errors.IllegalOperationError;
 
     /**
-     * Says which rows of a list count in a search. A class rather than an interface because calls through an interface cost half as much again.
+     * Says which rows count in a search. A class rather than an interface because calls through an interface cost half as much again.
      *
      * @private
      */
@@ -14,8 +14,8 @@ package starlogo.queries
         {
         }
 
-        /** Whether a row counts. @param member its number in the list */
-        public function accepts(member:int):Boolean
+        /** Whether a row counts. */
+        public function accepts(row:int):Boolean
         {
             throw new IllegalOperationError(this + " does not implement accepts");
         }

@@ -2,6 +2,7 @@ package starlogo.queries
 {
     import flash.errors.IllegalOperationError;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Extents;
     import starlogo.collision.Collider;
     import starlogo.collision.Collision;
     import starlogo.engine;
@@ -16,37 +17,28 @@ package starlogo.queries
      * What questions see of the agents of a list, as a collision system sees them: a table of their own, with trees of the places and of the
      * extents, which are made when a question first needs them.
      *
-     * <p>Within questions agents are numbers of the list, called members: <code>table.rows</code> has their rows.</p>
-     *
      * @private
      */
     public final class SeenAgents
     {
-        // After so many moves for each agent the trees are made anew: their boxes have grown.
-        private static const MOVES:Number = 0.5;
-
         /** The agents; read-only for questions. */
         public var table:AgentTable;
 
         /** Says how rows look and which touch: the collision system's own, with its settings. */
         public var strategy:ShapeStrategy;
 
-        /** Counts the lists and the moves: while it stays, all is as it was. */
-        public var revision:int = 0;
+        /** By row: the place of its agent in the list. */
+        public var ranks:Vector.<int> = new Vector.<int>();
 
         /** Counts questions under way whose filters are being asked: the list may not change. */
         public var asking:int = 0;
 
         private var _source:Object;
         private var _system:Object;
-        private var _places:PlaceTree = new PlaceTree();
-        private var _extents:ExtentsTree = new ExtentsTree();
-        private var _placesAreStale:Boolean = true;
-        private var _extentsAreStale:Boolean = true;
-        private var _moves:int = 0;
+        private var _places:RowTree = new RowTree();
+        private var _extents:RowTree = new RowTree();
 
-        // By row: its number in the list of this number.
-        private var _members:Vector.<int> = new Vector.<int>();
+        // The list that ranks are of.
         private var _listNumber:int = -1;
 
         /**
@@ -60,12 +52,6 @@ package starlogo.queries
             strategy = collider.strategy;
             table = tableFor(collider);
             _system = collider;
-        }
-
-        /** How many agents there are. */
-        public function get count():int
-        {
-            return table.count;
         }
 
         /** As AgentQueries.update. */
@@ -89,90 +75,68 @@ package starlogo.queries
             next.read(agents);
             if (next !== table || next.listNumber != _listNumber)
             {
-                numberMembers(next);
+                findRanks(next);
             }
             table = next;
             strategy = collider.strategy;
             _system = collider;
-            _placesAreStale = _extentsAreStale = true;
-            revision++;
+            _places.isStale = _extents.isStale = true;
         }
 
         /** As AgentQueries.moved. */
         public function moved(agent:Agent):void
         {
-            requireAgent(agent);
-            var row:int = table.rowOf(agent);
+            var row:int = rowOf(agent);
             if (row < 0)
             {
                 throw new ArgumentError(agent + " is not in the list of the last update");
             }
             table.readRow(row);
-            revision++;
-            _moves++;
-            if (_placesAreStale || _moves > MOVES * count)
-            {
-                _placesAreStale = _extentsAreStale = true;
-                return;
-            }
-            _places.x = table.x[row];
-            _places.y = table.y[row];
-            _places.z = table.z[row];
-            _places.move(_members[row]);
-            if (!_extentsAreStale)
-            {
-                _extents.move(_members[row]);
-            }
+            _places.move(row);
+            _extents.move(row);
         }
 
-        /** The agent that has a number in the list. */
-        public function agentOf(member:int):Agent
+        /** The row of an agent; -1 if it is not in the list. */
+        public function rowOf(agent:Agent):int
         {
-            return table.agents[table.rows[member]];
+            requireAgent(agent);
+            return table.rowOf(agent);
         }
 
-        /** The number in the list of an agent; -1 if it is not in it. */
-        public function memberOf(agent:Agent):int
+        /** Where an agent is now. */
+        public function placeOf(agent:Agent):Placement
         {
-            var row:int = table.rowOf(agent);
-            return row < 0 ? -1 : _members[row];
+            requireAgent(agent);
+            return agent.placement;
         }
 
-        /** The tree of the places, up to date. No row is skipped in it. */
-        public function get places():PlaceTree
+        /** Brings the tree of the places up to date. */
+        public function findPlaces():RowTree
         {
-            if (_placesAreStale)
+            if (_places.isStale)
             {
-                _places.build(table.x, table.y, table.z, table.rows, table.count);
-                _placesAreStale = false;
-                _moves = 0;
+                _places.build(table.rows, table.count, table.x, table.y, table.z);
             }
-            _places.skipped = -1;
             return _places;
         }
 
-        /** The tree of the places, for a question of an agent: about where it is now, without it. */
-        public function placesAbout(asker:Agent):PlaceTree
+        /** Brings the tree of the extents up to date; where a model is loading they mean nothing. */
+        public function findExtents():RowTree
         {
-            requireAgent(asker);
-            var tree:PlaceTree = places;
-            var placement:Placement = asker.placement;
-            tree.x = placement.x;
-            tree.y = placement.y;
-            tree.z = placement.z;
-            tree.skipped = memberOf(asker);
-            return tree;
-        }
-
-        /** The tree of the extents, up to date. */
-        public function get extents():ExtentsTree
-        {
-            if (_extentsAreStale)
+            if (_extents.isStale)
             {
-                _extents.build(places, table);
-                _extentsAreStale = false;
+                var of:Extents = table.extents;
+                _extents.build(table.rows, table.count, of.x, of.y, of.z, of.halfX, of.halfY, of.halfZ);
             }
             return _extents;
+        }
+
+        /** Begins a search among the extents with those of a row. */
+        public function beginWay(search:WaySearch, row:int):void
+        {
+            var tree:RowTree = findExtents();
+            var of:Extents = table.extents;
+            search.begin(tree, of.x[row], of.y[row], of.z[row], of.halfX[row], of.halfY[row], of.halfZ[row]);
         }
 
         /**
@@ -184,8 +148,7 @@ package starlogo.queries
          */
         public function rowOfNow(asker:Agent, guest:int = 0):int
         {
-            requireAgent(asker);
-            var row:int = table.rowOf(asker);
+            var row:int = rowOf(asker);
             if (row >= 0 && table.isOfNow(row))
             {
                 return row;
@@ -194,16 +157,12 @@ package starlogo.queries
             return guest;
         }
 
-        private function numberMembers(of:AgentTable):void
+        private function findRanks(of:AgentTable):void
         {
+            ranks.length = Math.max(ranks.length, of.agents.length);
             for (var i:int = 0; i < of.count; i++)
             {
-                var row:int = of.rows[i];
-                if (row >= _members.length)
-                {
-                    _members.length = row + 1 + (row >> 3);
-                }
-                _members[row] = i;
+                ranks[of.rows[i]] = i;
             }
             _listNumber = of.listNumber;
         }

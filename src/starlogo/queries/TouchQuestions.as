@@ -15,88 +15,87 @@ package starlogo.queries
     public final class TouchQuestions
     {
         private var _seen:SeenAgents;
-        private var _rows:FilteredRows;
+        private var _filters:FilteredRows;
         private var _answers:Answers;
+        private var _search:WaySearch = new WaySearch();
+        private var _found:FoundRows;
         private var _structure:AskedStructure = new AskedStructure();
-        private var _found:Vector.<int> = new Vector.<int>();
-        private var _squares:Vector.<Number> = new Vector.<Number>();
 
         /**
          * @param seen the agents that are asked about
-         * @param rows applies filters to them
+         * @param filters applies filters to them
          * @param answers makes the lists
          */
-        public function TouchQuestions(seen:SeenAgents, rows:FilteredRows, answers:Answers)
+        public function TouchQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
         {
             _seen = seen;
-            _rows = rows;
+            _filters = filters;
             _answers = answers;
+            _found = new FoundRows(seen);
         }
 
         /** As AgentQueries.touching. */
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            var row:int = _seen.rowOfNow(agent);
-            var count:int = 0;
-            if (_seen.table.shapes[row] != null)
+            findTouching(agent, filter, FoundRows.ALL);
+            return _answers.list(_found, filter, out);
+        }
+
+        /** As AgentQueries.touchesAny. */
+        public function touchesAny(agent:Agent, filter:AgentFilter):Boolean
+        {
+            if (filter == null || filter.accepts == null)
             {
-                count = findTouching(agent, row, _rows.of(filter));
+                findTouching(agent, filter, 1);
+                return _found.count > 0;
             }
-            _seen.table.endGuests();
-            return _answers.list(_found, _squares, count, filter, out);
+            findTouching(agent, filter, FoundRows.ALL);
+            _found.sort();
+            return _answers.keepAccepted(_found, 0, filter.accepts, 1).length > 0;
         }
 
         /** As AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            _structure.setTo(structure);
-            var tree:ExtentsTree = _seen.extents;
-            var places:PlaceTree = _seen.places;
-            var test:RowTest = _rows.of(filter);
-            var table:AgentTable = _seen.table;
-            places.x = _structure.x;
-            places.y = _structure.y;
-            places.z = _structure.z;
-            tree.setBoxTo(_structure.extents);
-            var near:int = tree.findOverlapping();
-            var count:int = 0;
-            for (var i:int = 0; i < near; i++)
-            {
-                var member:int = tree.found[i];
-                if ((test == null || test.accepts(member)) && _structure.touches(table, table.rows[member], _seen.strategy))
-                {
-                    _found[count] = member;
-                    _squares[count] = places.squareOf(member);
-                    count++;
-                }
-            }
-            return _answers.list(_found, _squares, count, filter, out);
+            var of:AskedStructure = _structure;
+            of.setTo(structure);
+            _found.begin(FoundRows.ALL, Infinity, -1, _filters.of(filter));
+            _search.begin(_seen.findExtents(), of.x, of.y, of.z, of.halfX, of.halfY, of.halfZ);
+            collect(-1, of.x, of.y, of.z);
+            return _answers.list(_found, filter, out);
         }
 
-        private function findTouching(agent:Agent, row:int, test:RowTest):int
+        private function findTouching(agent:Agent, filter:AgentFilter, most:int):void
         {
-            var tree:ExtentsTree = _seen.extents;
-            var places:PlaceTree = _seen.placesAbout(agent);
-            var table:AgentTable = _seen.table;
-            tree.setBox(row);
-            var near:int = tree.findOverlapping();
-            var count:int = 0;
-            for (var i:int = 0; i < near; i++)
+            var row:int = _seen.rowOfNow(agent);
+            _found.begin(most, Infinity, _seen.rowOf(agent), _filters.of(filter));
+            if (_seen.table.shapes[row] != null)
             {
-                var member:int = tree.found[i];
-                if (member == places.skipped || (test != null && !test.accepts(member)))
+                _seen.beginWay(_search, row);
+                collect(row, agent.placement.x, agent.placement.y, agent.placement.z);
+            }
+            _seen.table.endGuests();
+        }
+
+        // Takes the rows that count and touch a row, or the structure if it is -1, with their distances from a place.
+        private function collect(row:int, x:Number, y:Number, z:Number):void
+        {
+            var table:AgentTable = _seen.table;
+            var found:FoundRows = _found;
+            for (var other:int = _search.next(); other >= 0 && found.count < found.most; other = _search.next())
+            {
+                if (table.shapes[other] == null || !found.wants(other))
                 {
                     continue;
                 }
-                var other:int = table.rows[member];
-                if (_seen.strategy.areTouching(table, row, other))
+                if (row < 0 ? _structure.touches(table, other, _seen.strategy) : _seen.strategy.areTouching(table, row, other))
                 {
-                    _found[count] = member;
-                    _squares[count] = places.squareOf(member);
-                    count++;
+                    var toX:Number = table.x[other] - x;
+                    var toY:Number = table.y[other] - y;
+                    var toZ:Number = table.z[other] - z;
+                    found.add(other, toX * toX + toY * toY + toZ * toZ);
                 }
             }
-            return count;
         }
     }
 }

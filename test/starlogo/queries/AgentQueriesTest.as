@@ -178,6 +178,8 @@ package starlogo.queries
             assertSame(message + ": near", near, _queries.near(asker, radius, filter));
             assertEquals(message + ": countNear", near.length, _queries.countNear(asker, radius, filter));
             assertEquals(message + ": nearest", near.length > 0 ? near[0] : null, _queries.nearest(asker, radius, filter));
+            var count:int = _random.pick([0, 1, 2, 5, 30, 1000]);
+            assertSame(message + ": nearestOf " + count, near.slice(0, count), _queries.nearestOf(asker, count, radius, filter));
             var degrees:Number = _random.pick([0, 30, 90, 180, 200, 359, 360, 500]);
             assertSame(message + ": inCone " + degrees, _reference.inCone(asker, near, degrees), _queries.inCone(asker, radius, degrees, filter));
             var point:Vector3D = new Vector3D(asker.x, other.y, asker.z);
@@ -262,8 +264,11 @@ package starlogo.queries
             touched.length > 0 ? _answers++ : _empty++;
             var all:Vector.<Agent> = _reference.sorted(agent.x, agent.y, agent.z, touched);
             assertSame(message + ": touching", all, _queries.touching(agent));
+            assertEquals(message + ": touchesAny", all.length > 0, _queries.touchesAny(agent));
             var filter:AgentFilter = randomFilter();
-            assertSame(message + ": touching, some", _reference.filtered(all, filter), _queries.touching(agent, filter));
+            all = _reference.filtered(all, filter);
+            assertSame(message + ": touching, some", all, _queries.touching(agent, filter));
+            assertEquals(message + ": touchesAny, some", all.length > 0, _queries.touchesAny(agent, filter));
         }
 
         private static function assertSame(message:String, expected:Vector.<Agent>, found:Vector.<Agent>):void

@@ -118,6 +118,7 @@ package starlogo.queries
             _answers += _queries.countNear(agent, 3);
             _answers += _queries.inCone(agent, 3, 90, null, _out).length;
             _answers += _queries.nearPoint(_point, 3, null, _out).length;
+            _answers += _queries.nearestOf(agent, 4, 3, null, _out).length;
             _queries.nearest(agent);
         }
 
@@ -133,6 +134,7 @@ package starlogo.queries
         {
             _answers += _queries.touching(agent, null, _out).length;
             _answers += _queries.touching(agent, _filter, _out).length;
+            _answers += _queries.touchesAny(agent, _filter) ? 1 : 0;
             _answers += _queries.overlapping(_structure, null, _out).length;
         }
 

@@ -159,6 +159,9 @@ package starlogo.queries
             assertThrows(RangeError, /finite/, _queries.countNearPoint, new Vector3D(NaN, 0, 0), 1);
             assertThrows(RangeError, /radius must not be negative: -1/, _queries.near, _agents[0], -1);
             assertThrows(RangeError, /radius must not be negative: NaN/, _queries.nearest, _agents[0], NaN);
+            assertThrows(RangeError, /count must not be negative: -2/, _queries.nearestOf, _agents[0], -2);
+            assertThrows(ArgumentError, /agent is needed/, _queries.nearestOf, null, 2);
+            assertThrows(ArgumentError, /agent is needed/, _queries.touchesAny, null);
             assertThrows(RangeError, /degrees must not be negative: -3/, _queries.inCone, _agents[0], 1, -3);
             var filter:AgentFilter = new AgentFilter();
             filter.accepts = function(agent:Agent):Boolean
@@ -271,6 +274,38 @@ package starlogo.queries
             asked = 0;
             assertNull(_queries.nearest(crowd[17], 3, filter));
             assertEquals(4999, asked);
+            asked = 0;
+            assertTrue(_queries.touchesAny(crowd[17], new AgentFilter()));
+            filter.accepts = function(agent:Agent):Boolean
+            {
+                asked++;
+                return agent == crowd[5] || agent == crowd[6];
+            };
+            assertTrue(_queries.touchesAny(crowd[17], filter));
+            assertEquals("no more are asked", 6, asked);
+            asked = 0;
+            assertEquals(2, _queries.nearestOf(crowd[17], 2, 3, filter).length);
+            assertEquals("no more are asked", 7, asked);
+        }
+
+        // What accepts asks may have a filter that asks too: of rays, though the first question is of places.
+        [Test]
+        public function filtersAskOfEachOther():void
+        {
+            var inner:AgentFilter = new AgentFilter();
+            inner.accepts = function(agent:Agent):Boolean
+            {
+                return _queries.nearestOf(agent, 3).length == 3;
+            };
+            var outer:AgentFilter = new AgentFilter();
+            outer.accepts = function(agent:Agent):Boolean
+            {
+                var from:Vector3D = new Vector3D(agent.x, agent.y, agent.z + 20);
+                return _queries.cast(from, new Vector3D(0, 0, -1), Infinity, inner) != null && _queries.castAll(from, new Vector3D(0, 0, -1), 50, inner).length > 0;
+            };
+            var near:String = LoopedQuestions.numbers(_queries.near(_agents[0], 3));
+            assertTrue("some are near", near.length > 10);
+            assertEquals(near, LoopedQuestions.numbers(_queries.near(_agents[0], 3, outer)));
         }
 
         private function answers():String

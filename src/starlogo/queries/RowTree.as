@@ -1,0 +1,388 @@
+package starlogo.queries
+{
+    import starlogo.geometry.Tolerances;
+
+    /**
+     * A balanced tree of boxes around rows of a table, so that those near a place, in a box or on a ray are found without looking at all (Bentley,
+     * "Multidimensional Binary Search Trees", 1975, with boxes around what is on either side). A place is a box without size.
+     *
+     * <p>The nodes are numbered as in a heap: 1 is the root, the children of node i are 2 i and 2 i + 1. All leaves are on one level, and
+     * those on each level have equal parts of the rows, so that nothing but the boxes has to be kept. The rows in the order of the leaves stand in
+     * slots.</p>
+     *
+     * @private
+     */
+    public final class RowTree
+    {
+        /** The numbers of a box: the least x, y, z, then the greatest. */
+        public static const PER_BOX:int = 6;
+
+        /** Rows in a leaf, at most. */
+        private static const LEAF_SIZE:int = 24;
+
+        // After so many moves for each row the boxes have grown too much.
+        private static const MOVES:Number = 0.5;
+
+        /** Whether it has to be made anew before the next search. */
+        public var isStale:Boolean = true;
+
+        /** How many rows there are. */
+        public var count:int = 0;
+
+        /** The number of the first leaf; there are as many leaves. */
+        public var firstLeaf:int = 1;
+
+        /** By leaf, the first being 0: the slot where its rows begin; behind the last one, where they end. */
+        public var starts:Vector.<int> = new Vector.<int>();
+
+        /** By slot: the row. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** By slot: the middle of the row's box. */
+        public var x:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        public var y:Vector.<Number> = new Vector.<Number>();
+
+        /** @copy #x */
+        public var z:Vector.<Number> = new Vector.<Number>();
+
+        /** By slot: the box of the row, if it has a size wider by more than rounding comes to. */
+        public var rowBoxes:Vector.<Number> = new Vector.<Number>();
+
+        /** By node: a box around those of its rows. */
+        public var nodeBoxes:Vector.<Number> = new Vector.<Number>();
+
+        private var _moves:int = 0;
+
+        // By row: its slot.
+        private var _slots:Vector.<int> = new Vector.<int>();
+
+        // By row, given: the middle of its box, and half the lengths; these are null for places.
+        private var _x:Vector.<Number>;
+        private var _y:Vector.<Number>;
+        private var _z:Vector.<Number>;
+        private var _halfX:Vector.<Number>;
+        private var _halfY:Vector.<Number>;
+        private var _halfZ:Vector.<Number>;
+
+        /** An empty tree. */
+        public function RowTree()
+        {
+        }
+
+        /**
+         * Makes the tree anew. The columns stay in use: <code>move()</code> reads them.
+         *
+         * @param rows those that count
+         * @param count how many of them
+         * @param x by row: the middle of its box
+         * @param y likewise
+         * @param z likewise
+         * @param halfX by row: half the length of its box along x; null if the rows are places
+         * @param halfY likewise
+         * @param halfZ likewise
+         */
+        public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, halfX:Vector.<Number> = null,
+                halfY:Vector.<Number> = null, halfZ:Vector.<Number> = null):void
+        {
+            isStale = false;
+            _moves = 0;
+            this.count = count;
+            _x = x;
+            _y = y;
+            _z = z;
+            _halfX = halfX;
+            _halfY = halfY;
+            _halfZ = halfZ;
+            firstLeaf = 1;
+            while (firstLeaf * LEAF_SIZE < count)
+            {
+                firstLeaf *= 2;
+            }
+            grow(x.length);
+            for (var slot:int = 0; slot < count; slot++)
+            {
+                var row:int = rows[slot];
+                this.rows[slot] = row;
+                this.x[slot] = x[row];
+                this.y[slot] = y[row];
+                this.z[slot] = z[row];
+            }
+            for (var leaf:int = 0; leaf <= firstLeaf; leaf++)
+            {
+                starts[leaf] = leaf * count / firstLeaf;
+            }
+            divideAll();
+            boundAll();
+        }
+
+        /** The leaf that has a row. */
+        public function leafOf(row:int):int
+        {
+            return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
+        }
+
+        /** How many rows are below a node. */
+        public function countIn(node:int):int
+        {
+            var last:int = node;
+            while (node < firstLeaf)
+            {
+                node = node << 1;
+                last = (last << 1) + 1;
+            }
+            return starts[last + 1 - firstLeaf] - starts[node - firstLeaf];
+        }
+
+        /** Reads the box of one row anew, if the tree is not stale: the boxes about it grow, so that the tree is right, if not as good as one made anew. */
+        public function move(row:int):void
+        {
+            _moves++;
+            isStale ||= _moves > MOVES * count;
+            if (isStale)
+            {
+                return;
+            }
+            var slot:int = _slots[row];
+            x[slot] = _x[row];
+            y[slot] = _y[row];
+            z[slot] = _z[row];
+            boundRow(slot);
+            for (var node:int = leafOf(row); node > 0; node >>= 1)
+            {
+                widen(PER_BOX * node, rowBoxes, PER_BOX * slot);
+            }
+        }
+
+        private function grow(rowCount:int):void
+        {
+            if (_slots.length < rowCount)
+            {
+                _slots.length = rowCount;
+            }
+            if (rows.length < count)
+            {
+                rows.length = x.length = y.length = z.length = count;
+                rowBoxes.length = PER_BOX * count;
+            }
+            if (starts.length <= firstLeaf)
+            {
+                starts.length = firstLeaf + 1;
+                nodeBoxes.length = 2 * firstLeaf * PER_BOX;
+            }
+        }
+
+        // Has each node divide its rows in two along the longest side of its part of space, which is written where its box will be.
+        private function divideAll():void
+        {
+            boundMiddles();
+            var boxes:Vector.<Number> = nodeBoxes;
+            var width:int = 1;
+            for (var node:int = 1; node < firstLeaf; node++)
+            {
+                if (node == 2 * width)
+                {
+                    width = node;
+                }
+                var box:int = PER_BOX * node;
+                var axis:int = longestSide(box);
+                var keys:Vector.<Number> = x;
+                if (axis > 0)
+                {
+                    keys = axis == 1 ? y : z;
+                }
+                var nth:int = node - width;
+                var middle:int = (2 * nth + 1) * count / (2 * width);
+                select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
+                var child:int = 2 * box;
+                for (var i:int = 0; i < PER_BOX; i++)
+                {
+                    boxes[child + i] = boxes[child + PER_BOX + i] = boxes[box + i];
+                }
+                boxes[child + 3 + axis] = boxes[child + PER_BOX + axis] = keys[middle];
+            }
+        }
+
+        // Writes the box around all middles as the root's.
+        private function boundMiddles():void
+        {
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
+                var least:Number = Infinity;
+                var greatest:Number = -Infinity;
+                for (var slot:int = 0; slot < count; slot++)
+                {
+                    var key:Number = keys[slot];
+                    if (key < least)
+                    {
+                        least = key;
+                    }
+                    if (key > greatest)
+                    {
+                        greatest = key;
+                    }
+                }
+                nodeBoxes[PER_BOX + axis] = least;
+                nodeBoxes[PER_BOX + 3 + axis] = greatest;
+            }
+        }
+
+        private function longestSide(box:int):int
+        {
+            var alongX:Number = nodeBoxes[box + 3] - nodeBoxes[box];
+            var alongY:Number = nodeBoxes[box + 4] - nodeBoxes[box + 1];
+            var alongZ:Number = nodeBoxes[box + 5] - nodeBoxes[box + 2];
+            if (alongX >= alongY && alongX >= alongZ)
+            {
+                return 0;
+            }
+            return alongY >= alongZ ? 1 : 2;
+        }
+
+        // Moves rows so that none before the middle has a greater key than it, and none after it a smaller one (Hoare, "Find", 1961).
+        private function select(keys:Vector.<Number>, first:int, last:int, middle:int):void
+        {
+            while (first < last)
+            {
+                var pivot:Number = medianOf(keys[first], keys[(first + last) >> 1], keys[last]);
+                var low:int = first;
+                var high:int = last;
+                while (low <= high)
+                {
+                    while (keys[low] < pivot)
+                    {
+                        low++;
+                    }
+                    while (keys[high] > pivot)
+                    {
+                        high--;
+                    }
+                    if (low <= high)
+                    {
+                        swap(low, high);
+                        low++;
+                        high--;
+                    }
+                }
+                if (middle <= high)
+                {
+                    last = high;
+                }
+                else if (middle >= low)
+                {
+                    first = low;
+                }
+                else
+                {
+                    return;
+                }
+            }
+        }
+
+        private static function medianOf(a:Number, b:Number, c:Number):Number
+        {
+            var least:Number = a < b ? a : b;
+            var greatest:Number = a < b ? b : a;
+            if (c < least)
+            {
+                return least;
+            }
+            return c < greatest ? c : greatest;
+        }
+
+        private function swap(a:int, b:int):void
+        {
+            var row:int = rows[a];
+            rows[a] = rows[b];
+            rows[b] = row;
+            var key:Number = x[a];
+            x[a] = x[b];
+            x[b] = key;
+            key = y[a];
+            y[a] = y[b];
+            y[b] = key;
+            key = z[a];
+            z[a] = z[b];
+            z[b] = key;
+        }
+
+        private function boundAll():void
+        {
+            for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
+            {
+                var box:int = PER_BOX * node;
+                for (var side:int = 0; side < 3; side++)
+                {
+                    nodeBoxes[box + side] = Infinity;
+                    nodeBoxes[box + 3 + side] = -Infinity;
+                }
+                if (node < firstLeaf)
+                {
+                    widen(box, nodeBoxes, 2 * box);
+                    widen(box, nodeBoxes, 2 * box + PER_BOX);
+                    continue;
+                }
+                var end:int = starts[node + 1 - firstLeaf];
+                for (var slot:int = starts[node - firstLeaf]; slot < end; slot++)
+                {
+                    _slots[rows[slot]] = slot;
+                    boundRow(slot);
+                    widen(box, rowBoxes, PER_BOX * slot);
+                }
+            }
+        }
+
+        private function boundRow(slot:int):void
+        {
+            var reachX:Number = 0;
+            var reachY:Number = 0;
+            var reachZ:Number = 0;
+            if (_halfX != null)
+            {
+                var row:int = rows[slot];
+                reachX = _halfX[row];
+                reachY = _halfY[row];
+                reachZ = _halfZ[row];
+                var slack:Number = slackOf(x[slot], y[slot], z[slot], reachX, reachY, reachZ);
+                reachX += slack;
+                reachY += slack;
+                reachZ += slack;
+            }
+            var box:int = PER_BOX * slot;
+            rowBoxes[box] = x[slot] - reachX;
+            rowBoxes[int(box + 1)] = y[slot] - reachY;
+            rowBoxes[int(box + 2)] = z[slot] - reachZ;
+            rowBoxes[int(box + 3)] = x[slot] + reachX;
+            rowBoxes[int(box + 4)] = y[slot] + reachY;
+            rowBoxes[int(box + 5)] = z[slot] + reachZ;
+        }
+
+        /** By how much a box has to be wider, because what is at a place is rounded: its middle, and half its lengths. */
+        public static function slackOf(x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):Number
+        {
+            return Tolerances.EXTENTS * (halfX + halfY + halfZ)
+                + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+        }
+
+        // Makes a node's box contain another.
+        private function widen(box:int, others:Vector.<Number>, other:int):void
+        {
+            var boxes:Vector.<Number> = nodeBoxes;
+            for (var side:int = 0; side < 3; side++)
+            {
+                var least:Number = others[int(other + side)];
+                if (least < boxes[int(box + side)])
+                {
+                    boxes[int(box + side)] = least;
+                }
+                var greatest:Number = others[int(other + 3 + side)];
+                if (greatest > boxes[int(box + 3 + side)])
+                {
+                    boxes[int(box + 3 + side)] = greatest;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,220 @@
+package starlogo.queries
+{
+    /**
+     * Finds the rows of a tree whose boxes are met by a box on a straight way, one after the other: nearly the nearest first, by leaves. A ray is the way of
+     * a box without size; a box that stands has a way without length.
+     *
+     * @private
+     */
+    public final class WaySearch
+    {
+        /** How much of the way counts, as a multiple of it; may be made less during the search. */
+        public var limit:Number = 1;
+
+        private var _tree:RowTree;
+        private var _moves:Boolean = false;
+
+        // By axis: the box where the way begins, the way, and the box around all of it.
+        private var _least:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _greatest:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+        private var _minX:Number = 0;
+        private var _minY:Number = 0;
+        private var _minZ:Number = 0;
+        private var _maxX:Number = 0;
+        private var _maxY:Number = 0;
+        private var _maxZ:Number = 0;
+
+        // Nodes that are to be visited yet, and where on the way they are met; the slots of the leaf under way; where the last box is met.
+        private var _nodes:Vector.<int> = new Vector.<int>();
+        private var _entries:Vector.<Number> = new Vector.<Number>();
+        private var _waiting:int = 0;
+        private var _slot:int = 0;
+        private var _end:int = 0;
+        private var _entry:Number = 0;
+
+        /** No search yet. */
+        public function WaySearch()
+        {
+        }
+
+        /**
+         * Begins with a box that stands; <code>widen()</code> or <code>moveAlong()</code> may follow.
+         *
+         * @param tree has the rows
+         * @param x its middle
+         * @param y likewise
+         * @param z likewise
+         * @param halfX half its length along x
+         * @param halfY likewise
+         * @param halfZ likewise
+         */
+        public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
+        {
+            var slack:Number = RowTree.slackOf(x, y, z, halfX, halfY, halfZ);
+            _tree = tree;
+            _moves = false;
+            limit = 1;
+            _entry = 0;
+            _minX = _least[0] = x - halfX - slack;
+            _minY = _least[1] = y - halfY - slack;
+            _minZ = _least[2] = z - halfZ - slack;
+            _maxX = _greatest[0] = x + halfX + slack;
+            _maxY = _greatest[1] = y + halfY + slack;
+            _maxZ = _greatest[2] = z + halfZ + slack;
+            _slot = _end = 0;
+            _nodes[0] = 1;
+            _entries[0] = 0;
+            _waiting = tree.count > 0 ? 1 : 0;
+        }
+
+        /** Makes the box, which stands, larger on all sides. */
+        public function widen(by:Number):void
+        {
+            _minX -= by;
+            _minY -= by;
+            _minZ -= by;
+            _maxX += by;
+            _maxY += by;
+            _maxZ += by;
+        }
+
+        /**
+         * Has the box move.
+         *
+         * @param dx the way
+         * @param dy likewise
+         * @param dz likewise
+         * @param limit how much of it counts, as a multiple of it
+         */
+        public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
+        {
+            this.limit = limit;
+            _moves = true;
+            _along[0] = dx;
+            _along[1] = dy;
+            _along[2] = dz;
+            _minX = dx < 0 ? _minX + limit * dx : _minX;
+            _minY = dy < 0 ? _minY + limit * dy : _minY;
+            _minZ = dz < 0 ? _minZ + limit * dz : _minZ;
+            _maxX = dx > 0 ? _maxX + limit * dx : _maxX;
+            _maxY = dy > 0 ? _maxY + limit * dy : _maxY;
+            _maxZ = dz > 0 ? _maxZ + limit * dz : _maxZ;
+        }
+
+        /** The next row; -1 if there is none any more. */
+        public function next():int
+        {
+            var boxes:Vector.<Number> = _tree.rowBoxes;
+            while (true)
+            {
+                var end:int = _end;
+                for (var slot:int = _slot; slot < end; slot++)
+                {
+                    if (meets(boxes, RowTree.PER_BOX * slot))
+                    {
+                        _slot = slot + 1;
+                        return _tree.rows[slot];
+                    }
+                }
+                _slot = end;
+                if (_waiting == 0)
+                {
+                    return -1;
+                }
+                _waiting--;
+                if (_entries[_waiting] <= limit)
+                {
+                    visit(_nodes[_waiting]);
+                }
+            }
+            return -1;
+        }
+
+        // Begins with a leaf, or has the children of a node wait that are met, the nearer to be the next.
+        private function visit(node:int):void
+        {
+            var leaf:int = node - _tree.firstLeaf;
+            if (leaf >= 0)
+            {
+                _slot = _tree.starts[leaf];
+                _end = _tree.starts[leaf + 1];
+                return;
+            }
+            var boxes:Vector.<Number> = _tree.nodeBoxes;
+            var child:int = node << 1;
+            var isMet:Boolean = meets(boxes, RowTree.PER_BOX * child);
+            var entry:Number = _entry;
+            if (!meets(boxes, RowTree.PER_BOX * (child + 1)))
+            {
+                if (isMet)
+                {
+                    wait(child, entry);
+                }
+                return;
+            }
+            if (!isMet)
+            {
+                wait(child + 1, _entry);
+            }
+            else if (entry < _entry)
+            {
+                wait(child + 1, _entry);
+                wait(child, entry);
+            }
+            else
+            {
+                wait(child, entry);
+                wait(child + 1, _entry);
+            }
+        }
+
+        private function wait(node:int, entry:Number):void
+        {
+            _nodes[_waiting] = node;
+            _entries[_waiting] = entry;
+            _waiting++;
+        }
+
+        private function meets(boxes:Vector.<Number>, box:int):Boolean
+        {
+            var isNear:Boolean = boxes[box] <= _maxX && boxes[int(box + 3)] >= _minX && boxes[int(box + 1)] <= _maxY && boxes[int(box + 4)] >= _minY
+                && boxes[int(box + 2)] <= _maxZ && boxes[int(box + 5)] >= _minZ;
+            return isNear && (!_moves || isOnWay(boxes, box));
+        }
+
+        // Whether the box meets another within the limit; _entry says where (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986).
+        private function isOnWay(boxes:Vector.<Number>, box:int):Boolean
+        {
+            var enters:Number = 0;
+            var leaves:Number = limit;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var along:Number = _along[axis];
+                if (along == 0)
+                {
+                    // the box around the way is as wide there as the box
+                    continue;
+                }
+                var near:Number = (boxes[int(box + axis)] - _greatest[axis]) / along;
+                var far:Number = (boxes[int(box + 3 + axis)] - _least[axis]) / along;
+                if (near > far)
+                {
+                    var swapped:Number = near;
+                    near = far;
+                    far = swapped;
+                }
+                if (near > enters)
+                {
+                    enters = near;
+                }
+                if (far < leaves)
+                {
+                    leaves = far;
+                }
+            }
+            _entry = enters;
+            return enters <= leaves;
+        }
+    }
+}

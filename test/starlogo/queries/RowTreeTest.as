@@ -1,0 +1,259 @@
+package starlogo.queries
+{
+    import evaluation.pairs.SeededRandom;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.collision.BinCollider;
+
+    /** Searches in trees of places and of boxes against loops over all of them. */
+    public class RowTreeTest
+    {
+        private var _random:SeededRandom;
+        private var _x:Vector.<Number>;
+        private var _y:Vector.<Number>;
+        private var _z:Vector.<Number>;
+        private var _halfX:Vector.<Number>;
+        private var _halfY:Vector.<Number>;
+        private var _halfZ:Vector.<Number>;
+        private var _rows:Vector.<int>;
+        private var _tree:RowTree;
+        private var _seen:SeenAgents;
+        private var _found:FoundRows;
+        private var _near:NearSearch = new NearSearch();
+        private var _way:WaySearch = new WaySearch();
+
+        [Before]
+        public function begin():void
+        {
+            _random = new SeededRandom(811);
+            _tree = new RowTree();
+            _seen = new SeenAgents(new BinCollider(new GreatLand()));
+            _found = new FoundRows(_seen);
+        }
+
+        [Test]
+        public function findsPlacesAsALoopDoes():void
+        {
+            var foundSome:int = 0;
+            var foundNone:int = 0;
+            for (var world:int = 0; world < 120; world++)
+            {
+                makeWorld(world);
+                _tree.build(_rows, _rows.length, _x, _y, _z);
+                for (var i:int = 0; i < 30; i++)
+                {
+                    var message:String = "world " + world + ", " + i;
+                    assertNear(message, world, -1, null) ? foundSome++ : foundNone++;
+                    assertNear(message + ", some", world, -1, new ThirdsTest());
+                    if (_rows.length > 0)
+                    {
+                        assertNear(message + ", beside one", world, anyRow(), i % 2 == 0 ? null : new ThirdsTest());
+                        moveOne(world);
+                    }
+                }
+            }
+            assertTrue(foundSome + " some, " + foundNone + " none", foundSome > 1000 && foundNone > 300);
+        }
+
+        [Test]
+        public function findsBoxesAsALoopDoes():void
+        {
+            var met:int = 0;
+            var missed:int = 0;
+            for (var world:int = 0; world < 120; world++)
+            {
+                makeWorld(world);
+                _tree.build(_rows, _rows.length, _x, _y, _z, _halfX, _halfY, _halfZ);
+                for (var i:int = 0; i < 30; i++)
+                {
+                    var count:int = assertWay("world " + world + ", " + i, world, i % 3 == 0 ? 0 : _random.logBetween(0.01, 100), i % 3 < 2);
+                    met += count;
+                    missed += _rows.length - count;
+                    if (_rows.length > 0)
+                    {
+                        moveOne(world);
+                    }
+                }
+            }
+            assertTrue(met + " met, " + missed + " missed", met > 20000 && missed > 100000);
+        }
+
+        private function makeWorld(world:int):void
+        {
+            _x = new Vector.<Number>();
+            _y = new Vector.<Number>();
+            _z = new Vector.<Number>();
+            _halfX = new Vector.<Number>();
+            _halfY = new Vector.<Number>();
+            _halfZ = new Vector.<Number>();
+            _rows = new Vector.<int>();
+            var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, 400);
+            for (var row:int = 0; row < count; row++)
+            {
+                _x[row] = coordinate(world);
+                _y[row] = coordinate(world);
+                _z[row] = world % 3 == 0 ? 0 : coordinate(world);
+                _halfX[row] = _halfY[row] = _random.logBetween(0.01, 10);
+                _halfZ[row] = _random.pick([0, 0.5, 2]);
+            }
+            _seen.ranks.length = count;
+            for (row = count - 1; row >= 0; row--)
+            {
+                if (row % 5 > 0 || count < 10)
+                {
+                    _seen.ranks[row] = _rows.length;
+                    _rows.push(row);
+                }
+            }
+        }
+
+        private function anyRow():int
+        {
+            return _rows[_random.integer(0, _rows.length - 1)];
+        }
+
+        // dense; on a grid, so that many are equally far; in one place; far out; over many orders
+        private function coordinate(world:int):Number
+        {
+            switch (world % 6)
+            {
+                case 0:
+                    return _random.between(-20, 20);
+                case 1:
+                    return _random.integer(-4, 4);
+                case 2:
+                    return _random.integer(0, 9) < 8 ? 7.25 : _random.between(0, 20);
+                case 3:
+                    return 1e9 + _random.between(-50, 50);
+                case 4:
+                    return _random.logBetween(1e-3, 1e6) * _random.pick([-1, 1]);
+                default:
+                    return _random.integer(0, 19) == 0 ? 1e7 * _random.between(-1, 1) : _random.between(-1, 1);
+            }
+        }
+
+        private function moveOne(world:int):void
+        {
+            var row:int = anyRow();
+            _x[row] = coordinate(world);
+            _y[row] = coordinate(world);
+            _z[row] = coordinate(world);
+            var wasStale:Boolean = _tree.isStale;
+            _tree.move(row);
+            assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
+            if (_tree.isStale)
+            {
+                _tree.build(_rows, _rows.length, _x, _y, _z, _halfX, _halfY, _halfZ);
+            }
+        }
+
+        private function assertNear(message:String, world:int, skipped:int, test:RowTest):Boolean
+        {
+            var x:Number = skipped < 0 ? coordinate(world) : _x[skipped];
+            var y:Number = skipped < 0 ? coordinate(world) : _y[skipped];
+            var z:Number = skipped < 0 ? (world % 3 == 0 ? 0 : coordinate(world)) : _z[skipped];
+            var limit:Number = Math.pow(_random.pick([0, 1, 5, 30, 1e4, Infinity]), 2);
+            var near:Array = [];
+            for each (var row:int in _rows)
+            {
+                var toX:Number = _x[row] - x;
+                var toY:Number = _y[row] - y;
+                var toZ:Number = _z[row] - z;
+                var square:Number = toX * toX + toY * toY + toZ * toZ;
+                if (square <= limit && row != skipped && (test == null || test.accepts(row)))
+                {
+                    near.push({row: row, rank: _seen.ranks[row], square: square});
+                }
+            }
+            near.sort(function(a:Object, b:Object):Number
+                {
+                    return a.square == b.square ? a.rank - b.rank : a.square - b.square;
+                });
+            for each (var most:int in [FoundRows.ALL, 1, 2, 10, 150, 0])
+            {
+                _found.begin(most, limit, skipped, test);
+                _near.find(_tree, x, y, z, _found);
+                _found.sort();
+                assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
+                for (var i:int = 0; i < _found.count; i++)
+                {
+                    assertEquals(message + ": " + most + ", nearest " + i, near[i].row, _found.rows[i]);
+                    assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.squares[i]);
+                }
+            }
+            _found.begin(FoundRows.NUMBER, limit, skipped, test);
+            _near.find(_tree, x, y, z, _found);
+            assertEquals(message + ": count", near.length, _found.count);
+            return near.length > 0;
+        }
+
+        // A box of a size that moves, or stands: returns how many it meets.
+        private function assertWay(message:String, world:int, size:Number, moves:Boolean):int
+        {
+            var from:Array = [coordinate(world), coordinate(world), coordinate(world)];
+            var along:Array = [_random.pick([0, 1, _random.between(-1, 1)]), _random.between(-1, 1), _random.pick([0, -1, _random.between(-1, 1)])];
+            var limit:Number = moves ? _random.pick([0.5, 10, 1e4, Infinity]) : 0;
+            _way.begin(_tree, from[0], from[1], from[2], size, 2 * size, size);
+            if (moves)
+            {
+                _way.moveAlong(along[0], along[1], along[2], limit);
+            }
+            var times:Vector.<int> = new Vector.<int>(_x.length);
+            var met:int = 0;
+            for (var row:int = _way.next(); row >= 0; row = _way.next())
+            {
+                times[row]++;
+                met++;
+            }
+            for each (row in _rows)
+            {
+                var sizes:Array = [size + _halfX[row], 2 * size + _halfY[row], size + _halfZ[row]];
+                var to:Array = [_x[row] - from[0], _y[row] - from[1], _z[row] - from[2]];
+                var far:Number = Math.abs(_x[row]) + Math.abs(_y[row]) + Math.abs(_z[row]) + Math.abs(from[0]) + Math.abs(from[1]) + Math.abs(from[2]);
+                if (meets(to, sizes, along, limit, 0))
+                {
+                    assertEquals(message + ": row " + row + " is met", 1, times[row]);
+                }
+                else if (!meets(to, sizes, along, limit, 1e-12 * (far + size + 10)))
+                {
+                    assertEquals(message + ": row " + row + " is missed", 0, times[row]);
+                }
+            }
+            return met;
+        }
+
+        private static function meets(to:Array, sizes:Array, along:Array, limit:Number, gap:Number):Boolean
+        {
+            var first:Number = 0;
+            var last:Number = limit;
+            for (var axis:int = 0; axis < 3; axis++)
+            {
+                var reach:Number = sizes[axis] + gap;
+                if (along[axis] == 0 || limit == 0)
+                {
+                    if (Math.abs(to[axis]) > reach)
+                    {
+                        return false;
+                    }
+                    continue;
+                }
+                var middle:Number = to[axis] / along[axis];
+                var half:Number = Math.abs(reach / along[axis]);
+                first = Math.max(first, middle - half);
+                last = Math.min(last, middle + half);
+            }
+            return first <= last;
+        }
+    }
+}
+
+import starlogo.queries.RowTest;
+
+class ThirdsTest extends RowTest
+{
+    override public function accepts(row:int):Boolean
+    {
+        return row % 3 == 1;
+    }
+}

@@ -10,6 +10,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
+import { choose, readTests } from "../chosen.mjs";
 import { AssumptionViolatedException, waiting } from "./flexunit.mjs";
 import { NOT_HERE } from "./not-here.mjs";
 
@@ -18,7 +19,6 @@ const { values: options, positionals } = parseArgs({
 	options: { test: { type: "string", default: "" }, order: { type: "string", default: "" }, first: { type: "boolean", default: false }, full: { type: "boolean", default: false }, mount: { type: "string", multiple: true, default: [] }, summary: { type: "string" } },
 });
 const mounts = options.mount.map((mount) => mount.split("="));
-const [classPattern, methodPattern = ""] = options.test.split(/[.#]/);
 
 const tests = await import(pathToFileURL(path.resolve(positionals[0])));
 tests.Effort.isFull = options.full;
@@ -63,14 +63,23 @@ process.on("uncaughtException", (error) => {
 });
 
 const simpleName = ({ name }) => name.split(".").pop();
-const ordered = options.order.split(",").filter((text) => text !== "").map((text) => text.split(".")).flatMap(([wanted, method = ""]) => tests.CLASSES.filter((each) => simpleName(each) === wanted).map((each) => ({ ...each, method })));
-const classes = options.order === "" ? tests.CLASSES.filter((each) => simpleName(each).includes(classPattern)).map((each) => ({ ...each, method: methodPattern })) : ordered;
+const ordered = options.order.split(",").filter((text) => text !== "").map((text) => text.split(".")).flatMap(([wanted, method = ""]) => tests.CLASSES.filter((each) => simpleName(each) === wanted).map((each) => ({ ...each, isRun: (name) => name.includes(method) })));
+const classes = options.order !== "" ? ordered : options.test !== "" ? chosen() : tests.CLASSES.map((each) => ({ ...each, isRun: () => true }));
 
-for (const { name, type, metadata, method } of classes) {
+/** What --test names. */
+function chosen() {
+	const known = readTests();
+	const { tests: found, said } = choose(options.test, known.classes, known.sources);
+	if (found.size === 0) console.log(`no test matches ${options.test}: no class of tests, no test and no source file has that name`);
+	for (const line of said) console.log(line);
+	return tests.CLASSES.filter(({ name }) => found.has(name)).map((each) => ({ ...each, isRun: (test) => found.get(each.name)?.includes(test) ?? true }));
+}
+
+for (const { name, type, metadata, isRun } of classes) {
 	const methods = (kind) => metadata.filter((each) => each.kind === kind);
 	await new Promise((resolve) => tests.Fixtures.load(type.FIXTURES ?? [], resolve));
 	let problem = null;
-	const chosen = methods("Test").filter((each) => each.name.includes(method)).sort((a, b) => Number(a.args.order ?? 0) - Number(b.args.order ?? 0));
+	const chosen = methods("Test").filter((each) => isRun(each.name)).sort((a, b) => Number(a.args.order ?? 0) - Number(b.args.order ?? 0));
 	const here = chosen.filter((each) => {
 		const place = [name, `${name}.${each.name}`].find((key) => NOT_HERE.has(key));
 		only.delete(place);

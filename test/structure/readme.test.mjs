@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
+import { choose, readTests } from '../chosen.mjs';
 import { definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
 
 const GUIDE = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
@@ -22,15 +23,11 @@ test('the README lists the folders of src', () => {
 });
 
 test('examples of -Dtest name tests that there are', () => {
-	const tests = sourcesBelow('test').filter((file) => file.endsWith('Test.as'))
-		.map((file) => [file.split('/').pop().slice(0, -3), read(file)]);
+	const { classes, sources } = readTests();
 	const examples = [...PAGES, 'build.xml', 'antw']
-		.flatMap((file) => [...read(file).matchAll(/-Dtest=([A-Za-z]\w*)(?:[.#](\w+))?/g)]);
+		.flatMap((file) => [...read(file).matchAll(/-Dtest=([\w./#]+)/g)]);
 	assert.ok(examples.length >= 3, 'there are some');
-	for (const [example, classPart, testPart = ''] of examples) {
-		const method = new RegExp(`\\[Test[^\\]]*\\]\\s+public function \\w*${testPart}\\w*\\(`);
-		assert.ok(tests.some(([name, text]) => name.includes(classPart) && method.test(text)), `${example} matches no test`);
-	}
+	for (const [example, pattern] of examples) assert.ok(choose(pattern, classes, sources).tests.size > 0, `${example} matches no test`);
 });
 
 test('links and pictures lead somewhere', () => {

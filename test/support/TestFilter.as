@@ -6,65 +6,70 @@ package support
     import org.flexunit.runner.manipulation.filters.DynamicFilter;
 
     /**
-     * Picks tests by name: <code>BoxBox</code> takes the classes whose name contains it, <code>BoxBoxTest.touching</code>
-     * the tests of such classes whose name contains the rest, nothing takes all but those that run elsewhere.
+     * Picks the tests that the build was asked for, or all but those that run elsewhere.
      */
     public class TestFilter
     {
-        /** What was asked for. */
-        public var pattern:String;
-
-        private var _classPattern:String;
-        private var _method:String;
-        private var _elsewhere:Object = {};
-        private var _leavesOut:Boolean;
+        private var _picked:Object;
+        private var _elsewhere:Object;
 
         /**
-         * @param pattern a part of names
-         * @param elsewhere classes and tests that another machine runs, separated by commas; a pattern takes these too
+         * @param picked classes and tests of classes, by qualified names with commas between; nothing for all
+         * @param elsewhere classes and tests that another machine runs, in the same form; it does not matter if something is picked
          */
-        public function TestFilter(pattern:String, elsewhere:String = null)
+        public function TestFilter(picked:String, elsewhere:String = null)
         {
-            this.pattern = pattern || "";
-            _leavesOut = this.pattern == "" && elsewhere != null && elsewhere != "";
-            for each (var name:String in _leavesOut ? elsewhere.split(",") : [])
-            {
-                _elsewhere[name] = true;
-            }
-            var parts:Array = this.pattern.split(/[.#]/);
-            _classPattern = parts[0];
-            _method = parts.length > 1 ? parts[1] : "";
+            _picked = tableOf(picked);
+            _elsewhere = _picked == null ? tableOf(elsewhere) : null;
         }
 
-        /** The classes among these that the pattern names. */
+        /** The classes among these of which something is run. */
         public function classesOf(classes:Array):Array
         {
-            return classes.filter(matches);
+            return classes.filter(hasRun);
         }
 
         /** Whether tests are left out that another machine runs. */
         public function get leavesOut():Boolean
         {
-            return _leavesOut;
+            return _elsewhere != null;
         }
 
-        /** Whether the pattern names a test among those of a request. */
-        public function doesPick(request:Request):Boolean
-        {
-            // a request that is asked for its description has all its tests in it for good
-            return pattern == "" || shouldRun(request.iRunner.description);
-        }
-
-        /** The request without the methods that the pattern leaves out. */
+        /** The request without the tests that are not run. */
         public function narrow(request:Request):Request
         {
-            return _method == "" && !_leavesOut ? request : request.filterWith(new DynamicFilter(shouldRun, describe));
+            return _picked == null && _elsewhere == null ? request : request.filterWith(new DynamicFilter(shouldRun, describe));
         }
 
-        private function matches(testClass:Class, index:int, classes:Array):Boolean
+        private static function tableOf(names:String):Object
         {
-            var name:String = getQualifiedClassName(testClass).replace("::", ".");
-            return name.split(".").pop().indexOf(_classPattern) >= 0 && !_elsewhere[name];
+            if (names == null || names == "")
+            {
+                return null;
+            }
+            var table:Object = {};
+            for each (var name:String in names.split(","))
+            {
+                table[name] = true;
+            }
+            return table;
+        }
+
+        private function hasRun(testClass:Class, index:int, classes:Array):Boolean
+        {
+            var className:String = getQualifiedClassName(testClass).replace("::", ".");
+            if (_picked == null)
+            {
+                return _elsewhere == null || !_elsewhere[className];
+            }
+            for (var name:String in _picked)
+            {
+                if (name == className || name.indexOf(className + ".") == 0)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         private function shouldRun(description:IDescription):Boolean
@@ -81,12 +86,13 @@ package support
                 return false;
             }
             var name:String = description.displayName.replace("::", ".");
-            return name.split(".").pop().indexOf(_method) >= 0 && !_elsewhere[name];
+            var className:String = name.slice(0, name.lastIndexOf("."));
+            return _picked == null ? !_elsewhere[name] : _picked[className] || _picked[name];
         }
 
         private function describe(description:IDescription):String
         {
-            return _method == "" ? "tests that run here" : "tests named " + _method;
+            return _picked == null ? "tests that run here" : "tests that were picked";
         }
     }
 }

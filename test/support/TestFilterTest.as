@@ -12,54 +12,51 @@ package support
         [Test]
         public function nothingTakesAll():void
         {
-            assertEquals(3, new TestFilter(null).classesOf(CLASSES).length);
-            assertEquals(3, new TestFilter("").classesOf(CLASSES).length);
-            assertTrue(picks(""));
+            for each (var nothing:String in [null, ""])
+            {
+                assertEquals(3, new TestFilter(nothing).classesOf(CLASSES).length);
+                assertEquals(5, narrowed(nothing));
+            }
         }
 
         [Test]
-        public function aPartOfAClassNameTakesTheClass():void
+        public function aClassIsPickedByItsWholeName():void
         {
-            assertEquals([TestFilterTest, TestStage].join(), new TestFilter("Test").classesOf(CLASSES).join());
-            assertEquals(0, new TestFilter("test").classesOf(CLASSES).length);
-            assertEquals("a package is no class", 0, new TestFilter("support").classesOf(CLASSES).length);
+            assertEquals([TestFilterTest, TestStage].join(), new TestFilter("support.TestStage,support.TestFilterTest").classesOf(CLASSES).join());
+            assertEquals(5, narrowed("support.TestFilterTest"));
+            assertEquals("another package", 0, new TestFilter("TestFilterTest").classesOf(CLASSES).length);
+            assertEquals("a part of its name", 0, new TestFilter("support.TestFilter").classesOf(CLASSES).length);
         }
 
         [Test]
-        public function aPartOfATestsNameTakesTheTest():void
+        public function aTestIsPickedByItsWholeName():void
         {
-            assertTrue(picks("Filter.nothing"));
-            assertTrue(picks("TestFilterTest#TakesAll"));
-            assertTrue(picks(".nothing"));
-            assertFalse("no test", picks("Filter.noSuchTest"));
-            assertFalse("a method that is no test", picks("Filter.picks"));
-            assertEquals(1, narrowed("Filter.nothingTakesAll"));
-            assertEquals(2, narrowed("Filter.aPartOf"));
-            assertEquals(4, narrowed("Filter"));
+            assertEquals(1, narrowed("support.TestFilterTest.nothingTakesAll"));
+            assertEquals(2, narrowed("support.TestFilterTest.nothingTakesAll,support.TestStage,support.TestFilterTest.aTestIsPickedByItsWholeName"));
+            assertEquals(TestFilterTest, new TestFilter("support.TestFilterTest.nothingTakesAll").classesOf(CLASSES).join());
         }
 
         [Test]
-        public function whatRunsElsewhereIsLeftOutUnlessItIsNamed():void
+        public function whatRunsElsewhereIsLeftOut():void
         {
-            var elsewhere:String = "support.Effort,support.TestFilterTest.nothingTakesAll";
-            var all:TestFilter = new TestFilter("", elsewhere);
+            var all:TestFilter = new TestFilter("", "support.Effort,support.TestFilterTest.nothingTakesAll");
             assertEquals([TestFilterTest, TestStage].join(), all.classesOf(CLASSES).join());
-            var here:int = new TestFilter("").narrow(Request.classes(TestFilterTest)).iRunner.description.testCount;
-            assertEquals(here - 1, all.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
+            assertEquals(4, all.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
             assertTrue(all.leavesOut);
-            var named:TestFilter = new TestFilter("TestFilterTest", elsewhere);
+            assertFalse(new TestFilter("").leavesOut);
+        }
+
+        [Test]
+        public function whatIsPickedRunsHereToo():void
+        {
+            var named:TestFilter = new TestFilter("support.TestFilterTest", "support.TestFilterTest.nothingTakesAll");
             assertFalse(named.leavesOut);
-            assertEquals(here, named.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
+            assertEquals(5, named.narrow(Request.classes(TestFilterTest)).iRunner.description.testCount);
         }
 
-        private static function picks(pattern:String):Boolean
+        private static function narrowed(picked:String):int
         {
-            return new TestFilter(pattern).doesPick(Request.classes(TestFilterTest));
-        }
-
-        private static function narrowed(pattern:String):int
-        {
-            return new TestFilter(pattern).narrow(Request.classes(TestFilterTest)).iRunner.description.testCount;
+            return new TestFilter(picked).narrow(Request.classes(TestFilterTest)).iRunner.description.testCount;
         }
     }
 }

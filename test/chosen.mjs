@@ -1,0 +1,103 @@
+/** Which tests -Dtest names: by a class of tests, by a test, or by the source file that they test. */
+import { definitionIn, read, sourcesBelow, usesIn } from './structure/sources.mjs';
+
+const simpleName = (name) => name.split('.').pop();
+
+/** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
+export function readTests() {
+	const files = [...sourcesBelow('src'), ...sourcesBelow('test'), ...sourcesBelow('standins/common')];
+	const classes = new Map();
+	const sources = new Map();
+	for (const file of files) {
+		const name = definitionIn(file).replace(/^common\.(flash\.)?/, (_, flash) => (flash ? 'standin.flash.' : ''));
+		(/^test\/.*Test\.as$/.test(file) ? classes : sources).set(name, read(file));
+	}
+	return { classes, sources };
+}
+
+/** The names of the tests that a test class declares, in its order. */
+export function testsIn(text) {
+	return [...text.matchAll(/^\s*\[Test\b[^\n]*\]\s+(?:\[[^\n]*\]\s+)*public function (\w+)/gm)].map(([, name]) => name);
+}
+
+/**
+ * The tests that a pattern names, in any case:
+ *
+ * - "Box" takes the classes whose names contain it. If no class is "Box" or "BoxTest", it also takes the tests of the source files of that name,
+ *   and the tests whose names contain it.
+ * - "Box.as", with or without folders before it, takes "BoxTest" and the tests of the source file. "starlogo.bounding.Box" is "Box".
+ * - "BoxTest.volume" takes the tests whose names contain "volume", of the classes whose names contain "BoxTest"; ".volume" takes them of all classes.
+ * - Commas stand between several of these.
+ *
+ * The tests of a source file are the classes that use it. If none does, they are those that use a file that uses it, and so on.
+ *
+ * @param {string} pattern what -Dtest has
+ * @param {Map<string, string>} classes the texts of the test classes, by qualified name
+ * @param {Map<string, string>} sources the texts of the other files that tests use, by qualified name
+ * @returns {{ tests: Map<string, string[] | null>, used: Set<string>, said: string[] }} the tests of each class, null for all of them; the classes that
+ *     are in it for what they use alone; and why each is in it
+ */
+export function choose(pattern, classes, sources) {
+	const choice = { tests: new Map(), used: new Set(), said: [] };
+	for (const part of pattern.split(',').filter((each) => each.trim() !== '')) chooseOne(part.trim(), classes, sources, choice);
+	return choice;
+}
+
+function chooseOne(pattern, classes, sources, { tests, used, said }) {
+	const { wanted, test, isFile } = parse(pattern, [...classes.keys(), ...sources.keys()]);
+	const take = (reason, found) => {
+		const added = found.filter((name) => tests.get(name) !== null);
+		for (const name of added) tests.set(name, null);
+		if (added.length > 0) said.push(`${reason}: ${added.map(simpleName).join(', ')}`);
+		return added;
+	};
+	const takeTests = (names, part) => {
+		const known = (name) => tests.get(name) ?? [];
+		const named = names.filter((name) => tests.get(name) !== null).map((name) => [name, testsIn(classes.get(name)).filter((each) => each.toLowerCase().includes(part) && !known(name).includes(each))]);
+		const found = named.filter(([, list]) => list.length > 0);
+		if (found.length > 0) said.push(`tests named *${part}*: ${found.map(([name, list]) => `${simpleName(name)} (${list.join(', ')})`).join(', ')}`);
+		for (const [name, list] of found) tests.set(name, [...known(name), ...list]);
+	};
+	const isOwn = (name) => [wanted, `${wanted}test`].includes(simpleName(name).toLowerCase());
+	const ofClass = [...classes.keys()].filter((name) => (isFile ? isOwn(name) : simpleName(name).toLowerCase().includes(wanted)));
+	if (test !== '') {
+		takeTests(ofClass, test);
+		return;
+	}
+	take(isFile ? 'its tests' : `classes named *${wanted}*`, ofClass);
+	if (isFile || !ofClass.some(isOwn)) {
+		for (const source of [...sources.keys()].filter((name) => simpleName(name).toLowerCase() === wanted)) {
+			for (const name of take(`classes that use ${source}`, testsOf(source, classes, sources))) used.add(name);
+		}
+	}
+	if (!isFile && !ofClass.some(isOwn)) takeTests([...classes.keys()], wanted);
+}
+
+/** What a pattern asks for, in small letters: a part of a class's name or a source's name, and a part of a test's name. */
+function parse(pattern, names) {
+	const isFile = /\.as$/i.test(pattern);
+	const path = isFile ? pattern.slice(0, -3).split(/[\\/]/).pop() : pattern;
+	const isQualified = (name) => name.includes('.') && names.some((each) => each.toLowerCase() === name.toLowerCase());
+	const [, start, end] = /^(.*?)(?:[.#]([^.#]*))?$/.exec(path);
+	const [wanted, test = ''] = isFile || isQualified(path) ? [simpleName(path)] : isQualified(start) ? [simpleName(start), end] : path.split(/[.#]/);
+	return { wanted: wanted.toLowerCase(), test: test.toLowerCase(), isFile };
+}
+
+/** The test classes that use a source, by as few files between as there can be. */
+function testsOf(source, classes, sources) {
+	const all = new Map([...sources, ...classes]);
+	const seen = new Set([source]);
+	for (let last = [source]; last.length > 0; ) {
+		const next = [...all.keys()].filter((name) => !seen.has(name) && mayUse(all.get(name), last) && usesIn(name, all.get(name), last).length > 0);
+		const found = next.filter((name) => classes.has(name));
+		if (found.length > 0) return found;
+		for (const name of next) seen.add(name);
+		last = next;
+	}
+	return [];
+}
+
+/** Whether a text has one of some names at all, which is quickly told. */
+function mayUse(text, names) {
+	return names.some((name) => text.includes(simpleName(name)));
+}

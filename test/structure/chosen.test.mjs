@@ -1,0 +1,83 @@
+/** Tests of what -Dtest finds. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { choose, readTests, testsIn } from '../chosen.mjs';
+
+const known = readTests();
+
+/** The tests that a pattern finds in the project: "IntersectsTest" for a whole class, "BoxTest.volume" for one test. */
+function found(pattern) {
+	const { tests } = choose(pattern, known.classes, known.sources);
+	return [...tests].flatMap(([name, list]) => list?.map((each) => `${name.split('.').pop()}.${each}`) ?? [name.split('.').pop()]);
+}
+
+test('a class of tests is found by a part of its name, in any case', () => {
+	for (const pattern of ['Intersects', 'intersects', 'INTERSECTSTEST', 'starlogo.intersection.IntersectsTest', 'starlogo.intersection.intersects']) {
+		assert.deepEqual(found(pattern), ['IntersectsTest'], pattern);
+	}
+	assert.deepEqual(found('test/starlogo/intersection/IntersectsTest.as'), ['IntersectsTest']);
+	assert.ok(found('hierarchy').length > 4);
+	assert.deepEqual(found('noSuchName'), []);
+});
+
+test('a test is found by a part of its name, in any case, with or without its class', () => {
+	for (const pattern of ['SphereTest.volume', 'spheretest#VOLUME', 'starlogo.bounding.SphereTest.volume']) {
+		assert.ok(found(pattern).length > 0 && found(pattern).every((name) => /^SphereTest\.volume/.test(name)), pattern);
+	}
+	const ofAnyClass = found('.sphereBox');
+	assert.ok(ofAnyClass.length > 3 && ofAnyClass.every((name) => /\.\w*sphereBox/i.test(name)));
+	assert.ok(found('TouchingSphereBox').includes('IntersectsTest.touchingSphereBox'), 'no class and no source has this name');
+	assert.deepEqual(found('SphereTest.noSuchTest'), []);
+});
+
+test('the tests of a source are those that use it, in any case', () => {
+	const files = ['sphereBox', 'SphereBox', 'spherebox.as', 'src/starlogo/intersection/sphereBox.as', 'src\\starlogo\\intersection\\sphereBox.as'];
+	for (const pattern of files) {
+		assert.ok(/\.as$/.test(pattern) || found(pattern).includes('IntersectsTest.touchingSphereBox'), 'and what has its name');
+		for (const name of ['ContactsTest', 'KernelsAgreeTest', 'PairVectorsTest', 'RandomPairsTest']) assert.ok(found(pattern).includes(name), `${pattern}: ${name}`);
+	}
+	assert.ok(found('AgentTable').includes('AgentTableTest'));
+	assert.ok(found('Matrix3D').includes('GeometryStandInsTest'), 'a stand-in');
+});
+
+test('a class with tests of its own name has these, and with .as those of what uses it too', () => {
+	assert.ok(found('Box').every((name) => /Box/.test(name)));
+	assert.ok(found('Box').includes('BoxTest'));
+	assert.equal(found('Box.as')[0], 'BoxTest');
+	assert.ok(found('Box.as').includes('IntersectsTest'));
+});
+
+test('several names are all taken', () => {
+	assert.deepEqual(found('BoxTest, SphereTest.volume,noSuchName'), [...found('BoxTest'), ...found('SphereTest.volume')]);
+	assert.deepEqual(found('SphereTest.volume,SphereTest'), ['SphereTest']);
+	assert.deepEqual(found('SphereTest,SphereTest.volume'), ['SphereTest']);
+});
+
+test('every source of the engine has tests that use it, directly or by other files', () => {
+	const own = [...known.sources.keys()].filter((name) => name.startsWith('starlogo.') && !name.startsWith('starlogo.away3d.'));
+	assert.ok(own.length > 150);
+	for (const name of own) assert.ok(found(`${name.split('.').pop()}.as`).length > 0, name);
+});
+
+test('tests are read as they are declared', () => {
+	const text = '        [Test]\n        public function one():void\n\n        [Test(expects="ArgumentError", order=2)]\n        [Ignore]\n        public function two():void\n        private function three():void\n';
+	assert.deepEqual(testsIn(text), ['one', 'two']);
+	const count = [...known.classes.values()].reduce((sum, each) => sum + testsIn(each).length, 0);
+	const declared = [...known.classes.values()].reduce((sum, each) => sum + (each.match(/^\s*\[Test\b/gm) ?? []).length, 0);
+	assert.equal(count, declared);
+});
+
+test('what a source uses is followed no farther than it takes, and reasons are given', () => {
+	const sources = new Map([['a.low', 'package a { public function low() {} }'], ['b.High', 'import a.low; low();'], ['support.Help', 'import a.low; low();']]);
+	const classes = new Map([
+		['a.HighTest', '[Test]\n public function lowIsUsed\n import b.High;'],
+		['a.FarTest', '[Test]\n public function other\n import a.HighTest;'],
+		['c.HelpedTest', '[Test]\n public function other\n import support.Help;'],
+	]);
+	const { tests, used, said } = choose('LOW', classes, sources);
+	assert.deepEqual([...tests], [['a.HighTest', null], ['c.HelpedTest', null]]);
+	assert.deepEqual([...used], ['a.HighTest', 'c.HelpedTest']);
+	assert.deepEqual(said, ['classes that use a.low: HighTest, HelpedTest']);
+	assert.deepEqual([...choose('LowIs', classes, sources).tests], [['a.HighTest', ['lowIsUsed']]]);
+	assert.deepEqual(choose('LowIs', classes, sources).said, ['tests named *lowis*: HighTest (lowIsUsed)']);
+});

@@ -169,6 +169,9 @@ package starlogo.collision
             var random:SeededRandom = new SeededRandom(109);
             var agents:Vector.<Agent> = RandomWorlds.make("scattered", 150, "cube", random);
             var out:Vector.<Agent> = new Vector.<Agent>();
+            var before:Vector.<Agent> = new Vector.<Agent>();
+            var pairs:int = 0;
+            var changes:int = 0;
             for (var frame:int = 0; frame < 60; frame++)
             {
                 for each (var agent:Agent in agents)
@@ -187,7 +190,12 @@ package starlogo.collision
                     agents.splice(random.integer(0, agents.length - 1), 1);
                 }
                 assertEquals("frame " + frame, "", BruteForce.difference(BruteForce.spheres(agents), _collider.findCollisions(agents, out)));
+                pairs += out.length / 2;
+                changes += BruteForce.difference(before, out) == "" ? 0 : 1;
+                before = out.concat();
             }
+            assertTrue("pairs: " + pairs, pairs > 60 * 20);
+            assertTrue("frames with other pairs than the one before: " + changes, changes > 40);
         }
 
         [Test]
@@ -209,6 +217,8 @@ package starlogo.collision
         public function extremePositionsAndSizesAreLikeBruteForce():void
         {
             var random:SeededRandom = new SeededRandom(111);
+            var hits:int = 0;
+            var worldsWithHits:int = 0;
             for (var i:int = 0; i < 300; i++)
             {
                 var agents:Vector.<Agent> = new Vector.<Agent>();
@@ -216,11 +226,16 @@ package starlogo.collision
                 for (var k:int = 0; k < 12; k++)
                 {
                     var agent:Agent = agentAt(random.normal() * spread, random.normal() * spread, random.normal() * spread);
-                    agent.size = spread * random.logBetween(1e-12, 10);
+                    agent.size = spread * random.logBetween(random.chance(0.5) ? 0.3 : 1e-12, 10);
                     agents.push(agent);
                 }
-                assertEquals("spread " + spread, "", BruteForce.difference(BruteForce.spheres(agents), _collider.findCollisions(agents)));
+                var found:Vector.<Agent> = _collider.findCollisions(agents);
+                assertEquals("spread " + spread, "", BruteForce.difference(BruteForce.spheres(agents), found));
+                hits += found.length / 2;
+                worldsWithHits += found.length > 0 ? 1 : 0;
             }
+            assertTrue("pairs that collide, of 66 a world: " + hits, hits > 0.05 * 300 * 66 && hits < 0.6 * 300 * 66);
+            assertTrue("worlds with pairs: " + worldsWithHits, worldsWithHits > 250);
         }
 
         [Test]

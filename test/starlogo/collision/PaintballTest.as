@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import evaluation.pairs.SeededRandom;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
@@ -13,8 +14,8 @@ package starlogo.collision
 
     /**
      * The thesis's paintball game (§2.2): balls of size 0.1, at 0.1 to 100 patches a frame, at a fireman, a turtle and a wall. Whether a
-     * ball's whole path hits is found by looking every hundredth of a patch: all that hit are found, and none of those that miss. The
-     * rates without sweeps are printed beside it.
+     * ball's whole path hits is found by looking every hundredth of a patch. All that hit give the target their colour and are gone, by the
+     * game's handler, and none of those that miss. The rates without sweeps are printed beside it.
      */
     public class PaintballTest
     {
@@ -23,11 +24,13 @@ package starlogo.collision
         private static const SIZE:Number = 0.1;
         private static const SPEEDS:Array = [0.1, 0.3, 1, 2, 5, 20, 100];
         private static const LENGTH:Number = 9;
+        private static const UNPAINTED:Number = -1;
 
         private static var sGreatLand:GreatLand;
 
         private var _target:Agent;
         private var _ball:Agent;
+        private var _agents:Vector.<Agent>;
 
         [BeforeClass]
         public static function makeModels():void
@@ -79,10 +82,12 @@ package starlogo.collision
         private function shootAt(shape:String, collider:Collider):void
         {
             var random:SeededRandom = new SeededRandom(701);
-            _target = new Agent(shape);
+            _target = new Agent(shape, "targets");
             _target.heading = 20;
             _target.hierarchical = true;
-            _ball = new Agent("sphere");
+            _ball = new Agent("sphere", "paintballs");
+            var game:Collision = new Collision(collider);
+            game.onCollision("targets", "paintballs", paint);
             var rows:Array = [];
             for each (var speed:Number in SPEEDS)
             {
@@ -102,13 +107,13 @@ package starlogo.collision
                     }
                     // where the frames fall is chance
                     shot.before = random.next() * speed;
-                    var isFound:Boolean = fly(collider, shot, speed, true);
+                    var isFound:Boolean = fly(game, shot, speed, true);
                     assertEquals(shape + " at " + speed + ": " + shot, surely > 0, isFound);
                     if (surely > 0)
                     {
                         hits++;
                         swept += isFound ? 1 : 0;
-                        standing += fly(collider, shot, speed, false) ? 1 : 0;
+                        standing += fly(game, shot, speed, false) ? 1 : 0;
                     }
                     else
                     {
@@ -135,21 +140,30 @@ package starlogo.collision
             return false;
         }
 
-        private function fly(collider:Collider, shot:Shot, speed:Number, sweeps:Boolean):Boolean
+        // Whether the ball has painted the target.
+        private function fly(game:Collision, shot:Shot, speed:Number, sweeps:Boolean):Boolean
         {
             _ball.size = SIZE;
             _ball.sweeps = sweeps;
-            var agents:Vector.<Agent> = new <Agent>[_target, _ball];
+            _ball.color++;
+            _target.color = UNPAINTED;
+            _agents = new <Agent>[_target, _ball];
             placeBall(shot, -shot.before, SIZE, true);
-            for (var distance:Number = speed - shot.before; distance < LENGTH + speed; distance += speed)
+            game.update(_agents);
+            for (var distance:Number = speed - shot.before; distance < LENGTH + speed && _agents.length == 2; distance += speed)
             {
-                if (collider.findCollisions(agents).length > 0)
-                {
-                    return true;
-                }
                 placeBall(shot, distance, SIZE, false);
+                game.update(_agents);
             }
-            return collider.findCollisions(agents).length > 0;
+            assertEquals("a ball that hits is gone", _target.color == UNPAINTED ? 2 : 1, _agents.length);
+            assertTrue("the target has the ball's own colour", _target.color == UNPAINTED || _target.color == _ball.color);
+            return _target.color != UNPAINTED;
+        }
+
+        private function paint(target:Agent, ball:Agent):void
+        {
+            target.color = ball.color;
+            _agents.splice(_agents.indexOf(ball), 1);
         }
 
         // Its middle, whatever its size.

@@ -89,7 +89,6 @@ function manifest() {
 		types: "./index.d.ts",
 		exports: {
 			".": { types: "./index.d.ts", default: `./${readable}` },
-			"./min": { types: "./index.d.ts", default: `./${minified}` },
 			"./readable": { types: "./index.d.ts", default: `./${readable}` },
 			"./package.json": "./package.json",
 			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },

@@ -140,10 +140,10 @@ export class Checks {
 		// agents are looked at as the engine meets them, which is once as long as a list stays the same
 		if (name === "out" || element === "Agent") return [`${unlessNull}$checkList(${where}, ${name});`];
 		if (/^(Number|int|uint)$/.test(element)) return [`${name} = $numbers(${where}, ${name}, "${element}", ${isNullable});`];
-		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "strings", (each) => typeof each === "string");`];
-		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "Vector3Ds", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
+		if (element === "String") return [`${unlessNull}$checkList(${where}, ${name}, "a string", (each) => typeof each === "string");`];
+		if (element === "Vector3D") return [`${unlessNull}$checkList(${where}, ${name}, "a Vector3D", (each) => each instanceof ${this.#reference("flash.geom.Vector3D")});`];
 		const test = this.#typeTest(element, "each");
-		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${element}s", (each) => ${test}` : ""});`];
+		return [`${unlessNull}$checkList(${where}, ${name}${test ? `, "${article(element)}", (each) => ${test}` : ""});`];
 	}
 }
 

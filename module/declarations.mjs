@@ -1,5 +1,6 @@
 /** Writes index.d.ts: TypeScript's view of the public classes, with their documentation. */
 import { ADDED } from "./added.mjs";
+import { PLATFORM_NAMES } from "./names.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
 
@@ -15,7 +16,7 @@ const BY_NAME = new Map([
 ]);
 
 /** Sentences that say nothing to a JavaScript developer. */
-const OF_PLAYERS = /Ruffle|Adobe|Flash Player|Flash player|Away3D|SWF|avmshell|mxmlc|ASDoc|E4X/;
+const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
 const HEAD = `/** What is taken wherever numbers are listed. */
 export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array | Uint32Array;
 
@@ -28,11 +29,14 @@ export type UpAxis = "x" | "y" | "z" | ModelTransform;
 /** How a model is scaled. */
 export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
 
+/** What is called with an event, which may be of a class of its own. */
+export type Listener = { listen(event: Event): void }["listen"];
+
 /** How to listen: as to the platform's own events. */
 export interface ListenerOptions {
     /** Whether the listener is called but once. */
     once?: boolean;
-    /** Never in the way here: there is no display list. */
+    /** Taken, and of no effect: events have no phases here. */
     capture?: boolean;
     /** Listening ends when it is aborted. */
     signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void };
@@ -65,12 +69,15 @@ export class ByteArray {
  */
 export function writeDeclarations(types) {
 	const writer = new Writer(new Map([...types.values()].map((type) => [type.name, type])));
-	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND].join("\n");
+	// without the last line all that is declared here could be imported
+	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
 }
 
-/** Whether a class is of a client's own agents: those that its update takes. */
+/** Whether a class is of a client's own agents: those that its update takes, or one that it has for its user. */
 function isGeneric(type) {
-	return type.kind === "class" && type.members.some((member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>");
+	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
+	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
+	return type?.kind === "class" && type.members.some((member) => hasAgents(member) || hasAgent(member));
 }
 
 class Writer {
@@ -92,7 +99,7 @@ class Writer {
 		const parameters = isGeneric(type) ? "<A extends Agent = Agent>" : "";
 		if (type.events.length > 0) members.unshift(...this.#listening(type));
 		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
-		return `${this.#eventsText(type)}${doc(type.doc, "")}export ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
+		return `${this.#eventsText(type)}${doc(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
 	}
 
 	#eventsText(type) {
@@ -105,15 +112,15 @@ class Writer {
 		const known = `<K extends keyof ${type.name}Events>(type: K, listener: (event: ${type.name}Events[K]) => void, `;
 		return [
 			`    addEventListener${known}options?: boolean | ListenerOptions, priority?: number): void;`,
-			"    addEventListener<E extends Event = Event>(type: string, listener: (event: E) => void, options?: boolean | ListenerOptions, priority?: number): void;",
 			`    removeEventListener${known}options?: boolean | ListenerOptions): void;`,
-			"    removeEventListener<E extends Event = Event>(type: string, listener: (event: E) => void, options?: boolean | ListenerOptions): void;",
 		];
 	}
 
 	// Overrides that say nothing of their own are there through the base.
 	#membersOf(type) {
-		const isSeen = (member) => (member.isPublic || member.isProtected) && !member.isPrivate && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		// of a class that cannot be imported nobody can ask for a constant
+		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
+		const isSeen = (member) => isReached(member) && (member.isPublic || member.isProtected) && !member.isPrivate && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
 		return type.members.filter(isSeen);
 	}
 
@@ -125,7 +132,7 @@ class Writer {
 		const text = doc(said, "    ");
 		if (/^(add|remove)EventListener$/.test(member.name)) {
 			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
-			return `${text}    ${member.name}<E extends Event = Event>(type: string, listener: (event: E) => void, options?: boolean | ListenerOptions${priority}): void;`;
+			return `${text}    ${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
 		}
 		// what comes out of a list of a client's agents are the client's agents
 		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
@@ -204,7 +211,16 @@ class Writer {
 		return member ? this.#said(member, { name }, owner) : own;
 	}
 
-	#parameterType({ name, type, value }, said = "", owner = null) {
+	#parameterType(parameter, said = "", owner = null) {
+		// what is overwritten may have been of any agents
+		const agent = this.#agent;
+		if (isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
+		const text = this.#parameterText(parameter, said, owner);
+		this.#agent = agent;
+		return text;
+	}
+
+	#parameterText({ name, type, value }, said, owner) {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
 		const union = owner && this.#unionOf({ members: [] }, type, said);
 		if (union) return union;
@@ -236,21 +252,23 @@ class Writer {
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element) return `${this.#type(element)}[]`;
 		if (type === "Agent") return this.#agent;
-		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? type : "unknown");
+		const isOfAgents = this.#agent === "A" && isGeneric(this.#exported.get(type));
+		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? "<A>" : ""}` : "unknown");
 	}
 }
 
 /** What a documentation says, in terms of JavaScript, without where the thesis has it. */
 function forJavaScript(text) {
-	const sentences = text.split(/(?<=[.;:])(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
+	const sentences = text.split(/(?<=\.)(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
 	return sentences.filter((sentence) => !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, ""))).join("")
-		.replaceAll(/\s*\((?:the )?(?:thesis )?§[^)]*\)/g, "").replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
-		.replaceAll(/\.\/antw bake/g, "npx starlogo-bake").replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
-		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(?=\w)/g, ": ")}) => ${functionResult(result)}</code>`)
+		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "").replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
+		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw bake/g, "npx starlogo-bake").replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
+		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(\w+)/g, (_, name) => `: ${nameHere(name)}`)}) => ${nameHere(result)}</code>`)
 		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, (code) => code.replaceAll(/\bvar (\w+):[\w.<>]+/g, "const $1").replaceAll(/:(?:Number|int|void|Agent|Boolean|String)\b/g, ""));
 }
 
-function functionResult(name) {
+/** What a type of ActionScript is called in TypeScript. */
+function nameHere(name) {
 	return PRIMITIVES[name] ?? name;
 }
 

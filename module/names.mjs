@@ -50,6 +50,9 @@ export const FROM_FLASH = [
 	"flash.errors.IllegalOperationError",
 ];
 
+/** Those whose names the platform has too: types know them, but declare no such names to import, so that no editor suggests them for its own. */
+export const PLATFORM_NAMES = new Set(["Event", "TextEvent", "ErrorEvent", "ProgressEvent"]);
+
 /** The declarations that the module exports, by qualified name: the engine's public ones, and those of Flash. */
 export function publicSignatures() {
 	const types = readSignatures(SOURCES);

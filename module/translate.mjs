@@ -185,10 +185,12 @@ export class Program {
 			lines.push(`${docOf(field.doc ?? "")}static get ${name}() {\n  return ${this.#staticName(unit, field.name)};\n}`);
 			if (!isConstant(field)) lines.push(`static set ${name}(value) {\n  ${this.#staticName(unit, field.name)} = value;\n}`);
 		}
+		// errors name classes, also where a bundler shortens the names
+		if (this.signatures.has(unit.qname)) lines.push(`static name = ${JSON.stringify(unit.name)};`);
 		lines.push(this.#constructorText(unit));
 		// $shown gives it to public classes; others are in no text that users see
 		if (!unit.base && !this.#isShown(unit) && (this.hasAllStatics || this.signatures.has(unit.qname))) lines.push(`get [Symbol.toStringTag]() {\n  return this.constructor.name;\n}`);
-		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n  return true;\n}`);
+		if (this.#checks.isMarked(unit.qname)) lines.push(`get $is${unit.name}() {\n  return $copy;\n}`);
 		for (const setting of this.#checks.settings(unit.qname)) {
 			const check = this.#checks.ofSetting(unit.qname, setting).map((line) => `  ${line}\n`).join("");
 			lines.push(`get ${setting.name}() {\n  return this._${setting.name};\n}`, `set ${setting.name}(value) {\n${check}  this._${setting.name} = value;\n}`);

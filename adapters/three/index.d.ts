@@ -1,5 +1,5 @@
 import type { BufferGeometry, InstancedMesh, LineBasicMaterial, LineSegments, Object3D } from "three";
-import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, RayHit, Vector3D } from "starlogo-collision";
+import type { Agent, BoundingStructure, Contact, HierarchyNode, Model, RayHit, Scaling, Vector3D } from "starlogo-collision";
 
 /** The axis that points up. With y up, three.js's (x, y, z) is the engine's (x, -z, y); with z up, both have the same axes. */
 export type Up = "y" | "z";
@@ -9,7 +9,7 @@ export interface ModelOptions {
     /** The axis of the source that is up: "y" unless told, as three.js and glTF have it. */
     up?: Up;
     /** How the model is scaled: Model.FOOTPRINT (unless told), Model.VOLUME or Model.AS_GIVEN. */
-    scaling?: string;
+    scaling?: Scaling;
 }
 
 /** Which way is up for a binding. */
@@ -63,7 +63,7 @@ export function modelFromObject(name: string, source: Object3D | BufferGeometry,
  * Call `updateObject()` each frame when the agent leads, `updateAgent()` when the object does. Either compares both sides, and does nothing
  * when nothing has changed. An object whose `matrixAutoUpdate` is false is read by its matrix.
  */
-export class ThreeAgentBinding {
+export class ThreeAgentBinding<A extends Agent = Agent> {
     /**
      * Changes neither.
      *
@@ -75,10 +75,10 @@ export class ThreeAgentBinding {
      * @throws ArgumentError if one of them is not what it has to be, or the model is mirrored or stretched in its source
      * @throws RangeError if the InstancedMesh has no such instance
      */
-    constructor(agent: Agent, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);
+    constructor(agent: A, object: Object3D, model?: Model | null, options?: ObjectBindingOptions);
 
     /** The agent. */
-    get agent(): Agent;
+    get agent(): A;
 
     /** What is drawn for the agent; the InstancedMesh of an instance. */
     get object(): Object3D;
@@ -111,7 +111,7 @@ export class ThreeAgentBinding {
  * @throws ArgumentError as ThreeAgentBinding's constructor does
  * @throws RangeError if there is no such instance
  */
-export function bindInstance(agent: Agent, mesh: InstancedMesh, index: number, model?: Model | null, options?: BindingOptions): ThreeAgentBinding;
+export function bindInstance<A extends Agent>(agent: A, mesh: InstancedMesh, index: number, model?: Model | null, options?: BindingOptions): ThreeAgentBinding<A>;
 
 /**
  * Lines for structures, levels of hierarchies, contacts and rays, all in one LineSegments, which three.js draws at once. Its parent is the

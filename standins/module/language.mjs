@@ -18,8 +18,17 @@ export function $resize(vector, length, zero) {
 	return length;
 }
 
-/** A value as an error names it. */
-export function $named(value) {
+/** The mark of what this copy of the engine made: pages and programs can load two. */
+const $copy = {};
+
+/**
+ * A value as an error names it.
+ *
+ * @param value what was given
+ * @param wanted what it had to be: "an Agent", say
+ */
+export function $named(value, wanted = "") {
+	if (isOfOtherCopy(value, wanted)) return "one of another copy of the engine. There are two copies of the engine: import starlogo-collision from one address alone";
 	switch (typeof value) {
 		case "string":
 			return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}...` : value);
@@ -29,13 +38,24 @@ export function $named(value) {
 			return `the function ${value.name || "without a name"}`;
 		case "object": {
 			if (value === null) return "null";
-			if (Array.isArray(value)) return value.length > 4 ? `an array of ${value.length}` : `[${value.map($named).join(", ")}]`;
+			if (Array.isArray(value)) return value.length > 4 ? `an array of ${value.length}` : `[${value.map((each) => $named(each)).join(", ")}]`;
 			const name = Object.getPrototypeOf(value)?.constructor?.name ?? "Object";
 			return name === "Object" ? "a plain object" : `an object of class ${name}`;
 		}
 		default:
 			return String(value);
 	}
+}
+
+/** Whether an object is of a class of the name that is wanted, though not of this copy's. */
+function isOfOtherCopy(value, wanted) {
+	const names = wanted.match(/\b[A-Z]\w*/g)?.filter((name) => name !== "ArrayBuffer") ?? [];
+	if (names.length === 0 || typeof value !== "object") return false;
+	for (let each = value; each !== null; each = Object.getPrototypeOf(each)) {
+		const type = Object.hasOwn(each, "constructor") ? each.constructor : null;
+		if (names.includes(type?.name) && type !== globalThis[type.name]) return true;
+	}
+	return false;
 }
 
 /**
@@ -49,7 +69,7 @@ export function $named(value) {
 export function $refuse(target, name, value, kind) {
 	const given = target === null ? name : `${target}: ${name}`;
 	if (typeof value === "number" && kind.endsWith(" number")) throw new RangeError(`${given} must be ${kind === "a number" ? "a finite number" : kind}, not ${value}`);
-	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value)}`);
+	throw new ArgumentError(`${given} must be ${kind}, not ${$named(value, kind)}`);
 }
 
 /** What a member that is in no hot loop calls for an argument: `$aNumber("Class.method: name", value)`. */
@@ -87,17 +107,17 @@ export function $checkNumbers(names, ...values) {
 	if (place >= 0) $refuse(null, names.replace(/: .*/, `: ${names.split(": ")[1].split(", ")[place]}`), values[place], "a number");
 }
 
-/** Whether an object is of a class that has such a mark. */
+/** Whether an object is of a class that has such a mark, in this copy of the engine. */
 export function $isMarked(value, mark) {
-	return typeof value === "object" && value !== null && value[mark] === true;
+	return typeof value === "object" && value !== null && value[mark] === $copy;
 }
 
-/** Refuses what is no array, and arrays with what fails the test. */
+/** Refuses what is no array, and arrays with what fails the test: "an Agent", say, is what each has to be. */
 export function $checkList(target, name, list, kind = "", test = null) {
-	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind}`);
+	if (!Array.isArray(list)) $refuse(target, name, list, kind === "" ? "an array" : `an array of ${kind.replace(/^an? /, "")}s`);
 	if (test === null) return;
 	const place = list.findIndex((each) => !test(each));
-	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], `one of the ${kind}`);
+	if (place >= 0) $refuse(target, `${name}[${place}]`, list[place], kind);
 }
 
 /** Refuses what is no Vector3D of numbers. */

@@ -17,7 +17,7 @@ test("tsc --strict accepts the sample, and refuses wrong ones", () => {
 	const webgpu = path.join(root, "adapters/three/node_modules/@webgpu/types");
 	const settings = { target: "es2022", module: "nodenext", moduleResolution: "nodenext", strict: true, noEmit: true, types: [webgpu], lib: ["es2022", "dom"] };
 	const wrong = ['modelFromObject("box", mesh, { up: "x" })', 'modelFromObject("box", "mesh")', "new ThreeAgentBinding(mesh, mesh)", "bindInstance(agents[0], mesh, 0)",
-		"wireframe.showLevel(structure, 1)", "bindings[0].agent = agents[1]"];
+		"wireframe.showLevel(structure, 1)", "bindings[0].agent = agents[1]", 'modelFromObject("box", mesh, { scaling: "large" })', 'const scaling: ModelOptions = { scaling: "volume" as string }'];
 	writeFileSync(path.join(folder, "sample.ts"), `${readFileSync(sample, "utf8")}\n${wrong.map((line) => `// @ts-expect-error\n${line};\n`).join("")}`);
 	writeFileSync(path.join(folder, "tsconfig.json"), JSON.stringify({ compilerOptions: settings, files: ["sample.ts"] }));
 	execFileSync(process.execPath, [tools.resolve("typescript/bin/tsc"), "-p", folder], { encoding: "utf8", stdio: "pipe" });
@@ -29,7 +29,7 @@ test("what the types declare is what is exported, and the other way round", asyn
 	const exported = await import(pathToFileURL(path.join(folder, "all.mjs")));
 	assert.deepEqual([...declared.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).sort(), Object.keys(exported).sort());
 	for (const name of ["ThreeAgentBinding", "ThreeWireframe"]) {
-		const [, text] = new RegExp(`^export class ${name} [^]*?\\n([^]*?)\\n}$`, "m").exec(declared);
+		const [, text] = new RegExp(`^export class ${name}\\b[^]*?\\n([^]*?)\\n}$`, "m").exec(declared);
 		const members = [...text.matchAll(/^ {4}(?:get )?(\w+)\(/gm)].map((match) => match[1]);
 		const own = Object.getOwnPropertyNames(exported[name].prototype).filter((member) => member !== "raycast");
 		assert.deepEqual(members.sort(), own.sort());
@@ -48,6 +48,22 @@ test("esbuild takes one engine and one three.js into a bundle, of it what is use
 	const { size } = bundle('import { ThreeWireframe, ThreeAgentBinding, modelFromObject } from "starlogo-collision/three";\nexport { ThreeWireframe, ThreeAgentBinding, modelFromObject };\n', { external: ["three", "starlogo-collision"] });
 	assert.ok(size < 12 * 1024, `${size} bytes`);
 	assert.ok(bundle('import { modelFromObject } from "starlogo-collision/three";\nexport const one = 1;\n', { external: ["three", "starlogo-collision"] }).size < 300);
+});
+
+test("there is no address of a second engine, for which the adapter's models would be foreign", () => {
+	const { exports } = JSON.parse(readFileSync(path.join(root, "bin/module/package.json"), "utf8"));
+	const files = Object.values(exports).map((each) => each.default ?? each).filter((file) => /starlogo-collision[^/]*\.js$/.test(file));
+	assert.deepEqual([...new Set(files)], ["./starlogo-collision.js"]);
+});
+
+test("where two copies are loaded all the same, the error says so", async () => {
+	writeFileSync(path.join(folder, "copies.mjs"), `import { BoxGeometry } from "three";
+import { modelFromObject } from "starlogo-collision/three";
+import { GreatLand } from ${JSON.stringify(pathToFileURL(path.join(root, "bin/module/starlogo-collision.min.js")).href)};
+export const add = () => new GreatLand().addModel(modelFromObject("box", new BoxGeometry()));
+`);
+	const { add } = await import(pathToFileURL(path.join(folder, "copies.mjs")));
+	assert.throws(add, /^ArgumentError: GreatLand\.addModel: model must be a Model, not one of another copy of the engine\. There are two copies of the engine: /);
 });
 
 test("it is in the package, and three.js is what it expects beside it", () => {

@@ -123,6 +123,75 @@ for (const [module, moduleResolution] of [["nodenext", "nodenext"], ["esnext", "
 	});
 }
 
+test("editors do not offer the package's events where a program means the platform's", async () => {
+	const { default: ts } = await import(pathToFileURL(tools.resolve("typescript")));
+	const offered = (text) => {
+		const file = write("complete.ts", `import { Agent } from "starlogo-collision";\nnew Agent("cube");\n${text}`);
+		const options = { target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.NodeNext, moduleResolution: ts.ModuleResolutionKind.NodeNext, lib: ["lib.es2022.d.ts", "lib.dom.d.ts"], types: [], allowImportingTsExtensions: true, noEmit: true };
+		const service = ts.createLanguageService({
+			getScriptFileNames: () => [file], getScriptVersion: () => text, getCurrentDirectory: () => work, getCompilationSettings: () => options, getDefaultLibFileName: ts.getDefaultLibFilePath,
+			getScriptSnapshot: (name) => (ts.sys.fileExists(name) ? ts.ScriptSnapshot.fromString(ts.sys.readFile(name)) : undefined),
+			fileExists: ts.sys.fileExists, readFile: ts.sys.readFile, readDirectory: ts.sys.readDirectory, directoryExists: ts.sys.directoryExists, getDirectories: ts.sys.getDirectories, realpath: ts.sys.realpath,
+		});
+		const position = readFileSync(file, "utf8").length;
+		const { entries } = service.getCompletionsAtPosition(file, position, { includeCompletionsForModuleExports: true, includeCompletionsWithInsertText: true });
+		return entries.filter(({ source }) => source?.includes("starlogo-collision")).map(({ name }) => name);
+	};
+	assert.ok(offered("const model = new Mod").includes("Model"), "what the package exports is offered");
+	for (const name of ["Event", "ErrorEvent", "ProgressEvent", "TextEvent"]) {
+		assert.ok(!offered(`new ${name}`).includes(name), name);
+		assert.ok(!offered(`let event: ${name}`).includes(name), `${name}, as a type`);
+	}
+});
+
+test("names in errors are the sources' own in a program that is minified without them", async () => {
+	const contents = `import { AgentQueries, BinCollider, Box, BoundingStructure, Capsule, GreatLand, HierarchicalCollider, Sphere, Vector3D, intersects } from "starlogo-collision";
+const land = new GreatLand();
+class Ring extends BoundingStructure {}
+const said = (action) => { try { action(); } catch (error) { return error.message; } };
+export const texts = [
+	said(() => land.addModel(land)), said(() => land.addModel(new Sphere(new Vector3D(), 1))), said(() => intersects(new Ring(7), new Sphere(new Vector3D(1, 2, 3), 0.5))),
+	said(() => new AgentQueries(land)), String(new HierarchicalCollider(land)), String(new Capsule(new Vector3D(), new Vector3D(1, 0, 0), 2)), JSON.stringify([Box.name, Sphere.name]),
+];`;
+	const { outputFiles } = esbuild.buildSync({ stdin: { contents, resolveDir: work }, bundle: true, minify: true, format: "esm", target: "es2022", write: false });
+	const { texts } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
+	assert.match(texts[0], /must be a Model, not an object of class GreatLand$/);
+	assert.match(texts[1], /must be a Model, not an object of class Sphere$/);
+	assert.equal(texts[2], "there is no intersection test for a structure of kind 7 and a Sphere of radius 0.5 at Vector3D(1, 2, 3)");
+	assert.match(texts[3], /, not an object of class GreatLand$/);
+	assert.equal(texts[4], "[object HierarchicalCollider]");
+	assert.equal(texts[5], "a Capsule of radius 2 from Vector3D(0, 0, 0) to Vector3D(1, 0, 0)");
+	assert.equal(texts[6], '["Box","Sphere"]');
+});
+
+/** What index.d.ts says of each declaration, in one line each. */
+function documentation() {
+	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+	return [...text.matchAll(/\/\*\*([\s\S]*?)\*\/\s*([^\n]*)/g)].map(([, said, of]) => ({ of, said: said.replaceAll(/```[\s\S]*?```/g, "").replaceAll(/\n\s*\* ?/g, " ").trim() }));
+}
+
+test("the documentation has whole sentences", () => {
+	const all = documentation();
+	assert.ok(all.length > 500);
+	for (const { of, said } of all) {
+		const count = (letter) => said.split(letter).length - 1;
+		assert.equal(count("("), count(")"), `${of}: ${said}`);
+		assert.doesNotMatch(said, /[,;(]\s*$|[,;(:]\s+@(?:param|returns|throws)|\. [a-z]{3,}/, of);
+		assert.match(said, /^[A-Z0-9@"`([]/, of);
+	}
+});
+
+test("the documentation has no remarks for those who maintain the engine, and no types of Flash", () => {
+	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
+	const known = new Set([...text.matchAll(/^(?:export |declare )+(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name));
+	const platform = /^(?:AbortController|AbortError|AbortSignal|ArrayBuffer|ByteArrays|InstancedMesh|JavaScript|LineSegments|StarLogo|NaN|RangeError|TypeError|Vector3Ds|WebAssembly)$/;
+	for (const { of, said } of documentation()) {
+		assert.doesNotMatch(said, /\bthis file\b|\bwritten out\b|\bflash\.|\bFlash|\bRuffle|\bAdobe|ActionScript|\bplayer (?:takes|lets|that compiles)|\bas in the player\b|display list/i, of);
+		assert.doesNotMatch(said, /\bV8\b|\buint\b|: ?int\b|\bVector\b|function\(/, of);
+		for (const [name] of said.matchAll(/\b[A-Z][a-z0-9]+[A-Z]\w*/g)) assert.ok(known.has(name) || platform.test(name), `${of} speaks of ${name}`);
+	}
+});
+
 test("the types say nothing of any, and the documentation speaks of JavaScript", () => {
 	const text = readFileSync(path.join(folder, "index.d.ts"), "utf8");
 	const code = text.replaceAll(/\/\*\*[\s\S]*?\*\//g, "");

@@ -357,6 +357,52 @@ test("a load may be awaited, and aborted alone", async () => {
 	assert.equal(texts.length, 1);
 });
 
+test("an object of another copy of the engine is named as that", async () => {
+	const other = await import(pathToFileURL(path.join(folder, "starlogo-collision.min.js")));
+	const COPIES = "not one of another copy of the engine. There are two copies of the engine: ";
+	const land = makeLand();
+	const foreign = new other.GreatLand();
+	class Hero extends other.Agent {}
+	refused(() => land.addModel(other.BuiltInModel.cube()), "GreatLand.addModel: model must be a Model", COPIES);
+	refused(() => new TightestFitCollider(foreign), "greatLand must be a GreatLand", COPIES);
+	refused(() => new Collision(new BinCollider()).update([new Agent("x"), new Hero("x")]), "agents[1] must be an Agent", COPIES);
+	refused(() => (land.fitStore = new other.FitStore()), "fitStore must be a FitStore", COPIES);
+	refused(() => (land.boundingStructures.fitters = [new other.RitterSphereFitter()]), "fitters[0] must be a Fitter", COPIES);
+	refused(() => new Sphere(new other.Vector3D(), 1), "center must be a Vector3D", COPIES);
+	refused(() => new engine.AgentQueries(new other.BinCollider()), "questions need a Collision or one of", COPIES);
+	refused(() => new engine.AgentQueries(new other.Collision(new other.BinCollider())), "questions need a Collision or one of", COPIES);
+	class Model {}
+	refused(() => land.addModel(new Model()), "model must be a Model", COPIES);
+	refused(() => land.addModel(new Date(0)), "model must be a Model, not an object of class Date");
+	refused(() => new ModelLoader(land).dispatchEvent(new globalThis.Event("complete")), "event must be an Event, not an object of class Event");
+	assert.equal(land.hasModel("cube"), true);
+});
+
+test("errors name structures, elements of lists, functions and settings as their users do", () => {
+	const land = makeLand();
+	const questions = new engine.AgentQueries(new TightestFitCollider(land));
+	const sphere = new Sphere(new Vector3D(1, 2, 3), 0.5);
+	const turned = [new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), new Vector3D(0, 0, 1)];
+	class Ring extends engine.BoundingStructure {}
+	assert.equal(String(sphere), "a Sphere of radius 0.5 at Vector3D(1, 2, 3)");
+	assert.equal(String(new Box(new Vector3D(), ...turned, 1, 2, 3)), "a Box of half-extents (1, 2, 3) at Vector3D(0, 0, 0)");
+	assert.equal(String(new engine.Cylinder(new Vector3D(), new Vector3D(0, 0, 1), 2)), "a Cylinder of radius 2 from Vector3D(0, 0, 0) to Vector3D(0, 0, 1)");
+	refused(() => questions.overlapping(new Ring(7)), "a sphere, box or capsule is needed, not a structure of kind 7");
+	refused(() => engine.Wireframes.ofStructure(new Ring(7)), "there are no lines for a structure of kind 7");
+	const filter = new AgentFilter();
+	refused(() => (filter.breeds = [3]), "AgentFilter.breeds[0] must be a string, not 3");
+	refused(() => (filter.breeds = "bears"), 'AgentFilter.breeds must be an array of strings, not "bears"');
+	refused(() => (land.boundingStructures.fitters = [3]), "fitters[0] must be a Fitter, not 3");
+	refused(() => new engine.AgentQueries({}), "which say what agents look like, not a plain object");
+	refused(() => new Collision(new BinCollider()).onCollision("", "b", () => 0), 'not "", "b" and the function without a name');
+	refused(() => (land.hierarchyBounds = 77), "hierarchyBounds, must be BoundingStructure.BOX, SPHERE or CAPSULE");
+	const one = new Agent("cube");
+	refused(() => questions.distance(one, one), "is no pair with itself");
+	const saysOf = (read) => assert.throws(read, (error) => error.name === "ModelError" && !/text/.test(error.message) && /empty|no glTF file|no STL file/.test(error.message));
+	for (const bytes of [new Uint8Array(0), new Uint8Array(16), null]) for (const type of [engine.GltfModel, engine.StlModel]) saysOf(() => type.fromBytes("x", bytes));
+	assert.throws(() => new engine.ObjModel("x", "v 0 0 0", 3), /not 3$/);
+});
+
 test("no number of a Flash player's error is in a text", async () => {
 	const loader = new ModelLoader(new GreatLand());
 	const texts = [];

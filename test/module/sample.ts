@@ -38,8 +38,6 @@ import {
 	Cylinder,
 	CylinderFitter,
 	DetectionBlocks,
-	ErrorEvent,
-	Event,
 	EventDispatcher,
 	finish,
 	Fit,
@@ -75,7 +73,6 @@ import {
 	OrientedBoxFitter,
 	Placement,
 	PreciseCollider,
-	ProgressEvent,
 	RayHit,
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
@@ -91,7 +88,6 @@ import {
 	StlModel,
 	StructureBlocks,
 	StructureTests,
-	TextEvent,
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
@@ -285,8 +281,8 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	const dispatcher: EventDispatcher & IEventDispatcher = loader;
 	const loaded: string[] = [];
 	loader.addEventListener(ModelEvent.LOADED, (event: ModelEvent) => loaded.push(event.model.name));
-	loader.addEventListener(ErrorEvent.ERROR, (event: ErrorEvent & TextEvent) => loaded.push(event.text));
-	loader.addEventListener(ProgressEvent.PROGRESS, (event: ProgressEvent) => log.push(`${event.bytesLoaded} of ${event.bytesTotal}`));
+	loader.addEventListener("error", (event: ModelLoaderEvents["error"]) => loaded.push(event.text));
+	loader.addEventListener("progress", (event) => log.push(`${event.bytesLoaded} of ${event.bytesTotal}`));
 	const once: ListenerOptions = { once: true };
 	loader.addEventListener("progress", (event: ModelLoaderEvents["progress"]) => log.push(`first: ${event.bytesTotal}`), once);
 	loader.load("bear", `${base}/bear.obj`);
@@ -295,7 +291,7 @@ export function load(base: string, bytes: Uint8Array): Promise<string[]> {
 	loader.loadBytes("zipped", bytes);
 	const source: ModelSource = { name: "cube", progress: 1, model: BuiltInModel.cube(), step: () => false };
 	loader.loadFrom(source);
-	return new Promise((resolve) => dispatcher.addEventListener(Event.COMPLETE, () => resolve(loaded.sort())));
+	return new Promise((resolve) => dispatcher.addEventListener("complete", () => resolve(loaded.sort())));
 }
 
 /** Keeps what was computed, in a place of one's own; how many bytes a model's take, and what comes back. */

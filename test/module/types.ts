@@ -1,7 +1,7 @@
 // What the types of the package say, and what they refuse: tsc --strict has to accept all of it, and to find an error where one is expected.
 import {
-	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, ErrorEvent, Event, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
-	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider,
+	Agent, AgentFilter, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, CollisionBlocks, Contact, GltfModel, GreatLand, HierarchicalCollider, Model, ModelEvent,
+	ModelLoader, ModelTransform, ObjModel, RayHit, TightestFitCollider, Vector3D,
 } from "starlogo-collision";
 import type { CollisionSystem, ModelLoaderEvents, Numbers } from "starlogo-collision";
 
@@ -88,10 +88,19 @@ loader.addEventListener("modelLoaded", (event) => {
 	is<Same<typeof event, ModelEvent>>();
 	event.model.name.trim();
 }, { once: true, signal: abort.signal });
-loader.addEventListener(ErrorEvent.ERROR, (event) => event.text.trim());
+loader.addEventListener("error", (event) => event.text.trim());
 loader.addEventListener("progress", (event) => event.bytesLoaded / event.bytesTotal);
-loader.addEventListener(Event.COMPLETE, () => {});
-is<Same<ModelLoaderEvents["error"], ErrorEvent>>();
+loader.addEventListener("complete", () => {});
+loader.addEventListener(ModelEvent.LOADED, (event) => event.model.name.trim());
+const onError = (event: ModelLoaderEvents["error"]) => event.text.trim();
+loader.addEventListener("error", onError);
+loader.removeEventListener("error", onError);
+// @ts-expect-error events have their names only
+loader.addEventListener("modelloaded", () => {});
+// @ts-expect-error there is no such event
+loader.removeEventListener("loaded", () => {});
+// @ts-expect-error any string is no event
+loader.addEventListener("error" as string, () => {});
 const awaited: Promise<Model> = loader.loadAsync("x", "x.obj", { upAxis: "y", scaling: Model.VOLUME, signal: abort.signal });
 awaited.then((model) => model.name.trim());
 // @ts-expect-error there is no such axis
@@ -115,7 +124,19 @@ filter.accepts = (hero: Hero) => hero.life > 1;
 filter.accepts = null;
 // @ts-expect-error it says whether
 filter.accepts = (agent) => agent.breed;
-const nearest = new AgentQueries(collision).nearest(agent, 3, filter);
+// what questions find are the game's own agents
+const questions = new AgentQueries(collision);
+const met = questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, filter, hit);
+is<Same<typeof met, RayHit<Hero> | null>>();
+if (met?.agent) met.agent.life--;
+is<Same<RayHit<Hero>["agent"], Hero | null>>();
+is<Same<RayHit["agent"], Agent | null>>();
+const all = questions.castAll(new Vector3D(), new Vector3D(1, 0, 0), 9, null, [hit]);
+is<Same<typeof all, RayHit<Hero>[]>>();
+questions.cast(new Vector3D(), new Vector3D(1, 0, 0), 9, null, new RayHit<Hero>());
+// @ts-expect-error no property of an Agent
+new AgentQueries(plain).cast(new Vector3D(), new Vector3D(1, 0, 0))!.agent!.life;
+const nearest = questions.nearest(agent, 3, filter);
 is<Same<typeof nearest, Hero | null>>();
 new AgentQueries(new BinCollider());
 // @ts-expect-error neither a Collision nor a collision system

@@ -18,10 +18,7 @@ package starlogo.bounding
      * <p>A structure lives either in the space of its model or, once placed, in the world; lengths are in patches.
      * Scaling, rotating and translating are about the origin of that space, change the structure in place and return
      * it, so that calls can be chained; <code>clone()</code> first to keep the original. A call that throws changes
-     * nothing.</p>
-     *
-     * <p>This is an abstract class rather than the thesis's interface because calls through an interface cost half as
-     * much again. Its subclasses are Sphere, Capsule, Box and Cylinder; the pair tests know these only.</p>
+     * nothing. The subclasses are Sphere, Capsule, Box and Cylinder. The pair tests know these only.</p>
      */
     public class BoundingStructure
     {
@@ -39,7 +36,7 @@ package starlogo.bounding
 
         private static var sMatrix:Vector.<Number> = new Vector.<Number>(16, true);
 
-        /** Which structure this is: SPHERE, CAPSULE, BOX or CYLINDER. To be read only; a field because the tests need it fast. */
+        /** Which structure this is: SPHERE, CAPSULE, BOX or CYLINDER. To be read only. */
         public var kind:int;
 
         /**
@@ -50,6 +47,12 @@ package starlogo.bounding
         public function BoundingStructure(kind:int)
         {
             this.kind = kind;
+        }
+
+        /** What it is, and where, for messages. */
+        public function toString():String
+        {
+            return "a structure of kind " + kind;
         }
 
         /** The volume in cubic patches; 0 for a structure that is flat, a line or a point. */
@@ -72,7 +75,7 @@ package starlogo.bounding
 
         /**
          * Rotates the structure about the origin. In single precision, which is what Flash Player's Matrix3D has, the
-         * result is as precise as the matrix; a box's axes stay unit vectors at right angles in double precision.
+         * result is as precise as the matrix. A box's axes stay unit vectors at right angles in double precision.
          *
          * @param rotation a rotation and nothing else; a reflection passes too, structures being symmetric
          * @return this structure

@@ -75,6 +75,12 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
+        override public function toString():String
+        {
+            return "a Box of half-extents (" + halfX + ", " + halfY + ", " + halfZ + ") at " + center;
+        }
+
+        /** @inheritDoc */
         override public function get volume():Number
         {
             return 8 * halfX * halfY * halfZ;

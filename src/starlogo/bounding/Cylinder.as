@@ -27,6 +27,12 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
+        override public function toString():String
+        {
+            return "a Cylinder of radius " + radius + " from " + start + " to " + end;
+        }
+
+        /** @inheritDoc */
         override public function get volume():Number
         {
             return Math.PI * radius * radius * Vector3D.distance(start, end);

@@ -36,6 +36,12 @@ package starlogo.bounding
         }
 
         /** @inheritDoc */
+        override public function toString():String
+        {
+            return "a Sphere of radius " + radius + " at " + center;
+        }
+
+        /** @inheritDoc */
         override public function get volume():Number
         {
             return 4 / 3 * Math.PI * radius * radius * radius;

@@ -12,6 +12,7 @@ package starlogo.collision
     import starlogo.handlers.ContactTracker;
     import starlogo.handlers.HandlerCalls;
     import starlogo.handlers.HandlerTable;
+    import starlogo.search.textOf;
 
     use namespace engine;
 
@@ -316,7 +317,7 @@ package starlogo.collision
             }
             if (!(_collisionSystem is Collider))
             {
-                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + _collisionSystem);
+                throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));
             }
         }
 
@@ -380,7 +381,7 @@ package starlogo.collision
         {
             if (!breed || !otherBreed || handler == null)
             {
-                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + handler);
+                throw new ArgumentError("two breeds and a handler are needed, not \"" + breed + "\", \"" + otherBreed + "\" and " + textOf(handler));
             }
         }
     }

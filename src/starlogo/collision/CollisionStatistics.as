@@ -64,7 +64,7 @@ package starlogo.collision
         /** Calls of handlers. */
         public var handlerCalls:int;
 
-        /** Milliseconds to find the collisions; whole ones in a Flash player, whose clock counts no others. */
+        /** Milliseconds to find the collisions. In a Flash player they are whole, as its clock counts no others. */
         public var findMs:Number = 0;
 
         /** Milliseconds of the whole frame, handlers included; likewise. */

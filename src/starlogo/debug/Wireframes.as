@@ -30,7 +30,7 @@ package starlogo.debug
          * @param structure in any space
          * @param out the lines are added to it; made if null
          * @return out
-         * @throws ArgumentError if the structure is null
+         * @throws ArgumentError if the structure is null, or none of the engine's
          */
         public static function ofStructure(structure:BoundingStructure, out:Vector.<Number> = null):Vector.<Number>
         {
@@ -51,9 +51,12 @@ package starlogo.debug
                     var capsule:Capsule = Capsule(structure);
                     drawRound(pen, capsule.start, capsule.end, capsule.radius, true);
                     break;
-                default:
+                case BoundingStructure.CYLINDER:
                     var cylinder:Cylinder = Cylinder(structure);
                     drawRound(pen, cylinder.start, cylinder.end, cylinder.radius, false);
+                    break;
+                default:
+                    throw new ArgumentError("there are no lines for " + structure);
             }
             return pen.lines;
         }

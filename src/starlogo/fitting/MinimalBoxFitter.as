@@ -12,7 +12,7 @@ package starlogo.fitting
      * The smallest box of all (beyond the thesis), by O'Rourke's theorem ("Finding Minimal Enclosing Boxes", International Journal
      * of Computer and Information Sciences 14(3), 1985): some smallest box has two adjacent sides that each contain an edge of
      * the hull. The normal of such a side is perpendicular to that edge, between the normals of the two triangles that meet
-     * there, and given one normal the best box is known exactly (see BoxAlongAxis). What is left is a search along
+     * there, and given one normal the best box is known exactly. What is left is a search along
      * one arc of directions for each edge of the hull.
      *
      * <p>O'Rourke solves an equation for each pair of edges. This samples the arcs, and from the best samples descends along arcs,
@@ -20,7 +20,7 @@ package starlogo.fitting
      * on the models and sets of the project's tests it is within 0.001 %.</p>
      *
      * <p>A set in a plane gets the smallest rectangle; one on a line or in a point its segment or point. Cost: 0.1 seconds for ten
-     * corners of the hull, one to two for 500, in a player that compiles to WebAssembly; thousands are sampled more
+     * corners of the hull, one to two for 500, in WebAssembly; thousands are sampled more
      * coarsely.</p>
      */
     public final class MinimalBoxFitter extends Fitter

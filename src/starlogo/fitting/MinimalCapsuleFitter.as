@@ -13,12 +13,11 @@ package starlogo.fitting
     /**
      * A capsule close to the smallest of all (beyond the thesis). No exact algorithm of use is known. This takes directions all
      * around; for each, the axis through the smallest circle around the hull's corners seen along it, and the best of some
-     * radii; and from the best of these moves the ends as long as the volume shrinks (see CapsuleDescent). The
+     * radii; and from the best of these moves the ends as long as the volume shrinks. The
      * smallest sphere is a candidate too: then both ends are one.
      *
      * <p>There is no proof; against the best that long searches found for the models and sets of the project's tests it is
-     * within 0.1 %. Cost: 0.1 seconds for ten corners of the hull, two to three for 500, in a player that compiles to
-     * WebAssembly.</p>
+     * within 0.1 %. Cost: 0.1 seconds for ten corners of the hull, two to three for 500, in WebAssembly.</p>
      */
     public final class MinimalCapsuleFitter extends Fitter
     {

@@ -4,7 +4,7 @@ package starlogo.fitting
     import starlogo.fitting.minimal.SmallestEnclosingBall;
 
     /**
-     * The smallest sphere of all (beyond the thesis; see SmallestEnclosingBall): exact but for rounding, about 1e-12 of the radius. Usually
+     * The smallest sphere of all (beyond the thesis): exact but for rounding, about 1e-12 of the radius. Usually
      * 5 to 15 passes over the hull's vertices, and two over all.
      */
     public final class MinimalSphereFitter extends Fitter

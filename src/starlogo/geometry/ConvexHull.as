@@ -17,7 +17,7 @@ package starlogo.geometry
      * two points, and that of a single point (repeated or not) the point.</p>
      *
      * <p>Vertices are rounded to a grid of 2^25 steps along each of three axes, the coordinate axes or, for sets that are thin
-     * in some other direction, axes along the set; on the grid the hull is exact (see QuickHull). What is handed out are the
+     * in some other direction, axes along the set; on the grid the hull is exact. What is handed out are the
      * vertices themselves, unrounded.</p>
      *
      * <p>Cost: n log n for n vertices. The work can be done in steps, each of about one pass over the vertices.</p>

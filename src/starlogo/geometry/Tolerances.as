@@ -17,7 +17,7 @@ package starlogo.geometry
 
         /**
          * By how much the lengths of a matrix's columns, and the angles between them, may differ from those of a turned and evenly scaled space, as
-         * a fraction: Flash Player rounds the entries of a Matrix3D to single precision. Smaller: matrices that an agent itself has given are
+         * a fraction. Flash Player rounds the entries of a Matrix3D to single precision. Smaller: matrices that an agent itself has given are
          * refused. Larger: shear and uneven scale pass unnoticed.
          */
         public static const MATRIX:Number = 1e-5;
@@ -38,16 +38,17 @@ package starlogo.geometry
 
         /**
          * How far numbers that went through single-precision matrices may be apart and still count as one, as a fraction of
-         * the largest: an Away3D object's three scales, and its matrix against its traits. Below 5e-7: objects that were
+         * the largest. Such are an Away3D object's three scales, and its matrix against its traits. Below 5e-7: objects that were
          * loaded with a matrix are refused as uneven. Larger: uneven ones pass, and what is drawn differs from what collides.
          */
         public static const SINGLE_PRECISION:Number = 1e-5;
 
+        // It is written out, to the last bit, wherever it is needed: V8 makes objects of Numbers that are passed to a function.
+
         /**
          * The rule of touching: how far apart shapes may be, as a fraction of the sum of all six coordinates of where they are, without their signs, and
          * still touch, because these are rounded. It holds in every collision system, for agents that stand, that sweep, and for questions about two
-         * agents; for the rounding of sizes there are TOUCHING, SURFACES and NESTING. It is written out, to the last bit, wherever it is needed: of
-         * Numbers that are passed to a function V8 makes objects. Mover and RowTree make margins of it, which are wider. Below 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
+         * agents; for the rounding of sizes there are TOUCHING, SURFACES and NESTING. Below 2.3e-16: shapes that touch in decimals are told apart by the rounding of their places and of the middles of their shapes.
          * Larger: far out, shapes with a gap between them collide.
          */
         public static const PLACES:Number = 6e-16;
@@ -55,7 +56,7 @@ package starlogo.geometry
         /**
          * A factor on the distance at which structures touch: the rounding error that a test through several steps may
          * make, 1e-14 relative, and what SURFACES asks for. 1: structures that touch may, turned, be told apart by the last
-         * bit. Larger: structures with a gap between them collide. sphereSphere compares directly; agents that are spheres are given it.
+         * bit. Larger: structures with a gap between them collide. The test of two Spheres compares directly; agents that are spheres are given it.
          */
         public static const TOUCHING:Number = 1 + 4e-14;
 

@@ -29,7 +29,7 @@ package starlogo.libraries
      */
     public final class FitStore
     {
-        /** How many bytes of fits are kept unless told: the player lets a site have 100 KB unasked. */
+        /** How many bytes of fits are kept unless told. Flash Player lets a site have 100 KB unasked. */
         public static const DEFAULT_CAPACITY:int = 90000;
 
         private static const INDEX:String = "index";

@@ -100,7 +100,7 @@ package starlogo.libraries
         {
             if (value != BoundingStructure.BOX && value != BoundingStructure.SPHERE && value != BoundingStructure.CAPSULE)
             {
-                throw new ArgumentError("boundsKind must be BoundingStructure.BOX, SPHERE or CAPSULE: " + value);
+                throw new ArgumentError("boundsKind, a GreatLand's hierarchyBounds, must be BoundingStructure.BOX, SPHERE or CAPSULE: " + value);
             }
             _boundsKind = value;
         }

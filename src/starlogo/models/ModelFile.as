@@ -27,25 +27,26 @@ package starlogo.models
         /**
          * The text of a file.
          *
+         * @param format what the file has to be if its format has a binary form as well, for the message
          * @throws ModelError if the bytes are no text: an image, say
          */
-        public static function text(name:String, bytes:ByteArray):String
+        public static function text(name:String, bytes:ByteArray, format:String = null):String
         {
             refuseIf(bytes == null || bytes.length == 0, name, "the file is empty");
             refuseIf(bytes.length > ModelLimits.BYTES, name, "the file has " + bytes.length + " bytes: expected at most " +
                     ModelLimits.BYTES);
-            var result:String = decoded(name, bytes);
+            var result:String = decoded(name, bytes, format);
             return result.charCodeAt(0) == 0xFEFF ? result.substr(1) : result;
         }
 
-        private static function decoded(name:String, bytes:ByteArray):String
+        private static function decoded(name:String, bytes:ByteArray, format:String):String
         {
             var encoding:String = encodingOf(bytes);
             if (encoding == UTF_16_LOW_FIRST || encoding == UTF_16_HIGH_FIRST)
             {
                 return WideText.utf16(bytes, encoding == UTF_16_LOW_FIRST);
             }
-            checkText(name, bytes);
+            checkText(name, bytes, format);
             if (encoding != UTF_8)
             {
                 return WideText.latin(bytes, encoding == WINDOWS);
@@ -87,7 +88,7 @@ package starlogo.models
         }
 
         // the player ends a text at its first zero
-        private static function checkText(name:String, bytes:ByteArray):void
+        private static function checkText(name:String, bytes:ByteArray, format:String):void
         {
             bytes.position = 0;
             var isPlain:Boolean = bytes.readUTFBytes(bytes.length).length == bytes.length;
@@ -96,7 +97,8 @@ package starlogo.models
             {
                 if (bytes[i] == 0)
                 {
-                    throw new ModelError(name, "", "this is no text but some binary file: expected a model");
+                    throw new ModelError(name, "", format == null ? "this is no text but some binary file: expected a model"
+                            : "this is no " + format + " file but some other binary file");
                 }
             }
         }

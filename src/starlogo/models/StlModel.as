@@ -25,7 +25,7 @@ package starlogo.models
         {
             super(name, ORIGIN);
             var isBinary:Boolean = bytes != null && bytes.length <= ModelLimits.BYTES && StlReader.isBinary(bytes);
-            var text:String = isBinary ? null : ModelFile.text(name, bytes);
+            var text:String = isBinary ? null : ModelFile.text(name, bytes, "STL");
             setShape(new StlReader(name, isBinary ? bytes : null, text, upAxis).readShape(scaling, upAxis as ModelTransform));
         }
 

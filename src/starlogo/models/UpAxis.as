@@ -39,8 +39,8 @@ package starlogo.models
             {
                 return Z;
             }
-            refuseIf(upAxis != X && upAxis != Y && upAxis != Z, name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not \"" +
-                    upAxis + "\"");
+            refuseIf(upAxis != X && upAxis != Y && upAxis != Z, name, "the up axis must be \"x\", \"y\" or \"z\", or a ModelTransform, not " +
+                    (upAxis is String ? "\"" + upAxis + "\"" : upAxis));
             return String(upAxis);
         }
 

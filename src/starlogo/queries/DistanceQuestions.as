@@ -61,7 +61,8 @@ package starlogo.queries
         {
             if (a == null || b == null || a === b)
             {
-                throw new ArgumentError("two agents are needed, not " + a + " and " + b);
+                throw new ArgumentError(a == null || b == null ? "two agents are needed, not " + a + " and " + b
+                        : "two agents are needed: " + a + " is no pair with itself");
             }
             var table:AgentTable = _seen.table;
             var rowA:int = _seen.rowOfNow(a, 0);

@@ -10,6 +10,7 @@ package starlogo.queries
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShapes;
     import starlogo.search.ShapeStrategy;
+    import starlogo.search.textOf;
 
     use namespace engine;
 
@@ -175,7 +176,7 @@ package starlogo.queries
             if (collider == null)
             {
                 throw new ArgumentError("questions need a Collision or one of the engine's collision systems, which say what agents look like, not "
-                        + system);
+                        + textOf(system, "a Collision or a Collider"));
             }
             return collider;
         }

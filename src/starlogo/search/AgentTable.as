@@ -533,7 +533,7 @@ package starlogo.search
 
         private static function isNoAgent(place:int, agent:Agent):Error
         {
-            var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent);
+            var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent");
             return new ArgumentError("agents[" + place + "] " + problem);
         }
 

@@ -41,7 +41,7 @@ package starlogo.steps
             return repeat(work.step);
         }
 
-        /** Adds a step; returns the sequence. @param action function():void */
+        /** Adds a step; returns the sequence. @param action <code>():void</code> */
         public function call(action:Function):StepSequence
         {
             return addPart(action, ONCE);
@@ -52,7 +52,7 @@ package starlogo.steps
          *
          * @param count how many things there are
          * @param size how many of them a step does
-         * @param work function(first:int, end:int):void; does the things from one number up to another
+         * @param work <code>(first:int, end:int):void</code>; does the things from one number up to another
          */
         public function slices(count:int, size:int, work:Function):StepSequence
         {
@@ -62,7 +62,7 @@ package starlogo.steps
         /**
          * Adds work that a function makes when its turn has come, in a separate step; returns the sequence.
          *
-         * @param make function():Steps; the work that it returns is done next; null for none
+         * @param make <code>():Steps</code>; the work that it returns is done next; null for none
          */
         public function begin(make:Function):StepSequence
         {
@@ -72,7 +72,7 @@ package starlogo.steps
         /**
          * Adds steps that one function does; returns the sequence.
          *
-         * @param advance function():Boolean, called a step at a time for as long as it returns true
+         * @param advance <code>():Boolean</code>, called a step at a time for as long as it returns true
          */
         public function repeat(advance:Function):StepSequence
         {

@@ -128,7 +128,7 @@ package starlogo.models.gltf
             }
             else if (_text == null)
             {
-                _text = ModelFile.text(_name, _bytes);
+                _text = ModelFile.text(_name, _bytes, "glTF");
                 _bytes = null;
             }
             else if (_text.charCodeAt(0) == 0xFEFF)

@@ -1,6 +1,6 @@
 package flash.events
 {
-    /** What happened, and to whom. There is no display list here: an event is at its target, and nowhere else. */
+    /** What happened, and to whom. An event is at its target, and nowhere else. */
     public class Event
     {
         public static const ACTIVATE:String = "activate";

@@ -6,9 +6,9 @@ package flash.events
      * Calls whoever listens: those of higher priority first, those of the same in the order in which they were added. Who is added or
      * removed meanwhile is called, or not, from the next event on.
      *
-     * <p>There is no display list: listeners of the capture phase are kept but never called. Listeners are kept until they are
-     * removed, weak references or not. What a listener throws goes to <code>Machine.uncaught</code>, and the next is called. So
-     * does an error event that nobody listens for, as in Flash; Ruffle drops those.</p>
+     * <p>Listeners of the capture phase are kept but never called. Listeners are kept until they are
+     * removed, weak references or not. What a listener throws is no concern of the others: it is reported as an error that
+     * nothing caught, and so is an error event that nobody listens for. Ruffle drops those.</p>
      */
     public class EventDispatcher implements IEventDispatcher
     {

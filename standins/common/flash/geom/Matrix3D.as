@@ -1,3 +1,4 @@
+// This file is long because it has the whole of a class of Flash, written out: its loops would cost more than they do.
 package flash.geom
 {
     import standin.SinglePrecision;
@@ -7,8 +8,6 @@ package flash.geom
      * appending a transform does that after what the matrix did so far, prepending before.
      *
      * <p>Methods that return no object allocate nothing, but for recompose, interpolateTo and pointAt.</p>
-     *
-     * <p>This file is long because it has the whole of a class of Flash, written out: its loops would cost more than they do.</p>
      */
     public class Matrix3D
     {
@@ -50,7 +49,7 @@ package flash.geom
 
         /**
          * A matrix so much of the way from one to another: the translation in proportion, the rotation about one axis, the
-         * shorter way round. It has no scale; the matrices are taken for rotations, which is as in the player.
+         * shorter way round. It has no scale; the matrices are taken for rotations. Flash does so too.
          *
          * @param percent 0 is the first matrix, 1 the second
          */
@@ -352,7 +351,7 @@ package flash.geom
         /**
          * Appends a rotation, counter-clockwise to whoever looks against the axis.
          *
-         * @param axis of any length; one without length makes all points one, as in Ruffle
+         * @param axis of any length; one without length makes all points one
          * @param pivotPoint a point on the axis; null is the origin
          */
         public function appendRotation(degrees:Number, axis:Vector3D, pivotPoint:Vector3D = null):void
@@ -574,8 +573,8 @@ package flash.geom
 
         /**
          * Turns what the matrix transforms, where it stands, to face a point: its direction <code>at</code> then shows there, and
-         * its direction <code>up</code> as near as may be to where it shows untransformed. The scale stays. Ruffle does nothing;
-         * this follows Flash's documentation.
+         * its direction <code>up</code> as near as may be to where it shows untransformed. The scale stays. This follows
+         * Flash's documentation; Ruffle does nothing.
          *
          * @param pos the point to face, in the world; where it is the matrix's own position nothing changes
          * @param at the object's own forward direction; null is (0, 0, -1)

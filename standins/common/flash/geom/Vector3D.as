@@ -136,8 +136,8 @@ package flash.geom
         }
 
         /**
-         * Whether each coordinate differs by less than the tolerance. With allFour w should be compared alike; the player takes
-         * the other's w over, and compares that with the tolerance, and so does this.
+         * Whether each coordinate differs by less than the tolerance. With allFour it is also whether the
+         * other's w is less than the tolerance.
          */
         public function nearEquals(toCompare:Vector3D, tolerance:Number, allFour:Boolean = false):Boolean
         {

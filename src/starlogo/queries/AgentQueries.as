@@ -351,9 +351,7 @@ package starlogo.queries
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            _moves.aim(dx, dy, dz);
-            _moves.move(agent, filter, contact, false);
-            return _moves.part;
+            return _moves.move(agent, dx, dy, dz, filter, contact, false);
         }
 
         /**
@@ -372,9 +370,7 @@ package starlogo.queries
          */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            _moves.aim(dx, dy, dz);
-            _moves.move(agent, filter, null, true);
-            return _moves.part;
+            return _moves.move(agent, dx, dy, dz, filter, null, true);
         }
 
         private static function requirePoint(point:Vector3D):void

@@ -1,3 +1,6 @@
+/** Methods that return a ByteArray in ActionScript, and a Uint8Array in JavaScript: it can be copied and sent like all of the platform's own. */
+export const PLAIN_BYTES = new Set(["starlogo.GreatLand.bake", "starlogo.collision.Collision.snapshot"]);
+
 /** Members that classes have in JavaScript alone: what they do, and how index.d.ts declares them. */
 export const ADDED = {
 	"starlogo.models.ModelLoader": {

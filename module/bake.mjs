@@ -64,7 +64,7 @@ for (const file of files) {
 			continue;
 		}
 		const model = await read(name, source, transform ?? values.up);
-		const bytes = newGame().bake(model, values.up, values.transforms).toUint8Array();
+		const bytes = newGame().bake(model, values.up, values.transforms);
 		writeFileSync(`${to}.cooked`, bytes);
 		const time = (performance.now() - start).toFixed(0);
 		console.log(`${relative(out, to)}.cooked: ${bytes.length} bytes for ${(model.triangles?.length ?? 0) / 3} triangles, ${time} ms`);

@@ -1,5 +1,5 @@
 /** Writes index.d.ts: TypeScript's view of the public classes, with their documentation. */
-import { ADDED } from "./added.mjs";
+import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { PLATFORM_NAMES } from "./names.mjs";
 
 const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
@@ -139,7 +139,7 @@ class Writer {
 		const generic = isPicking ? "<A extends Agent>" : "";
 		if (isPicking) this.#agent = "A";
 		const isNull = this.#mayBeNull({ ...member, doc: said });
-		const result = BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
+		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
 		switch (member.kind) {
 			case "constructor":
 				return `${text}    constructor(${this.#parameters(member, type)});`;

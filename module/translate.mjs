@@ -7,7 +7,7 @@
  * those that others extend before these, then the statics that are more than a literal, each after those that it needs.
  */
 import { parseExpressionAt } from "acorn";
-import { ADDED } from "./added.mjs";
+import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
 import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, isLiteral, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
@@ -202,7 +202,9 @@ export class Program {
 				lines.push(member.kind === "get" ? `get ${name}() {\n  return super.${name};\n}` : `set ${name}(value) {\n  super.${name} = value;\n}`);
 			} else {
 				const taken = this.#checks.of(unit.qname, member.name, member.kind);
-				lines.push(`${docOf(member.doc)}${prefix}${name}${this.#functionText(member.node, member.doc, taken)}`);
+				// the tests, which want all statics, are ActionScript
+				const text = this.#functionText(member.node, member.doc, taken);
+				lines.push(`${docOf(member.doc)}${prefix}${name}${!this.hasAllStatics && PLAIN_BYTES.has(`${unit.qname}.${member.name}`) ? asPlainBytes(text) : text}`);
 			}
 		}
 		if (ADDED[unit.qname]) lines.push(ADDED[unit.qname].text);
@@ -682,4 +684,10 @@ function hasCall(node) {
 
 function rank(unit) {
 	return unit.qname.startsWith("starlogo.") ? 0 : 1;
+}
+
+/** A method that returns a ByteArray, as one that returns a Uint8Array. */
+function asPlainBytes(text) {
+	const [, parameters, body] = /^(\([^)]*\)) \{\n([\s\S]*)\}$/.exec(text);
+	return `${parameters} {\n  return (() => {\n${body.replaceAll(/^/gm, "  ").trimEnd()}\n  })().toUint8Array();\n}`;
 }

@@ -1,9 +1,11 @@
 package docs
 {
     import game.DiscCollider;
+    import game.SelectiveDiscCollider;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.collision.Collision;
 
     /** For docs/adding-a-collider.md: the collider finds what all pairs, tried one by one, have. */
     public class AddingAColliderPage extends Page
@@ -39,6 +41,32 @@ package docs
             {
                 assertTrue(crowd.indexOf(found[at]) < crowd.indexOf(found[at + 1]));
             }
+            checkSelective(crowd, collider);
+        }
+
+        private function checkSelective(crowd:Vector.<Agent>, all:DiscCollider):void
+        {
+            var expected:int = 0;
+            for (var i:int = 0; i < crowd.length; i++)
+            {
+                crowd[i].breed = ["cats", "dogs", "trees"][i % 3];
+                for (var j:int = 0; j < i; j++)
+                {
+                    expected += i % 3 == 0 && j % 3 == 1 && all.areColliding(crowd[i], crowd[j]) ? 1 : 0;
+                    expected += i % 3 == 1 && j % 3 == 0 && all.areColliding(crowd[i], crowd[j]) ? 1 : 0;
+                }
+            }
+            var calls:int = 0;
+            var selective:Collision = new Collision(new SelectiveDiscCollider());
+            selective.onCollision("cats", "dogs", function(cat:Agent, dog:Agent):void
+                {
+                    calls++;
+                });
+            selective.update(crowd);
+            assertEquals(expected, calls);
+            assertTrue(String(calls), calls > 20);
+            assertTrue(4 * selective.statistics.candidatePairs < all.statistics.candidatePairs);
+            assertEquals("trees", Math.floor(crowd.length / 3), selective.statistics.agentsSkipped);
         }
     }
 }

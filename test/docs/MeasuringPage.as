@@ -20,6 +20,8 @@ package docs
             super.check(shown);
             assertEquals(1, shown["recorder"].frames);
             assertEquals(1, shown["recorder"].collisions);
+            assertEquals(1, shown["recorder"].findTimes.frames);
+            assertEquals(1, shown["recorder"].frameTimes.frames);
         }
     }
 }

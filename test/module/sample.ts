@@ -27,6 +27,7 @@ import {
 	Collision,
 	CollisionBlocks,
 	CollisionLines,
+	CollisionObserver,
 	CollisionRecorder,
 	CollisionStatistics,
 	CollisionSystem,
@@ -46,6 +47,7 @@ import {
 	FitStorage,
 	FitStore,
 	Fitter,
+	FrameTimes,
 	GltfModel,
 	GreatLand,
 	HierarchicalCollider,
@@ -126,7 +128,8 @@ export function play(bearText: string): number {
 	let calls = 0;
 	for (const system of systems) {
 		const recorder: SelectiveCollisionSystem = new CollisionRecorder(system);
-		const collision = new Collision(recorder);
+		const observer: CollisionObserver = new CollisionRecorder(recorder);
+		const collision = new Collision(observer);
 		collision.onCollision("bears", Collision.ANY_BREED, (collider: Agent, collidee: Agent) => {
 			calls++;
 			collider.color = collidee.color;
@@ -135,6 +138,8 @@ export function play(bearText: string): number {
 		collision.update([bear, ball]);
 		const statistics: CollisionStatistics = collision.statistics;
 		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
+		const times: FrameTimes = (observer as CollisionRecorder).frameTimes;
+		if (times.frames !== 1 || collision.lastAgents.length !== 2) log.push("not measured");
 	}
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
@@ -309,9 +314,10 @@ export function keep(): string[] {
 	const fits: ModelFits | null = greatLand.fitStore.read(model, new FitSettings(greatLand.boundingStructures, greatLand.hierarchies));
 	const cooked: CookedModel = CookedModel.fromBytes("cylinder", greatLand.bake(model, "z"));
 	finish(new GreatLand().receive(cooked));
+	const baked: Uint8Array = greatLand.bake(model);
 	// there is none in Node
 	const here: FitStorage = new SharedFitStorage();
-	return [String(greatLand.bake(model).length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];
+	return [String(baked.length), String(fits?.hasStructures && fits.hasHierarchy), String(here.read("nothing"))];
 }
 
 /** What goes wrong is said by name. */

@@ -50,11 +50,8 @@ package starlogo.agents
         /** @private Whether any agent has ever swept: while none has, colliders need not look for those that do. */
         engine static var haveSwept:Boolean = false;
 
-        /** @private Counts the changes of the breeds of all agents: while it is the same, what was computed from breeds is up to date. */
-        engine static var breedChanges:int = 0;
-
-        /** @private The number of the last change of this agent's breed; 0 before the first. */
-        engine var breedChange:int = 0;
+        /** @private The number of the breed's name. */
+        engine var breedNumber:int;
 
         /** @private In place of a kind of structure: the tightest, of whatever kind. */
         engine static const ANY_KIND:int = -1;
@@ -119,6 +116,13 @@ package starlogo.agents
             number = ++sCreated;
             _shape = shape;
             _breed = breed;
+            breedNumber = Breeds.numberOf(breed);
+        }
+
+        /** @private How many agents there have been: the greatest id. */
+        engine static function get createdCount():int
+        {
+            return sCreated;
         }
 
         /** A number that no other agent of this run has; the first is 1. */
@@ -156,7 +160,7 @@ package starlogo.agents
             if (value != _breed)
             {
                 _breed = value;
-                breedChange = ++breedChanges;
+                breedNumber = Breeds.numberOf(value);
             }
         }
 

@@ -28,12 +28,6 @@ package starlogo.blocks
             }
         }
 
-        /** Whether an agent is the subject, or of its breed. */
-        public static function includes(subject:Object, agent:Agent):Boolean
-        {
-            return subject === agent || subject === agent.breed;
-        }
-
         /** How a message names what a student put into a block. */
         public static function nameOf(value:Object):String
         {

@@ -32,6 +32,9 @@ package starlogo.blocks
 
         private static const NAMES:Array = [UNIT_SPHERES, TIGHTEST_FITS, HIERARCHIES, COMBINATION, EXACT];
 
+        /** How often scripts were forgotten. */
+        internal var runs:int = 0;
+
         private var _greatLand:GreatLand;
         private var _agents:Vector.<Agent>;
         private var _systems:Object = {};
@@ -53,7 +56,7 @@ package starlogo.blocks
             }
             _greatLand = greatLand;
             _agents = agents;
-            forgetScripts();
+            _collision = new Collision(systemNamed(_systemName));
         }
 
         /** The names that "use collision system" offers. */
@@ -74,7 +77,7 @@ package starlogo.blocks
             return _agents;
         }
 
-        /** The Collision that finds the collisions and calls the scripts; another one after forgetScripts. */
+        /** The Collision that finds the collisions and calls the scripts. */
         public function get collision():Collision
         {
             return _collision;
@@ -158,10 +161,11 @@ package starlogo.blocks
             _collision.onCollisionEnd(breed, otherBreed, script);
         }
 
-        /** Takes all scripts away, as before a program runs anew. The collision system stays. */
+        /** Takes all scripts away, and forgets what touches, as before a program runs anew. The collision system and the filter stay. */
         public function forgetScripts():void
         {
-            _collision = new Collision(systemNamed(_systemName));
+            _collision.reset();
+            runs++;
         }
 
         private static function check(block:String, breed:String, otherBreed:String, script:Function):void

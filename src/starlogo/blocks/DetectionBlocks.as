@@ -12,10 +12,8 @@ package starlogo.blocks
     public class DetectionBlocks
     {
         private var _collisions:CollisionBlocks;
-        private var _collision:Collision = null;
-        private var _queries:AgentQueries = null;
-        private var _filter:AgentFilter = new AgentFilter();
-        private var _breed:Vector.<String> = new Vector.<String>(1, true);
+        private var _queries:AgentQueries;
+        private var _updatedIn:int = -1;
         private var _touched:Vector.<Agent> = new Vector.<Agent>();
 
         /**
@@ -31,12 +29,13 @@ package starlogo.blocks
                 throw new ArgumentError("collision blocks are needed, not null");
             }
             _collisions = collisions;
+            _queries = new AgentQueries(collisions.collision);
         }
 
         /** The questions that the blocks ask, with the agents of the last update. */
         public function get queries():AgentQueries
         {
-            if (_collision !== _collisions.collision)
+            if (_updatedIn != _collisions.runs)
             {
                 update();
             }
@@ -50,14 +49,8 @@ package starlogo.blocks
          */
         public function update():void
         {
-            var next:AgentQueries = _queries;
-            if (_collision !== _collisions.collision)
-            {
-                next = new AgentQueries(_collisions.collision);
-            }
-            next.update(_collisions.agents);
-            _queries = next;
-            _collision = _collisions.collision;
+            _queries.update(_collisions.agents);
+            _updatedIn = _collisions.runs;
         }
 
         /**
@@ -177,12 +170,12 @@ package starlogo.blocks
             return queries.distance(agent, other);
         }
 
-        private function filterFor(breed:String, accepts:Function = null):AgentFilter
+        private static function filterFor(breed:String, accepts:Function = null):AgentFilter
         {
-            _breed[0] = breed;
-            _filter.breeds = breed == Collision.ANY_BREED ? null : _breed;
-            _filter.accepts = accepts;
-            return _filter;
+            // one for each question: a trait's getter may ask another while this is being asked
+            var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
+            filter.accepts = accepts;
+            return filter;
         }
 
         private static function testFor(block:String, asker:Agent, trait:String, value:Object):Function

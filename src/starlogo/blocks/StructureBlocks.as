@@ -2,12 +2,16 @@ package starlogo.blocks
 {
     import starlogo.agents.Agent;
     import starlogo.debug.CollisionLines;
+    import starlogo.search.IdTable;
 
     /** The block "show bounding structures": which agents it shows, and the lines of what the collision system in use tests. */
     public class StructureBlocks
     {
         private var _collisions:CollisionBlocks;
-        private var _shown:Array = [];
+        private var _breeds:Vector.<String> = new Vector.<String>();
+
+        // By the ids of agents: agents that leave the game are not kept.
+        private var _agents:IdTable = new IdTable();
         private var _lines:CollisionLines;
 
         /**
@@ -36,34 +40,27 @@ package starlogo.blocks
         public function show(subject:Object, isOn:Boolean):void
         {
             BlockSubject.check("show bounding structures", subject);
-            var place:int = _shown.indexOf(subject);
-            if (isOn && place < 0)
+            if (subject is Agent)
             {
-                _shown.push(subject);
+                showAgent(subject as Agent, isOn);
             }
-            else if (!isOn && place >= 0)
+            else
             {
-                _shown.splice(place, 1);
+                showBreed(subject as String, isOn);
             }
         }
 
         /** Shows no agent's structures any more. */
         public function showNone():void
         {
-            _shown.length = 0;
+            _breeds.length = 0;
+            _agents.clear();
         }
 
         /** Whether an agent's structures are shown, for itself or for its breed. */
         public function isShown(agent:Agent):Boolean
         {
-            for each (var subject:Object in _shown)
-            {
-                if (BlockSubject.includes(subject, agent))
-                {
-                    return true;
-                }
-            }
-            return false;
+            return _agents.valueOf(agent.id) >= 0 || _breeds.indexOf(agent.breed) >= 0;
         }
 
         /**
@@ -97,6 +94,31 @@ package starlogo.blocks
         public function linesOf(agent:Agent, out:Vector.<Number> = null):Vector.<Number>
         {
             return _lines.linesOf(agent, _collisions.collision.collisionSystem, out);
+        }
+
+        private function showAgent(agent:Agent, isOn:Boolean):void
+        {
+            if (isOn)
+            {
+                _agents.set (agent.id, 1);
+            }
+            else
+            {
+                _agents.remove(agent.id);
+            }
+        }
+
+        private function showBreed(breed:String, isOn:Boolean):void
+        {
+            var place:int = _breeds.indexOf(breed);
+            if (isOn && place < 0)
+            {
+                _breeds.push(breed);
+            }
+            else if (!isOn && place >= 0)
+            {
+                _breeds.splice(place, 1);
+            }
         }
     }
 }

@@ -43,10 +43,11 @@ package starlogo.collision
             return breedPairs.numberOf(breed);
         }
 
-        /** Whether a pair of breeds is of interest, given by their numbers. */
+        /** Whether a pair of breeds is of interest, given by their numbers; false if one is -1. */
         public function includes(index:int, otherIndex:int):Boolean
         {
-            return breedPairs.areOfInterest[index * breedCount + otherIndex];
+            var count:int = breedCount;
+            return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count && breedPairs.areOfInterest[index * breedCount + otherIndex];
         }
 
         /** @private The collisions of interest that a collision system finds: all of them, if it is not selective. */

@@ -106,6 +106,16 @@ package starlogo.collision
             _statistics.setCounts(_search.counts, getTimer() - start);
         }
 
+        /** @private The engine's collider that finds what a collision system finds: itself, or the one that observers are put around; or null. */
+        engine static function behind(system:Object):Collider
+        {
+            while (system is CollisionObserver)
+            {
+                system = CollisionObserver(system).collisionSystem;
+            }
+            return system as Collider;
+        }
+
         /** The search that the collider makes. */
         internal function get search():CollisionSearch
         {

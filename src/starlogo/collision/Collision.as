@@ -3,15 +3,14 @@ package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
-    import flash.utils.Endian;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.agents.AgentChoice;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
-    import starlogo.handlers.ContactTracker;
     import starlogo.handlers.HandlerCalls;
     import starlogo.handlers.HandlerTable;
+    import starlogo.search.CollisionSearch;
     import starlogo.search.textOf;
 
     use namespace engine;
@@ -52,14 +51,17 @@ package starlogo.collision
         private var _interests:BreedInterests = null;
         private var _table:HandlerTable = null;
         private var _tableIsStale:Boolean = true;
+        private var _touchesAreStale:Boolean = false;
         private var _contacts:FrameContacts = new FrameContacts();
         private var _calls:HandlerCalls = new HandlerCalls(_contacts);
-        private var _restored:ContactTracker = new ContactTracker();
+        private var _snapshots:Snapshots = new Snapshots();
         private var _isUpdating:Boolean = false;
 
         // What found the last frame's pairs, or null; whether it refused the list.
         private var _searched:Collider = null;
         private var _isRefused:Boolean = false;
+        private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
+
         private var _agentPairs:Vector.<Agent> = new Vector.<Agent>();
 
         // By place in the list, whether the filter lets the agent take part; and those that do.
@@ -96,6 +98,15 @@ package starlogo.collision
         public function get statistics():CollisionStatistics
         {
             return _statistics;
+        }
+
+        /**
+         * The list of the last update as it was when that began, whatever handlers have done to it since; empty before the first. It is what
+         * <code>restore()</code> wants. The next update overwrites it: copy it to keep it. An update that refuses its list leaves it.
+         */
+        public function get lastAgents():Vector.<Agent>
+        {
+            return _lastAgents;
         }
 
         /**
@@ -186,6 +197,22 @@ package starlogo.collision
         }
 
         /**
+         * Takes away all handlers, and forgets the last frame: touches begin anew with the next one. The collision system and the filter stay. What
+         * a handler resets does nothing more in this frame.
+         */
+        public function reset():void
+        {
+            for each (var handler:CollisionHandler in _handlers)
+            {
+                handler.isRemoved = true;
+            }
+            _handlers.length = 0;
+            _tableIsStale = _touchesAreStale = true;
+            _searched = null;
+            _lastAgents.length = 0;
+        }
+
+        /**
          * Runs one frame: finds every pair that has handlers, then calls them.
          *
          * @param agents the agents of the game; a handler may change this list, in place. Another list in the client's variable, as from
@@ -206,12 +233,7 @@ package starlogo.collision
             }
             var start:Number = getTimer();
             _handlerErrors.length = 0;
-            if (_tableIsStale)
-            {
-                _interests = new BreedInterests();
-                _table = new HandlerTable(_handlers, _interests.breedPairs);
-                _tableIsStale = false;
-            }
+            readHandlers();
             if (filter != null)
             {
                 applyFilter(agents);
@@ -220,7 +242,8 @@ package starlogo.collision
             _isRefused = true;
             findPairs(system, agents, start);
             _isRefused = false;
-            _searched = system as Collider;
+            keepList(agents);
+            _searched = Collider.behind(system);
             _contacts.system = system;
             _isUpdating = true;
             try
@@ -234,6 +257,10 @@ package starlogo.collision
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
+            for (var around:CollisionObserver = system as CollisionObserver; around != null; around = around.collisionSystem as CollisionObserver)
+            {
+                around.onFrame(_statistics);
+            }
             if (_handlerErrors.length > 0)
             {
                 throw _handlerErrors[0];
@@ -243,11 +270,11 @@ package starlogo.collision
         /**
          * What the next frame depends on besides the agents and the handlers: where the last frame saw the agents of its list, and which touch.
          * <code>restore()</code> makes it the last frame again, in this Collision or in another with the same handlers and a collision system of
-         * the same kind. Agents are told by their places in the list: it has to be kept, and the agents' traits.
+         * the same kind. Agents are told by their places in <code>lastAgents</code>: a copy of that has to be kept, and the agents' traits.
          *
-         * @return the bytes, about 25 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
-         * @throws IllegalOperationError if called from a handler or the filter, if the collision system is none of the engine's, or if the last frame
-         *     refused its list
+         * @return the bytes, about 29 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
+         * @throws IllegalOperationError if called from a handler or the filter, if the collision system is none of the engine's, or has searched
+         *     another list since the last frame, or if that has refused its list
          */
         public function snapshot():ByteArray
         {
@@ -256,7 +283,9 @@ package starlogo.collision
             {
                 throw new IllegalOperationError("the last frame has refused its list: there is nothing to take a snapshot of");
             }
-            return new FrameRecord(_calls.tracker).write(_searched == null ? null : _searched.search, _searched == _collisionSystem);
+            readHandlers();
+            var search:CollisionSearch = _searched == null ? null : _searched.search;
+            return _snapshots.write(_calls.tracker, search, _lastAgents, _searched == Collider.behind(_collisionSystem));
         }
 
         /**
@@ -264,9 +293,9 @@ package starlogo.collision
          * agents are what they were then. No handler is called.
          *
          * @param bytes what <code>snapshot()</code> gave; not changed
-         * @param agents that frame's list, with those that have left the game since; the game has given them back the traits that they had. They may
-         *     be other objects, made in the same order
-         * @throws ArgumentError if one is null, the bytes are no snapshot, or one of another number of agents, or <code>update()</code> would refuse the
+         * @param agents what <code>lastAgents</code> was then; the game has given them back the traits that they had. They may be other objects, made
+         *     since in the same order, or for another Collision
+         * @throws ArgumentError if one is null, the bytes are no snapshot, or one of other agents, or <code>update()</code> would refuse the
          *     list; nothing has changed then
          * @throws IllegalOperationError as in snapshot
          */
@@ -281,31 +310,41 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var collider:Collider = Collider(_collisionSystem);
-            var position:uint = bytes.position;
-            var endian:String = bytes.endian;
-            bytes.position = 0;
-            bytes.endian = Endian.LITTLE_ENDIAN;
-            try
+            var collider:Collider = Collider.behind(_collisionSystem);
+            _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker);
+            _searched = collider;
+            keepList(agents);
+            _isRefused = _touchesAreStale = false;
+        }
+
+        private function readHandlers():void
+        {
+            if (_touchesAreStale)
             {
-                collider.search.check(agents);
-                if (!new FrameRecord(_restored, bytes).read(agents))
-                {
-                    throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
-                }
-                bytes.position = FrameRecord.AGENTS_AT;
-                collider.search.restorePositions(agents, bytes);
-                var before:ContactTracker = _calls.tracker;
-                _calls.tracker = _restored;
-                _restored = before;
-                _searched = collider;
-                _isRefused = false;
+                _calls.tracker.clear();
+                _touchesAreStale = false;
             }
-            finally
+            if (_tableIsStale)
             {
-                _restored.clear();
-                bytes.position = position;
-                bytes.endian = endian;
+                _interests = new BreedInterests();
+                _table = new HandlerTable(_handlers, _interests.breedPairs);
+                _tableIsStale = false;
+            }
+        }
+
+        private function keepList(agents:Vector.<Agent>):void
+        {
+            var length:int = agents.length;
+            if (_lastAgents.length != length)
+            {
+                _lastAgents.length = length;
+            }
+            for (var i:int = 0; i < length; i++)
+            {
+                if (_lastAgents[i] !== agents[i])
+                {
+                    _lastAgents[i] = agents[i];
+                }
             }
         }
 
@@ -315,7 +354,7 @@ package starlogo.collision
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
-            if (!(_collisionSystem is Collider))
+            if (Collider.behind(_collisionSystem) == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));
             }
@@ -323,16 +362,20 @@ package starlogo.collision
 
         private function findPairs(system:CollisionSystem, agents:Vector.<Agent>, start:Number):void
         {
-            var collider:Collider = system as Collider;
+            var collider:Collider = Collider.behind(system);
             if (collider != null)
             {
                 collider.findPairsAmong(agents, _interests.breedPairs, filter == null ? null : _takePart, _calls.pairs);
+                for (var around:CollisionObserver = system as CollisionObserver; around != null; around = around.collisionSystem as CollisionObserver)
+                {
+                    around.onPairs(_calls.pairs.agents, _calls.pairs.length);
+                }
                 _statistics.copyFrom(collider.statistics);
                 return;
             }
             // a client's system may return a vector of its own, and need not count
             var admitted:Vector.<Agent> = filter == null ? agents : _admitted;
-            _calls.setPairs(BreedInterests.findIn(system, admitted, _interests, _agentPairs), agents, _interests.breedPairs);
+            _calls.setPairs(BreedInterests.findIn(system, admitted, _interests, _agentPairs), agents);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
             _statistics.collisions = _calls.pairs.length >> 1;

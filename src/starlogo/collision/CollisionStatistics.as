@@ -64,10 +64,13 @@ package starlogo.collision
         /** Calls of handlers. */
         public var handlerCalls:int;
 
-        /** Milliseconds to find the collisions. In a Flash player they are whole, as its clock counts no others. */
+        /**
+         * Milliseconds to find the collisions. In a Flash player these are whole milliseconds, because its clock counts no others: one frame's 0 or 1
+         * says little. CollisionRecorder has the mean of many frames.
+         */
         public var findMs:Number = 0;
 
-        /** Milliseconds of the whole frame, handlers included; likewise. */
+        /** Milliseconds of the whole frame, handlers included; whole ones in a Flash player, as for findMs. */
         public var frameMs:Number = 0;
 
         /** All zero. */

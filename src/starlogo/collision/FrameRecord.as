@@ -4,6 +4,7 @@ package starlogo.collision
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.handlers.ContactPair;
     import starlogo.handlers.ContactTracker;
     import starlogo.search.CollisionSearch;
@@ -13,7 +14,7 @@ package starlogo.collision
      * their places in the last frame's list.
      *
      * <p>The bytes: a mark; how many agents; of each whether it has a motion from where it was seen, and its place; how many names of breeds, and
-     * the names; how many pairs, and of each its agents, their breeds, and whether it touches both ways.</p>
+     * the names; how many pairs, and of each its agents, their breeds, and whether it touches both ways; which agents they are (SnapshotAgents).</p>
      *
      * @private
      */
@@ -28,17 +29,20 @@ package starlogo.collision
         private static const BYTES_PER_PAIR:int = 17;
 
         private var _tracker:ContactTracker;
+        private var _who:SnapshotAgents;
         private var _bytes:ByteArray;
         private var _breeds:Vector.<String> = new Vector.<String>();
         private var _lastBreed:int = -1;
 
         /**
          * @param tracker knows which pairs touch
+         * @param who tells which agents they are
          * @param bytes to be read, at their beginning and little-endian
          */
-        public function FrameRecord(tracker:ContactTracker, bytes:ByteArray = null)
+        public function FrameRecord(tracker:ContactTracker, who:SnapshotAgents, bytes:ByteArray = null)
         {
             _tracker = tracker;
+            _who = who;
             _bytes = bytes;
         }
 
@@ -46,22 +50,28 @@ package starlogo.collision
          * Writes all.
          *
          * @param search of the last frame; null if there was none
+         * @param list its agents
          * @param keepsMotions whether agents have the motions from there that they had
-         * @throws IllegalOperationError if one agent of a pair was not in the last search
+         * @throws IllegalOperationError if the collision system has searched another list
          */
-        public function write(search:CollisionSearch, keepsMotions:Boolean):ByteArray
+        public function write(search:CollisionSearch, list:Vector.<Agent>, keepsMotions:Boolean):ByteArray
         {
-            var agents:int = search == null ? 0 : search.count;
+            var agents:int = list.length;
             var pairs:int = search == null ? 0 : _tracker.count;
+            if (search != null && !search.isListed(list))
+            {
+                throw new IllegalOperationError("the collision system has searched another list since the last frame");
+            }
             var names:ByteArray = namesOf(pairs);
             _bytes = newBytes();
-            _bytes.length = AGENTS_AT + BYTES_PER_AGENT * agents + names.length + 4 + BYTES_PER_PAIR * pairs;
+            _bytes.length = AGENTS_AT + BYTES_PER_AGENT * agents + names.length + 4 + BYTES_PER_PAIR * pairs + SnapshotAgents.lengthOf(agents);
             _bytes.writeUnsignedInt(MARK);
             _bytes.writeInt(agents);
             var places:Vector.<int> = search == null ? null : search.writePositions(_bytes, keepsMotions);
             _bytes.writeBytes(names);
             _bytes.writeInt(pairs);
             writePairs(pairs, search, places);
+            _who.write(_bytes, list);
             _bytes.position = 0;
             return _bytes;
         }
@@ -70,11 +80,33 @@ package starlogo.collision
          * Reads what <code>write()</code> has written: the pairs into the tracker, which has none. Positions are looked at alone.
          *
          * @param agents each once, none null
-         * @return false for bytes that are no record, or a record of another number of agents
+         * @throws ArgumentError for bytes that are no record, or a record of other agents
          */
-        public function read(agents:Vector.<Agent>):Boolean
+        public function read(agents:Vector.<Agent>):void
         {
-            return readPositions(agents.length) && readNames() && readPairs(agents);
+            var count:int = readCount();
+            if (count >= 0)
+            {
+                _bytes.position = _bytes.length - SnapshotAgents.lengthOf(count);
+                _who.check(_bytes, count, agents);
+                _bytes.position = AGENTS_AT;
+            }
+            if (count < 0 || !readPositions(count) || !readNames() || !readPairs(agents))
+            {
+                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
+            }
+        }
+
+        // How many agents a record is of that is long enough for them; else -1.
+        private function readCount():int
+        {
+            if (_bytes.length < AGENTS_AT || _bytes.readUnsignedInt() != MARK)
+            {
+                return -1;
+            }
+            var count:int = _bytes.readInt();
+            var mostAgents:int = (_bytes.length - AGENTS_AT) / BYTES_PER_AGENT;
+            return count <= mostAgents && _bytes.length >= AGENTS_AT + BYTES_PER_AGENT * count + SnapshotAgents.lengthOf(count) ? count : -1;
         }
 
         private function writePairs(pairs:int, search:CollisionSearch, places:Vector.<int>):void
@@ -85,14 +117,10 @@ package starlogo.collision
                 var pair:ContactPair = _tracker.pairAt(i);
                 var first:int = search.rowOf(pair.first);
                 var second:int = search.rowOf(pair.second);
-                if (first < 0 || second < 0)
-                {
-                    throw new IllegalOperationError("the collision system has searched another list since the last frame");
-                }
                 bytes.writeInt(places[first]);
                 bytes.writeInt(places[second]);
-                bytes.writeInt(numberOf(pair.firstBreed));
-                bytes.writeInt(numberOf(pair.secondBreed));
+                bytes.writeInt(numberOf(Breeds.nameOf(pair.firstBreed)));
+                bytes.writeInt(numberOf(Breeds.nameOf(pair.secondBreed)));
                 bytes.writeBoolean(pair.isBothWays);
             }
         }
@@ -101,8 +129,8 @@ package starlogo.collision
         {
             for (var i:int = 0; i < pairs; i++)
             {
-                numberOf(_tracker.pairAt(i).firstBreed);
-                numberOf(_tracker.pairAt(i).secondBreed);
+                numberOf(Breeds.nameOf(_tracker.pairAt(i).firstBreed));
+                numberOf(Breeds.nameOf(_tracker.pairAt(i).secondBreed));
             }
             var names:ByteArray = newBytes();
             names.writeInt(_breeds.length);
@@ -132,11 +160,6 @@ package starlogo.collision
         private function readPositions(agents:int):Boolean
         {
             var bytes:ByteArray = _bytes;
-            if (bytes.length < AGENTS_AT || bytes.readUnsignedInt() != MARK || bytes.readInt() != agents
-                    || bytes.bytesAvailable < BYTES_PER_AGENT * agents)
-            {
-                return false;
-            }
             for (var i:int = 0; i < agents; i++)
             {
                 if (bytes.readUnsignedByte() > 1 || !isCoordinate(bytes.readDouble()) || !isCoordinate(bytes.readDouble())
@@ -176,7 +199,7 @@ package starlogo.collision
                 return false;
             }
             var pairs:int = bytes.readInt();
-            if (pairs < 0 || bytes.bytesAvailable != BYTES_PER_PAIR * pairs)
+            if (pairs < 0 || bytes.bytesAvailable != BYTES_PER_PAIR * pairs + SnapshotAgents.lengthOf(agents.length))
             {
                 return false;
             }
@@ -191,7 +214,7 @@ package starlogo.collision
                 var flag:int = bytes.readUnsignedByte();
                 if (!isBelow(first, count) || !isBelow(second, count) || first == second || flag > 1
                         || !isBelow(firstBreed, breeds.length) || !isBelow(secondBreed, breeds.length)
-                        || !_tracker.resume(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1))
+                        || !_tracker.resume(agents[first], agents[second], Breeds.numberOf(breeds[firstBreed]), Breeds.numberOf(breeds[secondBreed]), flag == 1))
                 {
                     return false;
                 }

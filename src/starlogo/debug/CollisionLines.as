@@ -6,6 +6,7 @@ package starlogo.debug
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
     import starlogo.collision.PreciseCollider;
@@ -53,13 +54,14 @@ package starlogo.debug
          */
         public function linesOf(agent:Agent, system:CollisionSystem, out:Vector.<Number> = null):Vector.<Number>
         {
-            if (system is BinCollider)
+            var collider:Collider = Collider.behind(system);
+            if (collider is BinCollider)
             {
                 var radius:Number = agent.size / 2;
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), out);
             }
             var all:Vector.<Number> = out || new Vector.<Number>();
-            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, system as PreciseCollider), agent.worldPlacement(), all) : all;
+            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, collider as PreciseCollider), agent.worldPlacement(), all) : all;
         }
 
         private function linesOfModel(agent:Agent, trees:PreciseCollider):Vector.<Number>

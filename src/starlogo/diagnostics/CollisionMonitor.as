@@ -25,9 +25,9 @@ package starlogo.diagnostics
      * stage.addChild(new CollisionMonitor(collision));
      * </listing>
      *
-     * <p>It shows frames a second; the milliseconds of collision detection, also as a graph of the last 180 frames, whose height is a
-     * frame at 25 a second; and the agents, candidate pairs, tests by kind, node visits, collisions and memory of the last update. Times
-     * are means of some frames. The last line is the cost of the monitor itself, also in parts of a frame at 25 a second.</p>
+     * <p>It shows frames a second; the milliseconds of collision detection, handlers included, as the mean, the median and the most of the last
+     * 180 frames, and as a graph of them, whose height is a frame at 25 a second; and the agents, candidate pairs, tests by kind, node visits,
+     * collisions and memory of the last update. The last line is the cost of the monitor itself, also in parts of a frame at 25 a second.</p>
      *
      * <p>A key hides and shows it; hidden, it does nothing. It may be dragged.</p>
      */
@@ -67,11 +67,12 @@ package starlogo.diagnostics
         private var _numbers:TextField;
         private var _isShown:Boolean = true;
 
+        // those that the graph shows
+        private var _times:FrameTimes = new FrameTimes(GRAPH_WIDTH);
+
         // since the numbers were last refreshed
         private var _frames:int = 0;
         private var _startMs:int;
-        private var _collisionMs:int = 0;
-        private var _mostMs:int = 0;
 
         // since the monitor was made
         private var _ownMs:Number = 0;
@@ -175,11 +176,7 @@ package starlogo.diagnostics
         {
             var start:int = getTimer();
             var ms:Number = _collision.statistics.frameMs;
-            _collisionMs += ms;
-            if (ms > _mostMs)
-            {
-                _mostMs = ms;
-            }
+            _times.add(ms);
             addToHistory(ms);
             _frames++;
             if (_frames == REFRESH_FRAMES)
@@ -194,7 +191,7 @@ package starlogo.diagnostics
 
         private function restart():void
         {
-            _frames = _collisionMs = _mostMs = 0;
+            _frames = 0;
             _startMs = getTimer();
         }
 
@@ -212,9 +209,9 @@ package starlogo.diagnostics
 
         private function refresh(now:int):void
         {
-            var mean:Number = _collisionMs / _frames;
-            _headline.text = mean.toFixed(1) + " ms";
-            _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmost " + _mostMs + " ms";
+            _headline.text = _times.mean.toFixed(1) + " ms";
+            _rate.text = Math.round(1000 * _frames / Math.max(1, now - _startMs)) + " fps\nmedian " + _times.median.toFixed(1) + ", most "
+                + _times.most.toFixed(1);
             var did:CollisionStatistics = _collision.statistics;
             _numbers.text = [did.agents, did.candidatePairs, did.sphereSphereTests, did.sphereCapsuleTests, did.sphereBoxTests,
                     did.capsuleCapsuleTests, did.capsuleBoxTests, did.boxBoxTests, did.hierarchyTests, did.nodeVisits, did.triangleTests,

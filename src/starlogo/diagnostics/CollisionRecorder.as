@@ -1,36 +1,41 @@
 package starlogo.diagnostics
 {
+    import flash.utils.getTimer;
     import starlogo.agents.Agent;
     import starlogo.collision.BreedInterests;
+    import starlogo.collision.CollisionObserver;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.Contact;
-    import starlogo.collision.ContactSystem;
     import starlogo.engine;
 
     use namespace engine;
 
     /**
-     * Counts a game's collisions over its whole run, so that the average case of real games can be known (thesis §7.8).
-     * It is put around the collision system that does the work, and finds what that one finds:
+     * Counts a game's collisions over its whole run, so that the average case of real games can be known (thesis §7.8), and measures how long its
+     * frames take, of any collision system, while the game runs (§6.1, §6.2.5).
+     * It is put around the collision system that does the work, and finds what that one finds. The game is the same with it:
      *
      * <listing version="3.0">
      * var recorder:CollisionRecorder = new CollisionRecorder(new TightestFitCollider(greatLand));
      * var collision:Collision = new Collision(recorder);
      * // at the end of the game
+     * trace(recorder.timesToText());
      * trace(recorder.toText());
      * </listing>
      *
      * <p>A frame is a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers count only in the former. The cost is
      * in proportion to the collisions: some ten-thousandths of a millisecond for each.</p>
      */
-    public final class CollisionRecorder implements ContactSystem
+    public final class CollisionRecorder implements CollisionObserver
     {
         private var _collisionSystem:CollisionSystem;
         private var _frames:int = 0;
         private var _all:Tally = new Tally();
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
         private var _lastPair:Tally;
+        private var _findTimes:FrameTimes = new FrameTimes();
+        private var _frameTimes:FrameTimes = new FrameTimes();
 
         /**
          * A recorder that has seen no frame yet.
@@ -47,7 +52,7 @@ package starlogo.diagnostics
             _collisionSystem = collisionSystem;
         }
 
-        /** Finds the collisions. */
+        /** @inheritDoc */
         public function get collisionSystem():CollisionSystem
         {
             return _collisionSystem;
@@ -65,6 +70,18 @@ package starlogo.diagnostics
             return _all.collisions;
         }
 
+        /** How long it took to find the collisions, in the last 10,000 frames. */
+        public function get findTimes():FrameTimes
+        {
+            return _findTimes;
+        }
+
+        /** How long the whole frames of a Collision took, handlers included; of no frames if the recorder is used without a Collision. */
+        public function get frameTimes():FrameTimes
+        {
+            return _frameTimes;
+        }
+
         /** @inheritDoc */
         public function get statistics():CollisionStatistics
         {
@@ -80,8 +97,9 @@ package starlogo.diagnostics
         /** @inheritDoc */
         public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
+            var start:Number = getTimer();
             out = _collisionSystem.findCollisions(agents, out);
-            record(out);
+            record(out, out.length, getTimer() - start);
             return out;
         }
 
@@ -92,8 +110,9 @@ package starlogo.diagnostics
          */
         public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
+            var start:Number = getTimer();
             out = BreedInterests.findIn(_collisionSystem, agents, interests, out);
-            record(out);
+            record(out, out.length, getTimer() - start);
             return out;
         }
 
@@ -105,6 +124,18 @@ package starlogo.diagnostics
             return contact;
         }
 
+        /** @inheritDoc */
+        public function onPairs(pairs:Vector.<Agent>, length:int):void
+        {
+            record(pairs, length, _collisionSystem.statistics.findMs);
+        }
+
+        /** @inheritDoc */
+        public function onFrame(statistics:CollisionStatistics):void
+        {
+            _frameTimes.add(statistics.frameMs);
+        }
+
         /** Forgets all frames. */
         public function clear():void
         {
@@ -112,6 +143,8 @@ package starlogo.diagnostics
             _all = new Tally();
             _pairs.length = 0;
             _lastPair = null;
+            _findTimes.clear();
+            _frameTimes.clear();
         }
 
         /**
@@ -130,9 +163,16 @@ package starlogo.diagnostics
                 breeds.push(pair.addTo({breeds: [pair.breed, pair.otherBreed]}, _frames));
             }
             breeds.sortOn("collisions", Array.NUMERIC | Array.DESCENDING);
-            var record:Object = _all.addTo({frames: _frames}, _frames);
-            record.breeds = breeds;
-            return record;
+            var all:Object = _all.addTo({frames: _frames}, _frames);
+            all.breeds = breeds;
+            return all;
+        }
+
+        /** How long frames took, in three lines: what was counted, finding the collisions, and the whole frame. */
+        public function timesToText():String
+        {
+            return _frames + " frames, " + (_all.collisions / Math.max(1, _frames)).toFixed(1) + " collisions a frame\nfind: " + _findTimes + "\nframe: "
+                + _frameTimes;
         }
 
         /** The record as JSON text. */
@@ -141,20 +181,20 @@ package starlogo.diagnostics
             return JSON.stringify(toObject(), null, 2);
         }
 
-        private function record(found:Vector.<Agent>):void
+        private function record(pairs:Vector.<Agent>, length:int, milliseconds:Number):void
         {
-            var length:int = found.length;
+            _findTimes.add(milliseconds);
             for (var i:int = 0; i < length; i += 2)
             {
-                var breed:String = found[i].breed;
-                var otherBreed:String = found[i + 1].breed;
-                var pair:Tally = _lastPair;
+                var breed:String = pairs[i].breed;
+                var otherBreed:String = pairs[i + 1].breed;
+                var tally:Tally = _lastPair;
                 // mostly the same pair of breeds as the one before
-                if (pair == null || pair.breed != breed || pair.otherBreed != otherBreed)
+                if (tally == null || tally.breed != breed || tally.otherBreed != otherBreed)
                 {
-                    pair = _lastPair = pairOf(breed, otherBreed);
+                    tally = _lastPair = pairOf(breed, otherBreed);
                 }
-                pair.inFrame++;
+                tally.inFrame++;
             }
             _frames++;
             _all.inFrame = length >> 1;

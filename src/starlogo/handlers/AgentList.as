@@ -4,23 +4,22 @@ package starlogo.handlers
     import starlogo.search.IdTable;
 
     /**
-     * Tells whether an agent still is in the list that handlers change. An agent that is not in its place is looked for by bisection, which finds
-     * it if the list has kept its order, and else in the whole list; when these searches have cost as much as a look at every agent, the places of
-     * all are read again.
+     * Tells whether an agent still is in the list that handlers change. An agent that is not where it was is looked for towards the beginning,
+     * where agents move when others are taken out, and then in the whole list. When these searches have looked at as many entries as the list
+     * has, the places of all agents are read again.
      *
      * @private
      */
     public final class AgentList
     {
-        // The costs of a bisection and of a search of the whole list, as numbers of agents that are looked at.
-        private static const BISECTION:int = 8;
-        private static const SEARCH:int = 512;
+        /** How many entries of the list were looked at in this frame. */
+        public var looked:int = 0;
 
         private var _agents:Vector.<Agent> = null;
         private var _isKnown:Boolean = false;
-        private var _cost:int;
+        private var _readAt:int;
 
-        // By the agents' ids: their places when these were last read; agents that have been found missing are taken out.
+        // By the agents' ids: where they were seen last. Agents that have been found missing are taken out.
         private var _places:IdTable = new IdTable();
 
         /** No list yet. */
@@ -33,6 +32,7 @@ package starlogo.handlers
         {
             _agents = agents;
             _isKnown = false;
+            looked = 0;
         }
 
         /** Lets go of the list. */
@@ -41,7 +41,7 @@ package starlogo.handlers
             _agents = null;
         }
 
-        /** The place of an agent when the places were last read; -1 if it has been found missing. */
+        /** Where an agent was seen last; -1 if it has been found missing. */
         public function placeOf(agent:Agent):int
         {
             if (!_isKnown)
@@ -56,26 +56,32 @@ package starlogo.handlers
         /** Whether an agent is in the list, and was at every question about it in this frame. */
         public function contains(agent:Agent):Boolean
         {
-            var place:int = placeOf(agent);
-            if (place < 0)
+            var before:int = placeOf(agent);
+            if (before < 0)
             {
                 return false;
             }
-            if (place < _agents.length && _agents[place] === agent)
+            var place:int = before < _agents.length ? before : _agents.length - 1;
+            while (place >= 0 && _agents[place] !== agent)
             {
-                return true;
+                place--;
             }
-            _cost += BISECTION;
-            if (!isInOrder(agent, place))
+            looked += before - place;
+            if (place < 0)
             {
-                if (_agents.indexOf(agent) < 0)
-                {
-                    _places.remove(agent.id);
-                    return false;
-                }
-                _cost += SEARCH;
+                place = _agents.indexOf(agent);
+                looked += place < 0 ? _agents.length : place;
             }
-            if (_cost >= _agents.length)
+            if (place < 0)
+            {
+                _places.remove(agent.id);
+                return false;
+            }
+            if (place != before)
+            {
+                _places.set (agent.id, place);
+            }
+            if (looked - _readAt >= _agents.length)
             {
                 readPlaces();
             }
@@ -85,7 +91,6 @@ package starlogo.handlers
         // Reads the places of all agents, except those that were added after the first reading.
         private function readPlaces():void
         {
-            _cost = 0;
             for (var i:int = 0; i < _agents.length; i++)
             {
                 var agent:Agent = _agents[i];
@@ -94,32 +99,8 @@ package starlogo.handlers
                     _places.set (agent.id, i);
                 }
             }
-        }
-
-        // Whether bisection finds an agent: right for a list that kept its order, whichever were taken out or added at its end.
-        private function isInOrder(agent:Agent, place:int):Boolean
-        {
-            var low:int = 0;
-            var high:int = _agents.length - 1;
-            while (low <= high)
-            {
-                var middle:int = (low + high) >> 1;
-                var other:Agent = _agents[middle];
-                if (other === agent)
-                {
-                    return true;
-                }
-                var otherPlace:int = other == null ? -1 : _places.valueOf(other.id);
-                if (otherPlace >= 0 && otherPlace < place)
-                {
-                    low = middle + 1;
-                }
-                else
-                {
-                    high = middle - 1;
-                }
-            }
-            return false;
+            looked += _agents.length;
+            _readAt = looked;
         }
     }
 }

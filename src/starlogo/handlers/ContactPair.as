@@ -15,11 +15,11 @@ package starlogo.handlers
         /** The other one. */
         public var second:Agent;
 
-        /** The breed that the first had when it began. */
-        public var firstBreed:String;
+        /** The number of the breed that the first had when it began. */
+        public var firstBreed:int;
 
-        /** The breed of the other one then. */
-        public var secondBreed:String;
+        /** The number of the breed that the other one had then. */
+        public var secondBreed:int;
 
         /** The tracker's frame in which the contact began. */
         public var beganIn:int;

@@ -1,6 +1,9 @@
 package starlogo.handlers
 {
     import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
 
     /**
      * Keeps from frame to frame which agents touch, in the order in which that began; a table finds pairs by the agents' ids, as IdTable
@@ -42,7 +45,7 @@ package starlogo.handlers
         public function renew(a:Agent, b:Agent):ContactPair
         {
             var pair:ContactPair = _table[placeOf(a, b)];
-            if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breed || pair.secondBreed != pair.second.breed)
+            if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breedNumber || pair.secondBreed != pair.second.breedNumber)
             {
                 return null;
             }
@@ -54,7 +57,7 @@ package starlogo.handlers
         public function start(first:Agent, second:Agent):ContactPair
         {
             var place:int = placeOf(first, second);
-            return _table[place] || add(place, first, second, first.breed, second.breed, false);
+            return _table[place] || add(place, first, second, first.breedNumber, second.breedNumber, false);
         }
 
         /**
@@ -62,7 +65,7 @@ package starlogo.handlers
          *
          * @return false if there is one already
          */
-        public function resume(first:Agent, second:Agent, firstBreed:String, secondBreed:String, isBothWays:Boolean):Boolean
+        public function resume(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean):Boolean
         {
             var place:int = placeOf(first, second);
             if (_table[place] != null)
@@ -135,7 +138,7 @@ package starlogo.handlers
             }
         }
 
-        private function add(place:int, first:Agent, second:Agent, firstBreed:String, secondBreed:String, isBothWays:Boolean):ContactPair
+        private function add(place:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean):ContactPair
         {
             if (count == _pairs.length)
             {

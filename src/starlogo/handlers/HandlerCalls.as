@@ -45,9 +45,6 @@ package starlogo.handlers
         private var _handlers:PairHandlers;
         private var _starting:ContactPair;
 
-        // The numbers of the pairs' breeds are those of this count of changes.
-        private var _breedChanges:int;
-
         // The list's length, as long as every agent was in its place; after that -1, and AgentList is asked.
         private var _length:int;
         private var _list:AgentList = new AgentList();
@@ -61,14 +58,13 @@ package starlogo.handlers
         }
 
         /** Sets the pairs to those of a client's own collision system. There are no calls for an agent that is not in the list. */
-        public function setPairs(agentPairs:Vector.<Agent>, agents:Vector.<Agent>, breedPairs:BreedPairs):void
+        public function setPairs(agentPairs:Vector.<Agent>, agents:Vector.<Agent>):void
         {
             _list.setAgents(agents);
             for (var i:int = 0; i < agentPairs.length; i++)
             {
                 pairs.agents[i] = agentPairs[i];
                 pairs.places[i] = Math.max(0, _list.placeOf(agentPairs[i]));
-                pairs.breeds[i] = breedPairs.numberOf(agentPairs[i].breed);
             }
             pairs.end(agents.length == 0 ? 0 : agentPairs.length);
         }
@@ -87,7 +83,6 @@ package starlogo.handlers
             _errors = errors;
             _length = agents.length;
             _list.setAgents(agents);
-            _breedChanges = Agent.breedChanges;
             _ended = _pair = _call = count = 0;
             _handlers = table.handlersOf(-1, -1);
             _starting = null;
@@ -116,13 +111,15 @@ package starlogo.handlers
         // Computes the contacts that handlers take, and finds the pairs that touched before.
         private function prepare():void
         {
+            var breedPairs:BreedPairs = _table.breedPairs;
+            breedPairs.follow();
             _tracker.frame++;
             _contacts.beginFrame(pairs.length >> 1);
             for (var i:int = 0; i < pairs.length; i += 2)
             {
                 var first:Agent = pairs.agents[i];
                 var second:Agent = pairs.agents[i + 1];
-                var handlers:PairHandlers = _table.handlersOf(pairs.breeds[i], pairs.breeds[i + 1]);
+                var handlers:PairHandlers = _table.handlersOf(breedPairs.numbers[first.breedNumber], breedPairs.numbers[second.breedNumber]);
                 if (handlers.takesContacts)
                 {
                     _contacts.find(i >> 1, first, second);
@@ -159,12 +156,11 @@ package starlogo.handlers
         // Calls the handlers of ended contacts, for the breeds that the two had when the contact began.
         private function callEnds():void
         {
-            var breedPairs:BreedPairs = _table.breedPairs;
+            var numbers:Vector.<int> = _table.breedPairs.numbers;
             for (; _ended < _tracker.endedCount; _ended++)
             {
                 var pair:ContactPair = _tracker.ended[_ended];
-                var breed:int = breedPairs.numberOf(pair.firstBreed);
-                var ofPair:PairHandlers = _table.handlersOf(breed, breedPairs.numberOf(pair.secondBreed)).ofEnd;
+                var ofPair:PairHandlers = _table.handlersOf(numbers[pair.firstBreed], numbers[pair.secondBreed]).ofEnd;
                 var callCount:int = ofPair == null ? 0 : (pair.isBothWays ? ofPair.handlers.length : ofPair.forwardCount);
                 while (_call < callCount)
                 {
@@ -186,10 +182,11 @@ package starlogo.handlers
             var agents:Vector.<Agent> = _agents;
             var ofPairs:Vector.<Agent> = pairs.agents;
             var places:Vector.<int> = pairs.places;
-            var breeds:Vector.<int> = pairs.breeds;
+            var breedPairs:BreedPairs = _table.breedPairs;
+            var numbers:Vector.<int> = breedPairs.numbers;
+            var known:int = numbers.length;
             var end:int = pairs.length;
             var isPlain:Boolean = _isPlain;
-            var breedChanges:int = _breedChanges;
             var call:int = _call;
             var handlers:Vector.<CollisionHandler> = _handlers.handlers;
             var forwardCount:int = _handlers.forwardCount;
@@ -203,15 +200,19 @@ package starlogo.handlers
                 var second:Agent = ofPairs[pair + 1];
                 if (call == 0)
                 {
-                    if (first.breedChange > breedChanges || second.breedChange > breedChanges)
+                    // a handler may have made a new breed
+                    if (first.breedNumber >= known || second.breedNumber >= known)
                     {
-                        updateBreeds();
+                        breedPairs.follow();
+                        known = numbers.length;
                     }
-                    if (breeds[pair] != breed || breeds[pair + 1] != otherBreed || !isPlain)
+                    var firstBreed:int = numbers[first.breedNumber];
+                    var secondBreed:int = numbers[second.breedNumber];
+                    if (firstBreed != breed || secondBreed != otherBreed || !isPlain)
                     {
-                        breed = breeds[pair];
-                        otherBreed = breeds[pair + 1];
-                        lookUpHandlers();
+                        breed = firstBreed;
+                        otherBreed = secondBreed;
+                        lookUpHandlers(breed, otherBreed);
                         handlers = _handlers.handlers;
                         forwardCount = _handlers.forwardCount;
                         callCount = handlers.length;
@@ -235,15 +236,9 @@ package starlogo.handlers
                     _call = call;
                     count++;
                     var toCall:Function = handler.handler;
-                    if (handler.takesContact)
+                    if (handler.takesContact || handler.maySeeContact)
                     {
-                        var isBack:Boolean = call > forwardCount;
-                        handler.call(first, second, isBack, _contacts.contactOf(pair >> 1, first, second, isBack));
-                    }
-                    else if (handler.maySeeContact)
-                    {
-                        isBack = call > forwardCount;
-                        handler.call(first, second, isBack, _contacts.contactWhenAsked(pair >> 1, first, second, isBack));
+                        callWithContact(handler, first, second, call > forwardCount);
                     }
                     else if (call > forwardCount)
                     {
@@ -264,23 +259,19 @@ package starlogo.handlers
             _call = 0;
         }
 
-        // For all of the pair's calls the breeds count that the two have now.
-        private function updateBreeds():void
+        private function callWithContact(handler:CollisionHandler, first:Agent, second:Agent, isBack:Boolean):void
         {
-            for (var i:int = _pair; i < _pair + 2; i++)
-            {
-                if (pairs.agents[i].breedChange > _breedChanges)
-                {
-                    pairs.breeds[i] = _table.breedPairs.numberOf(pairs.agents[i].breed);
-                }
-            }
+            var pair:int = _pair >> 1;
+            var contact:Object = handler.takesContact ? _contacts.contactOf(pair, first, second, isBack)
+                : _contacts.contactWhenAsked(pair, first, second, isBack);
+            handler.call(first, second, isBack, contact);
         }
 
         // Finds the handlers of the pair's breeds. If they ask for contacts and none goes on, a contact begins: then the handlers are those of a
         // start, or none if an agent has left the list.
-        private function lookUpHandlers():void
+        private function lookUpHandlers(breed:int, otherBreed:int):void
         {
-            var ofPair:PairHandlers = _table.handlersOf(pairs.breeds[_pair], pairs.breeds[_pair + 1]);
+            var ofPair:PairHandlers = _table.handlersOf(breed, otherBreed);
             _handlers = ofPair;
             _starting = null;
             if (ofPair.ofStart == null)

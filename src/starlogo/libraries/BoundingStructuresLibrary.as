@@ -102,7 +102,7 @@ package starlogo.libraries
          * @param vertices x, y, z of each of the model's vertices, in the model's space; neither kept nor changed
          * @throws ArgumentError if the name is null or empty; if the vertices are null or empty, their number of coordinates is
          *         no multiple of 3, or one is not finite; if the list of fitters is empty or has one whose structures cannot be
-         *         collided
+         *         collided or do not enclose the vertices
          */
         public function add(name:String, vertices:Vector.<Number>):void
         {

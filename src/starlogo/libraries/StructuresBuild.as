@@ -1,11 +1,17 @@
 package starlogo.libraries
 {
+    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.fitting.EnclosingStructures;
     import starlogo.fitting.Fit;
     import starlogo.fitting.FitSession;
     import starlogo.fitting.Fitter;
+    import starlogo.geometry.Tolerances;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
+
+    use namespace engine;
 
     /**
      * Finds the structures of one shape for a BoundingStructuresLibrary, with the library's settings as they were when it
@@ -25,6 +31,7 @@ package starlogo.libraries
         private var _structures:ShapeStructures = null;
         private var _read:Vector.<BoundingStructure> = null;
         private var _isRead:Boolean = false;
+        private var _checked:int = 0;
 
         /**
          * @param name the shape's name
@@ -58,7 +65,7 @@ package starlogo.libraries
                 _fits.push(fit);
                 _work.add(fit);
             }
-            _work.call(choose);
+            _work.repeat(checkNext).call(choose);
         }
 
         /**
@@ -87,7 +94,7 @@ package starlogo.libraries
          * @inheritDoc
          *
          * @throws ArgumentError if the vertices are null or empty, their number of coordinates is no multiple of 3, or one is not
-         *         finite; if a fitter finds what cannot be collided, or refuses the vertices; the message names the shape
+         *         finite; if a fitter finds what cannot be collided or does not enclose the vertices, or refuses them; the message names the shape
          */
         public function step():Boolean
         {
@@ -122,18 +129,49 @@ package starlogo.libraries
             }
         }
 
+        // One structure in each call.
+        private function checkNext():Boolean
+        {
+            var fitter:Fitter = _fitters[_checked];
+            var structure:BoundingStructure = _fits[_checked].structure;
+            if (structure == null || structure.kind == BoundingStructure.CYLINDER)
+            {
+                throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
+            }
+            var outside:int = encloses(structure, _vertices) ? -1 : firstOutside(structure);
+            if (outside >= 0)
+            {
+                throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("
+                        + _vertices.slice(outside, outside + 3).join(", ") + "): " + structure);
+            }
+            _checked++;
+            return _checked < _fits.length;
+        }
+
+        // Where the first vertex is that is farther outside than a fit may leave one; -1 if there is none.
+        private function firstOutside(structure:BoundingStructure):int
+        {
+            var most:Number = EnclosingStructures.sphere(_vertices, _vertices[0], _vertices[1], _vertices[2]).radius;
+            var wider:BoundingStructure = structure.clone();
+            wider.widen(Tolerances.CONTAINMENT * most);
+            var vertex:Vector3D = new Vector3D();
+            for (var i:int = 0; i < _vertices.length; i += 3)
+            {
+                vertex.setTo(_vertices[i], _vertices[i + 1], _vertices[i + 2]);
+                if (!wider.contains(vertex))
+                {
+                    return i;
+                }
+            }
+            return -1;
+        }
+
         private function choose():void
         {
             var found:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
-            for (var i:int = 0; i < _fits.length; i++)
+            for each (var fit:Fit in _fits)
             {
-                var structure:BoundingStructure = _fits[i].structure;
-                if (structure == null || structure.kind == BoundingStructure.CYLINDER)
-                {
-                    throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + _fitters[i]
-                            + " found " + structure);
-                }
-                found.push(widened(structure));
+                found.push(widened(fit.structure));
             }
             _structures = new ShapeStructures(found, _cheaperTestsFactor, _keepsAll);
         }

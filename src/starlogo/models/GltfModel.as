@@ -33,7 +33,7 @@ package starlogo.models
             finish(file);
             for each (var uri:String in file.missing)
             {
-                file.setBuffer(uri, buffers != null && buffers.hasOwnProperty(uri) ? buffers[uri] as ByteArray : null, "\"" + TextTokens.shorten(uri) +
+                file.setBuffer(uri, entryOf(buffers, uri) as ByteArray, "\"" + TextTokens.shorten(uri) +
                         "\" is beside the file, and was not given: a ModelLoader's load() fetches it");
             }
             setShape(new GltfReader(name, file, upAxis).readShape(scaling, upAxis as ModelTransform));

@@ -42,7 +42,7 @@ package starlogo.models
             }
             _models ||= read(_fetch.bytes);
             var name:String = parts[1].substr(folder.length);
-            var entry:Object = _models.hasOwnProperty(name) ? _models[name] : null;
+            var entry:Object = entryOf(_models, name);
             var cooked:Object = entry == null ? null : entry["cooked"];
             return cooked is String && cooked != "" ? folder + cooked + parts[2] : null;
         }

@@ -23,7 +23,7 @@ package starlogo.queries
         /**
          * <code>function(agent:Agent):Boolean</code>, asked last: of as few agents as the answer needs, the nearest first where the answer is in
          * the order of distance; by a Collision of all agents that the rest lets count, once a frame. It may ask questions of its own, but not
-         * update what asks it.
+         * change what asks it: not by <code>update()</code>, <code>moved()</code>, <code>moveUntilTouch()</code> or <code>slide()</code>.
          */
         public var accepts:Function = null;
 

@@ -73,6 +73,7 @@ package starlogo.queries
          * @param agent one of the last update's list
          * @throws ArgumentError if it is null or not in that list, or its model is unknown or lacks what the collision system needs; it is then
          *     seen as before
+         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>
          */
         public function moved(agent:Agent):void
         {
@@ -348,10 +349,14 @@ package starlogo.queries
          * @return the part of the way that is free, from 0 to 1
          * @throws ArgumentError if the agent is null, or its model is unknown or lacks what the collision system needs
          * @throws RangeError if the motion is not finite; the agent has not moved then
+         * @throws flash.errors.IllegalOperationError if called from a filter's <code>accepts</code>, of an agent that is in the list
          */
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
-            return _moves.move(agent, dx, dy, dz, filter, contact, false);
+            _seen.requireMovable(agent, "moveUntilTouch");
+            _moves.aim(dx, dy, dz);
+            _moves.move(agent, filter, contact, false);
+            return _moves.part;
         }
 
         /**
@@ -366,11 +371,15 @@ package starlogo.queries
          * @param filter which agents count; null for all
          * @return the length of its way, bends included, as a part of the length of the motion, from 0 to 1
          * @throws ArgumentError as moveUntilTouch does
-         * @throws RangeError likewise
+         * @throws RangeError as moveUntilTouch does
+         * @throws flash.errors.IllegalOperationError as moveUntilTouch does
          */
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
-            return _moves.move(agent, dx, dy, dz, filter, null, true);
+            _seen.requireMovable(agent, "slide");
+            _moves.aim(dx, dy, dz);
+            _moves.move(agent, filter, null, true);
+            return _moves.part;
         }
 
         private static function requirePoint(point:Vector3D):void

@@ -1,6 +1,7 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
     import starlogo.engine;
     import starlogo.search.AgentTable;
 
@@ -14,24 +15,20 @@ package starlogo.queries
      */
     public final class FilteredRows extends RowTest
     {
-        private static const NOT_SEEN:int = -1;
-
         private var _seen:SeenAgents;
-
-        // The rows of one list: what follows by row is void for those of another.
         private var _table:AgentTable = null;
-        private var _listNumber:int = -1;
 
-        // By row: the number of its breed, and how many changes of the breeds of all agents there had been then; the last question that excepted it.
-        private var _breeds:Vector.<int> = new Vector.<int>();
-        private var _changes:Vector.<int> = new Vector.<int>();
+        // By row: the last question that excepted its agent.
         private var _excepted:Vector.<int> = new Vector.<int>();
 
-        // Numbers of breeds, from 0 on; by number: the last question that was only about some breeds of which it is one, or that excepted it.
-        private var _numbers:Object = {};
-        private var _breedCount:int = 0;
+        // By the number of a breed: the last question that chose it, and the last that refused it.
         private var _chosen:Vector.<int> = new Vector.<int>();
         private var _refused:Vector.<int> = new Vector.<int>();
+
+        // The names that filters had, in their order, and their numbers: to look a name up makes a text for its key.
+        private var _names:Vector.<String> = new Vector.<String>();
+        private var _numbers:Vector.<int> = new Vector.<int>();
+        private var _nameCount:int = 0;
 
         // The question's number, and what it has to look at.
         private var _question:int = 0;
@@ -57,11 +54,12 @@ package starlogo.queries
             {
                 return null;
             }
-            followList();
+            _table = _seen.table;
             _question++;
             _choosesBreeds = filter.breeds != null;
             _refusesBreeds = filter.exceptBreeds != null;
             _excepts = filter.except != null;
+            _nameCount = 0;
             if (_choosesBreeds)
             {
                 mark(filter.breeds, _chosen);
@@ -69,6 +67,11 @@ package starlogo.queries
             if (_refusesBreeds)
             {
                 mark(filter.exceptBreeds, _refused);
+            }
+            makeRoom();
+            if (_excepted.length < _table.agents.length)
+            {
+                _excepted.length = _table.agents.length;
             }
             var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; _excepts && i < except.length; i++)
@@ -93,22 +96,8 @@ package starlogo.queries
             {
                 return true;
             }
-            if (_changes[row] != Agent.breedChanges)
-            {
-                follow(row);
-            }
-            var breed:int = _breeds[row];
+            var breed:int = _table.agents[row].breedNumber;
             return (!_choosesBreeds || _chosen[breed] == _question) && (!_refusesBreeds || _refused[breed] != _question);
-        }
-
-        private function follow(row:int):void
-        {
-            var agent:Agent = _table.agents[row];
-            if (_changes[row] < agent.breedChange)
-            {
-                _breeds[row] = numberOf(agent.breed);
-            }
-            _changes[row] = Agent.breedChanges;
         }
 
         private function mark(names:Vector.<String>, marks:Vector.<int>):void
@@ -117,41 +106,31 @@ package starlogo.queries
             {
                 if (names[i] != null)
                 {
-                    marks[numberOf(names[i])] = _question;
+                    var number:int = numberOf(names[i]);
+                    makeRoom();
+                    marks[number] = _question;
                 }
             }
         }
 
-        private function numberOf(breed:String):int
+        private function makeRoom():void
         {
-            // what begins with underscores may be a property that every object has
-            var key:String = breed.charCodeAt(0) == 95 ? " " + breed : breed;
-            if (!_numbers.hasOwnProperty(key))
+            if (_chosen.length < Breeds.count)
             {
-                _numbers[key] = _breedCount;
-                _breedCount++;
-                _chosen.length = _refused.length = _breedCount;
+                _chosen.length = _refused.length = Breeds.count;
             }
-            return _numbers[key];
         }
 
-        private function followList():void
+        private function numberOf(name:String):int
         {
-            if (_seen.table === _table && _table.listNumber == _listNumber)
+            var at:int = _nameCount;
+            _nameCount++;
+            if (at == _names.length || _names[at] != name)
             {
-                return;
+                _names[at] = name;
+                _numbers[at] = Breeds.numberOf(name);
             }
-            _table = _seen.table;
-            _listNumber = _table.listNumber;
-            var length:int = _table.agents.length;
-            if (_changes.length < length)
-            {
-                _breeds.length = _changes.length = _excepted.length = length;
-            }
-            for (var row:int = 0; row < length; row++)
-            {
-                _changes[row] = NOT_SEEN;
-            }
+            return _numbers[at];
         }
     }
 }

@@ -62,10 +62,7 @@ package starlogo.queries
             {
                 throw new ArgumentError("agents must not be null");
             }
-            if (asking > 0)
-            {
-                throw new IllegalOperationError("update must not be called from a filter's accepts");
-            }
+            requireQuiet("update");
             var collider:Collider = findCollider();
             var next:AgentTable = table;
             if (collider !== _system)
@@ -87,6 +84,7 @@ package starlogo.queries
         /** As AgentQueries.moved. */
         public function moved(agent:Agent):void
         {
+            requireQuiet("moved");
             var row:int = rowOf(agent);
             if (row < 0)
             {
@@ -95,6 +93,24 @@ package starlogo.queries
             table.readRow(row);
             _places.move(row);
             _extents.move(row);
+        }
+
+        /** Refuses a change of what questions see while a filter's <code>accepts</code> is being asked. */
+        public function requireQuiet(what:String):void
+        {
+            if (asking > 0)
+            {
+                throw new IllegalOperationError(what + " must not be called from a filter's accepts");
+            }
+        }
+
+        /** Refuses a motion of an agent of the list while a filter's <code>accepts</code> is being asked. */
+        public function requireMovable(agent:Agent, what:String):void
+        {
+            if (agent != null && table.rowOf(agent) >= 0)
+            {
+                requireQuiet(what);
+            }
         }
 
         /** The row of an agent; -1 if it is not in the list. */
@@ -172,7 +188,7 @@ package starlogo.queries
         {
             var collision:Collision = _source as Collision;
             var system:Object = collision == null ? _source : collision.collisionSystem;
-            var collider:Collider = system as Collider;
+            var collider:Collider = Collider.behind(system);
             if (collider == null)
             {
                 throw new ArgumentError("questions need a Collision or one of the engine's collision systems, which say what agents look like, not "

@@ -26,9 +26,6 @@ package starlogo.search
      */
     public final class AgentTable
     {
-        // In place of a breed's number, for a row that is new.
-        internal static const UNKNOWN_BREED:int = -2;
-
         // In place of a revision: for an agent that has no motion, less than any jump's; and for what has to be computed again.
         private static const NOT_SEEN:int = -2;
         private static const STALE:int = -1;
@@ -48,11 +45,10 @@ package starlogo.search
         engine var loadingCount:int = 0;
         engine var listNumber:int = 0;
 
-        // By row: the agent, or null; the shape of its model, null while that is loading; the number of its breed, see BreedNumbers; its own
-        // limit to the levels that are visited of its hierarchy, or 0; its extents in the world.
+        // By row: the agent, or null; the shape of its model, null while that is loading; its own limit to the
+        // levels that are visited of its hierarchy, or 0; its extents in the world.
         engine var agents:Vector.<Agent> = new Vector.<Agent>();
         engine var shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
-        internal var breeds:Vector.<int> = new Vector.<int>();
         internal var depths:Vector.<int> = new Vector.<int>();
         engine var extents:Extents = new Extents();
 
@@ -89,9 +85,6 @@ package starlogo.search
         private var _rotations:Vector.<Number> = new Vector.<Number>();
         private var _sizes:Vector.<Number> = new Vector.<Number>();
 
-        /** The columns of what grows with a row: from the position to the middle of the extents, half of these, the radius around them, the size. */
-        internal var sizing:Vector.<Vector.<Number>>;
-
         // By row: the number of the last list that had the agent.
         private var _lists:Vector.<int> = new Vector.<int>();
 
@@ -126,7 +119,6 @@ package starlogo.search
             _strategy = strategy;
             _shapes = shapes;
             _bins = bins;
-            sizing = new <Vector.<Number>>[_offsetX, _offsetY, _offsetZ, extents.halfX, extents.halfY, extents.halfZ, extents.radius, _sizes];
             makeRows(GUESTS);
         }
 
@@ -522,7 +514,7 @@ package starlogo.search
             throw error;
         }
 
-        private function isListed(list:Vector.<Agent>):Boolean
+        engine function isListed(list:Vector.<Agent>):Boolean
         {
             var i:int = 0;
             if (list.length == count)
@@ -568,7 +560,6 @@ package starlogo.search
                 makeRows(_rowCount);
             }
             agents[row] = agent;
-            breeds[row] = UNKNOWN_BREED;
             _extentsRevisions[row] = STALE;
             _rowsById.set (agent.number, row);
             return row;
@@ -587,7 +578,7 @@ package starlogo.search
             _offsetX.length = _offsetY.length = _offsetZ.length = length;
             _sizes.length = length;
             revisions.length = _lastRevisions.length = _extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
-            breeds.length = depths.length = _lists.length = length;
+            depths.length = _lists.length = length;
             extents.grow(length);
         }
 

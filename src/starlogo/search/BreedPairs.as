@@ -1,12 +1,15 @@
 package starlogo.search
 {
+    import starlogo.agents.Agent;
+    import starlogo.agents.Breeds;
+    import starlogo.broadphase.Bins;
     import starlogo.engine;
 
     use namespace engine;
 
     /**
-     * The pairs of breeds that are of interest, with a number for each breed, so that a frame compares no names. The order within a pair does not
-     * matter.
+     * The pairs of breeds that are of interest. Its breeds have numbers of their own, so that a frame looks pairs up in a small table. The order
+     * within a pair does not matter.
      *
      * @private
      */
@@ -15,20 +18,24 @@ package starlogo.search
         /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = "*";
 
-        /** Whether a pair of breeds is of interest, at the number of one breed times breedCount plus that of the other. */
+        /** Whether a pair of breeds is of interest, at the number of one breed times breedCount plus the number of the other. */
         public var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
 
         /** Whether every pair of the breeds that have numbers is of interest. */
         public var areAll:Boolean = true;
 
-        /** Counts the changes: numbers of breeds are those of one revision. */
-        public var revision:int = 0;
+        /** For the <code>breedNumber</code> of an agent, the number of its breed here; -1 for a breed that is in no pair. It may lack new breeds: see <code>follow()</code>. */
+        public var numbers:Vector.<int> = new Vector.<int>();
 
-        private var _breeds:Vector.<String> = new Vector.<String>();
+        // The breeds that were named, by their numbers in Breeds.
+        private var _named:Vector.<int> = new Vector.<int>();
         private var _hasAny:Boolean = false;
 
         // breed, otherBreed, breed, otherBreed, ...
         private var _added:Vector.<String> = new Vector.<String>();
+
+        // By row of the table that was read last: the number of its breed.
+        private var _ofRows:Vector.<int> = new Vector.<int>();
 
         /** No pairs yet. */
         public function BreedPairs()
@@ -38,7 +45,7 @@ package starlogo.search
         /** How many breeds are told apart: those that were named, and all others as one if ANY_BREED was added. */
         public function get breedCount():int
         {
-            return _hasAny ? _breeds.length + 1 : _breeds.length;
+            return _hasAny ? _named.length + 1 : _named.length;
         }
 
         /** Adds a pair of breeds, of which each may be ANY_BREED; a pair that is already there stays. */
@@ -47,7 +54,8 @@ package starlogo.search
             _added.push(breed, otherBreed);
             enter(breed);
             enter(otherBreed);
-            revision++;
+            numbers.length = 0;
+            follow();
             areOfInterest = new Vector.<Boolean>(breedCount * breedCount);
             for (var i:int = 0; i < _added.length; i += 2)
             {
@@ -64,23 +72,100 @@ package starlogo.search
         /** A breed's number, from 0 on; -1 for a breed that is in no pair. */
         public function numberOf(breed:String):int
         {
-            var number:int = _breeds.indexOf(breed);
-            return number < 0 && _hasAny ? _breeds.length : number;
+            var number:int = Breeds.numberOf(breed);
+            follow();
+            return numbers[number];
         }
 
-        /** The numbers of the breeds that a name matches: all of them for ANY_BREED. */
-        public function numbersOf(breed:String):Vector.<int>
+        /** Gives the breeds that were new since the last call their numbers. */
+        public function follow():void
+        {
+            for (var number:int = numbers.length; number < Breeds.count; number++)
+            {
+                var place:int = _named.indexOf(number);
+                numbers[number] = place < 0 && _hasAny ? _named.length : place;
+            }
+        }
+
+        /**
+         * Reads the breeds of a table's agents, if they matter.
+         *
+         * @return how many of the agents have a breed that is in no pair
+         */
+        internal function read(table:AgentTable):int
+        {
+            if (_hasAny && areAll)
+            {
+                return 0;
+            }
+            follow();
+            var ofRows:Vector.<int> = _ofRows;
+            var agents:Vector.<Agent> = table.agents;
+            var rows:Vector.<int> = table.rows;
+            var ofNames:Vector.<int> = numbers;
+            var end:int = table.count;
+            if (ofRows.length < agents.length)
+            {
+                ofRows.length = agents.length;
+            }
+            var outsiders:int = 0;
+            for (var i:int = 0; i < end; i++)
+            {
+                var row:int = rows[i];
+                var number:int = ofNames[agents[row].breedNumber];
+                ofRows[row] = number;
+                if (number < 0)
+                {
+                    outsiders++;
+                }
+            }
+            return outsiders;
+        }
+
+        /** Whether the breed of a row that was read is in a pair. */
+        internal function hasBreedOf(row:int):Boolean
+        {
+            return _ofRows[row] >= 0;
+        }
+
+        /**
+         * Moves those candidates of a member to the beginning whose breeds are of interest together with its own.
+         *
+         * @param others the slots of the candidates
+         * @param count how many they are
+         * @return how many these are
+         */
+        internal function keepOfInterest(bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        {
+            var ofRows:Vector.<int> = _ofRows;
+            var rowAt:Vector.<int> = bins.rowAt;
+            var first:int = ofRows[rowAt[slot]] * breedCount;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var other:int = others[i];
+                if (areOfInterest[first + ofRows[rowAt[other]]])
+                {
+                    others[kept] = other;
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        // The numbers of the breeds that a name matches: all of them for ANY_BREED.
+        private function numbersOf(breed:String):Vector.<int>
         {
             if (breed != ANY_BREED)
             {
-                return new <int>[_breeds.indexOf(breed)];
+                return new <int>[numberOf(breed)];
             }
-            var numbers:Vector.<int> = new Vector.<int>();
+            var all:Vector.<int> = new Vector.<int>();
             for (var i:int = 0; i < breedCount; i++)
             {
-                numbers.push(i);
+                all.push(i);
             }
-            return numbers;
+            return all;
         }
 
         private function enter(breed:String):void
@@ -89,15 +174,15 @@ package starlogo.search
             {
                 _hasAny = true;
             }
-            else if (_breeds.indexOf(breed) < 0)
+            else if (_named.indexOf(Breeds.numberOf(breed)) < 0)
             {
-                _breeds.push(breed);
+                _named.push(Breeds.numberOf(breed));
             }
         }
 
-        private function markPairs(numbers:Vector.<int>, otherNumbers:Vector.<int>):void
+        private function markPairs(someNumbers:Vector.<int>, otherNumbers:Vector.<int>):void
         {
-            for each (var number:int in numbers)
+            for each (var number:int in someNumbers)
             {
                 for each (var other:int in otherNumbers)
                 {

@@ -25,7 +25,6 @@ package starlogo.search
         private var _strategy:ShapeStrategy;
         private var _bins:Bins = new Bins();
         private var _table:AgentTable;
-        private var _breedNumbers:BreedNumbers = new BreedNumbers();
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
 
@@ -92,21 +91,21 @@ package starlogo.search
         }
 
         /**
-         * As find, with the places of the agents in the list and the numbers of their breeds.
+         * As find, with the places of the agents in the list.
          *
          * @param takePart which agents do, by their places in the list; null for all
          */
         public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
         {
             search(agents, breeds, takePart, out.agents, true);
-            writeNumbers(out.places, out.breeds);
+            writePlaces(out.places);
             out.end(2 * _pairCount);
         }
 
-        /** How many agents the last search has seen. */
-        public function get count():int
+        /** Whether the last search has seen just these agents, in this order. */
+        public function isListed(agents:Vector.<Agent>):Boolean
         {
-            return _table.count;
+            return _table.isListed(agents);
         }
 
         /** As AgentTable.check. */
@@ -172,7 +171,7 @@ package starlogo.search
         {
             if (_breeds != null)
             {
-                var kept:int = _breedNumbers.keepOfInterest(_table, _bins, slot, others, count);
+                var kept:int = _breeds.keepOfInterest(_bins, slot, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
@@ -257,10 +256,6 @@ package starlogo.search
             {
                 _motions.find(_table, _bins);
             }
-            if (breeds != null)
-            {
-                _breedNumbers.update(_table, breeds);
-            }
             chooseMembers(breeds, takePart);
             _breeds = breeds == null || breeds.areAll ? null : breeds;
             _pairCount = _skippedPairs = 0;
@@ -281,7 +276,8 @@ package starlogo.search
         {
             _members = _table.rows;
             _memberCount = _table.count;
-            if (_table.loadingCount == 0 && takePart == null && (breeds == null || _breedNumbers.outsiders == 0))
+            var outsiders:int = breeds == null ? 0 : breeds.read(_table);
+            if (_table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
             }
@@ -290,7 +286,7 @@ package starlogo.search
             for (var i:int = 0; i < _table.count; i++)
             {
                 var row:int = _table.rows[i];
-                if (_table.shapes[row] != null && (breeds == null || _table.breeds[row] >= 0) && (takePart == null || takePart[i]))
+                if (_table.shapes[row] != null && (outsiders == 0 || breeds.hasBreedOf(row)) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
                     _places[_memberCount] = i;
@@ -345,17 +341,14 @@ package starlogo.search
             }
         }
 
-        private function writeNumbers(places:Vector.<int>, breeds:Vector.<int>):void
+        private function writePlaces(places:Vector.<int>):void
         {
-            var numbers:Vector.<int> = _table.breeds;
-            var members:Vector.<int> = _members;
             var pairs:Vector.<int> = _pairs;
-            var hasAll:Boolean = members === _table.rows;
+            var hasAll:Boolean = _members === _table.rows;
             var length:int = 2 * _pairCount;
             for (var i:int = 0; i < length; i++)
             {
                 var member:int = pairs[i];
-                breeds[i] = numbers[members[member]];
                 if (!hasAll)
                 {
                     member = _places[member];

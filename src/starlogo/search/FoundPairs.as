@@ -3,8 +3,7 @@ package starlogo.search
     import starlogo.agents.Agent;
 
     /**
-     * The pairs that a search has found: two agents a pair, in the order of the list; of each agent its place in the list and the number of its
-     * breed then.
+     * The pairs that a search has found: two agents a pair, in the order of the list, and the place of each in the list.
      *
      * @private
      */
@@ -18,9 +17,6 @@ package starlogo.search
 
         /** The place of each in the list that was searched. */
         public var places:Vector.<int> = new Vector.<int>();
-
-        /** The number of the breed of each, as BreedPairs counts them; -1 for a breed that is in no pair. */
-        public var breeds:Vector.<int> = new Vector.<int>();
 
         /** No pairs. */
         public function FoundPairs()

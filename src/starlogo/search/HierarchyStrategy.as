@@ -171,10 +171,7 @@ package starlogo.search
                 _turned.turn(motion);
                 findImpact(table, b, a, _turned, out);
                 motion.time = _turned.time;
-                if (motion.time != RelativeMotion.NEVER)
-                {
-                    out.turn(motion);
-                }
+                out.turn(motion);
                 return;
             }
             counts.hierarchyTests++;

@@ -189,14 +189,12 @@ package starlogo.agents
             {
                 agent[trait] = values[trait];
             }
-            var breedChanges:int = Agent.breedChanges;
             var revisions:String = agent.revision + " " + agent.placement.extentsRevision;
             for (trait in values)
             {
                 agent[trait] = values[trait];
                 assertEquals(trait, revisions, agent.revision + " " + agent.placement.extentsRevision);
             }
-            assertEquals("breed", breedChanges, Agent.breedChanges);
         }
 
         [Test]
@@ -241,7 +239,6 @@ package starlogo.agents
         public function everyChangeIsCounted():void
         {
             var agent:Agent = new Agent("bear", "bears");
-            var breedChanges:int = Agent.breedChanges;
             var moves:Object = {x: 1, y: 2, z: 3};
             var others:Object = {shape: "ball", heading: 4, pitch: 5, roll: 6, size: 7, hierarchical: true, traversalDepth: 8};
             for (var trait:String in moves)
@@ -266,10 +263,8 @@ package starlogo.agents
                 assertEquals(trait, revision + 1, agent.revision);
                 assertEquals(trait, extentsRevision + 1, agent.placement.extentsRevision);
             }
-            assertEquals(breedChanges, Agent.breedChanges);
             agent.breed = "balls";
-            assertEquals("breed", breedChanges + 1, Agent.breedChanges);
-            assertEquals("the agent's", Agent.breedChanges, agent.breedChange);
+            assertEquals("breed", new Agent("ball", "balls").breedNumber, agent.breedNumber);
         }
 
         private static function set (agent:Agent, trait:String, value:*):void

@@ -11,6 +11,7 @@ package starlogo.blocks
     import starlogo.collision.HierarchicalCollider;
     import starlogo.collision.TightestFitCollider;
     import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
     import support.assertThrows;
 
     public class CollisionBlocksTest
@@ -121,6 +122,51 @@ package starlogo.blocks
             _blocks.collision.update(_agents);
             assertEquals(0, _calls.length);
             assertStrictlyEquals(_blocks.systemNamed(CollisionBlocks.EXACT), _blocks.collision.collisionSystem);
+        }
+
+        [Test]
+        public function theCollisionAndItsFilterStayWhenScriptsAreForgotten():void
+        {
+            agentOf("cube", "bears", 0);
+            agentOf("sphere", "balls", 0.5);
+            agentOf("sphere", "ghosts", 0.5);
+            var collision:Collision = _blocks.collision;
+            collision.filter = AgentFilter.ofBreeds("bears", "balls");
+            _blocks.whenTouchingStarts("bears", Collision.ANY_BREED, note("start"));
+            _blocks.whenTouchingEnds("bears", Collision.ANY_BREED, note("end"));
+            collision.update(_agents);
+            assertEquals("start", _calls.join());
+            _blocks.forgetScripts();
+            assertStrictlyEquals(collision, _blocks.collision);
+            _calls.length = 0;
+            assertEquals(0, collision.lastAgents.length);
+            collision.restore(collision.snapshot(), new Vector.<Agent>());
+            // touches begin anew, and of those of before no end is told
+            _blocks.whenTouchingStarts("bears", Collision.ANY_BREED, note("again"));
+            _blocks.whenTouchingEnds("bears", Collision.ANY_BREED, note("end"));
+            _agents.reverse();
+            collision.update(_agents);
+            assertEquals("again", _calls.join());
+            assertEquals(1, collision.statistics.agentsSkipped);
+        }
+
+        [Test]
+        public function aScriptMayForgetAllScripts():void
+        {
+            agentOf("cube", "bears", 0);
+            agentOf("sphere", "balls", 0.5);
+            _blocks.whenTouchingStarts("bears", "balls", function(collider:Agent, collidee:Agent):void
+                {
+                    _calls.push("forget");
+                    _blocks.forgetScripts();
+                });
+            _blocks.onCollision("bears", "balls", note("not any more"));
+            _blocks.collision.update(_agents);
+            _blocks.collision.update(_agents);
+            assertEquals("forget", _calls.join());
+            _blocks.whenTouchingStarts("bears", "balls", note("again"));
+            _blocks.collision.update(_agents);
+            assertEquals("forget,again", _calls.join());
         }
 
         [Test]

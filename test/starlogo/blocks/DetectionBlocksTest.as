@@ -83,6 +83,22 @@ package starlogo.blocks
         }
 
         [Test]
+        public function aTraitMayAskAnotherQuestion():void
+        {
+            var asking:AskingAgent = new AskingAgent("sphere", "dogs", _blocks);
+            asking.moveTo(1, 0, 0);
+            _agents.unshift(asking);
+            var other:AskingAgent = new AskingAgent("sphere", "dogs", _blocks);
+            other.moveTo(2, 0, 0);
+            _agents.push(other);
+            var asker:AskingAgent = new AskingAgent("sphere", "wolves", _blocks);
+            assertEquals(2, _blocks.countWith(asker, "dogs", "hunger", 10));
+            assertEquals(asking, _blocks.nearestWith(asker, "dogs", "hunger", 10));
+            assertEquals(0, _blocks.countWith(asker, "dogs", "hunger", 20));
+            assertTrue(asking.asked > 2);
+        }
+
+        [Test]
         public function othersAreWhereTheFrameBegan():void
         {
             assertEquals(1, _blocks.countWithin(_turtle, "wolves", 3));
@@ -125,5 +141,26 @@ package starlogo.blocks
             _agents.push(agent);
             return agent;
         }
+    }
+}
+
+import starlogo.agents.Agent;
+import starlogo.blocks.DetectionBlocks;
+
+class AskingAgent extends Agent
+{
+    public var asked:int = 0;
+    private var _blocks:DetectionBlocks;
+
+    public function AskingAgent(shape:String, breed:String, blocks:DetectionBlocks)
+    {
+        super(shape, breed);
+        _blocks = blocks;
+    }
+
+    public function get hunger():Number
+    {
+        asked++;
+        return 10 * _blocks.countWith(this, "turtles", "color", 10);
     }
 }

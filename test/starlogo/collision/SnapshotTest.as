@@ -3,11 +3,15 @@ package starlogo.collision
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertStrictlyEquals;
     import org.flexunit.asserts.assertTrue;
     import evaluation.pairs.SeededRandom;
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.diagnostics.CollisionRecorder;
     import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
+    import starlogo.queries.AgentQueries;
     import support.EachCollider;
     import support.Effort;
     import support.SolidModels;
@@ -88,6 +92,7 @@ package starlogo.collision
             game.random = new SeededRandom(random);
             game.collision.restore(bytes, list);
 
+            var pairsEnd:int = bytes.length - SnapshotAgents.lengthOf(list.length);
             var damage:SeededRandom = new SeededRandom(77);
             var refused:int = 0;
             for (var i:int = 0; i < 300; i++)
@@ -101,7 +106,7 @@ package starlogo.collision
                 else if (i % 3 == 2)
                 {
                     // a mark, a count, flags of motions, a pair: what has few values
-                    broken[[0, 4, 8, 33, bytes.length - 1, bytes.length - 2][int(i / 3) % 6]] ^= 1 << damage.integer(1, 7);
+                    broken[[0, 4, 8, 33, pairsEnd - 1, pairsEnd - 2][int(i / 3) % 6]] ^= 1 << damage.integer(1, 7);
                 }
                 try
                 {
@@ -113,10 +118,11 @@ package starlogo.collision
                 }
             }
             assertEquals("all refused", 300, refused);
-            // the last pair is the one before again
+            // the last pair is the one before again; after the pairs it says which agents they are
             var doubled:ByteArray = new ByteArray();
-            doubled.writeBytes(bytes, 0, bytes.length - 17);
-            doubled.writeBytes(bytes, bytes.length - 34, 17);
+            doubled.writeBytes(bytes, 0, pairsEnd - 17);
+            doubled.writeBytes(bytes, pairsEnd - 34, 17);
+            doubled.writeBytes(bytes, pairsEnd);
             assertThrows(ArgumentError, /no snapshot/, game.collision.restore, doubled, list);
             assertThrows(ArgumentError, /bytes must not be null/, game.collision.restore, null, list);
             assertThrows(ArgumentError, /agents must not be null/, game.collision.restore, bytes, null);
@@ -184,6 +190,133 @@ package starlogo.collision
                 collision.update(agents);
                 assertEquals(isJumped ? 1 : 2, hits);
             }
+        }
+
+        [Test]
+        public function anAgentThatAHandlerTakesOutComesBack():void
+        {
+            for each (var name:String in EachCollider.NAMES)
+            {
+                var collision:Collision = new Collision(EachCollider.make(name, _greatLand));
+                var log:Array = [];
+                var agents:Vector.<Agent> = new <Agent>[new Agent("sphere", "bears"), new Agent("sphere", "balls"), new Agent("cube", "balls")];
+                agents[1].moveTo(9, 0, 0);
+                agents[2].moveTo(0, 0.5, 0);
+                agents[2].sweeps = true;
+                collision.onCollision("balls", "bears", function(ball:Agent, bear:Agent):void
+                    {
+                        log.push("hit " + ball.id);
+                        agents.splice(agents.indexOf(ball), 1);
+                    });
+                collision.onCollisionEnd("balls", "bears", function(ball:Agent, bear:Agent):void
+                    {
+                        log.push("end " + ball.id + " " + bear.id);
+                    });
+                collision.update(agents);
+                var listed:Vector.<Agent> = collision.lastAgents.concat();
+                assertEquals(3, listed.length);
+                assertEquals(2, agents.length);
+                var after:Vector.<Agent> = agents.concat();
+                var bytes:ByteArray = collision.snapshot();
+                var first:String = goOn(collision, agents, log);
+                assertTrue(first, first.indexOf("end " + listed[2].id) >= 0);
+                listed[1].jumpTo(9, 0, 0);
+                agents = after.concat();
+                collision.restore(bytes, listed);
+                assertEquals(3, collision.lastAgents.length);
+                assertEquals(name, first, goOn(collision, agents, log));
+            }
+        }
+
+        private static function goOn(collision:Collision, agents:Vector.<Agent>, log:Array):String
+        {
+            log.length = 0;
+            agents[1].moveTo(8.5, 0, 0);
+            collision.update(agents);
+            agents[1].moveTo(0, 0.25, 0);
+            collision.update(agents.concat());
+            return log.join();
+        }
+
+        [Test]
+        public function anotherListOfTheSameLengthIsRefused():void
+        {
+            var collision:Collision = new Collision(new BinCollider(_greatLand));
+            var a:Agent = new Agent("sphere");
+            var b:Agent = new Agent("sphere");
+            var older:Agent = new Agent("sphere");
+            var agents:Vector.<Agent> = new <Agent>[a, b];
+            collision.update(agents);
+            var bytes:ByteArray = collision.snapshot();
+            var wanted:RegExp = new RegExp("but of the 2 that .*lastAgents had: those with the ids " + a.id + ", " + b.id + "; at place ([01]) .*agent ");
+            assertThrows(ArgumentError, wanted, collision.restore, bytes, new <Agent>[b, a]);
+            assertThrows(ArgumentError, wanted, collision.restore, bytes, new <Agent>[a, older]);
+            assertThrows(ArgumentError, wanted, collision.restore, bytes, new <Agent>[a, new Agent("sphere")]);
+            var three:RegExp = new RegExp("no snapshot of 3 agents, but of the 2 that .*: those with the ids " + a.id + ", " + b.id);
+            assertThrows(ArgumentError, three, collision.restore, bytes, new <Agent>[a, b, older]);
+            assertStrictlyEquals(a, collision.lastAgents[0]);
+            // those that were read from a file
+            collision.restore(bytes, new <Agent>[new Agent("sphere"), new Agent("sphere")]);
+            collision.restore(bytes, agents);
+            // another Collision has agents of its own
+            new Collision(new BinCollider(_greatLand)).restore(bytes, new <Agent>[older, a]);
+        }
+
+        [Test]
+        public function theListOfManyIsNotWrittenOut():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var agents:Vector.<Agent> = new Vector.<Agent>();
+            for (var i:int = 0; i < 1000; i++)
+            {
+                agents.push(new Agent("sphere"));
+            }
+            collision.update(agents);
+            assertThrows(ArgumentError, /of the 1000 that .{0,200} and 990 more$/, collision.restore, collision.snapshot(), new Vector.<Agent>());
+        }
+
+        [Test]
+        public function aRecorderAroundTheSystemChangesNothing():void
+        {
+            for each (var isRecorded:Boolean in [false, true])
+            {
+                var collision:Collision = new Collision(recorded(new BinCollider(), isRecorded));
+                var agents:Vector.<Agent> = new <Agent>[new Agent("sphere", "balls"), new Agent("sphere", "walls"), new Agent("sphere", "ghosts")];
+                agents[0].sweeps = agents[2].sweeps = true;
+                agents[1].moveTo(5, 0, 0);
+                var hits:Array = [];
+                collision.onCollision(Collision.ANY_BREED, "walls", function(collider:Agent, collidee:Agent):void
+                    {
+                        hits.push(collider.breed);
+                    });
+                var filter:AgentFilter = new AgentFilter();
+                filter.exceptBreeds = new <String>["ghosts"];
+                collision.filter = filter;
+                collision.update(agents);
+                var bytes:ByteArray = collision.snapshot();
+                agents[0].moveTo(20, 0, 0);
+                agents[2].moveTo(20, 0, 0);
+                collision.filter = null;
+                collision.update(agents);
+                var first:String = hits.join();
+                assertEquals("as it moved since the last frame", "balls,ghosts", hits.sort().join());
+                agents[0].jumpTo(0, 0, 0);
+                agents[2].jumpTo(0, 0, 0);
+                collision.restore(bytes, agents);
+                agents[0].moveTo(20, 0, 0);
+                agents[2].moveTo(20, 0, 0);
+                hits.length = 0;
+                collision.update(agents);
+                assertEquals(first, hits.join());
+                var queries:AgentQueries = new AgentQueries(collision);
+                queries.update(agents);
+                assertEquals(1, queries.touching(agents[0]).length);
+            }
+        }
+
+        private static function recorded(system:CollisionSystem, isRecorded:Boolean):CollisionSystem
+        {
+            return isRecorded ? new CollisionRecorder(new CollisionRecorder(system)) : system;
         }
 
         // The first line that differs is enough to see.

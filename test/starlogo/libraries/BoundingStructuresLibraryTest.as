@@ -1,9 +1,11 @@
 package starlogo.libraries
 {
+    import flash.geom.Vector3D;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.asserts.fail;
+    import starlogo.GreatLand;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.bounding.Capsule;
@@ -14,6 +16,7 @@ package starlogo.libraries
     import starlogo.fitting.Fitter;
     import starlogo.fitting.NaiveSphereFitter;
     import starlogo.fitting.ZAlignedBoxFitter;
+    import starlogo.models.BuiltInModel;
     import support.PointSets;
     import support.assertThrows;
     import evaluation.pairs.SeededRandom;
@@ -173,6 +176,48 @@ package starlogo.libraries
         }
 
         [Test]
+        public function aStructureThatDoesNotEncloseTheModelIsRefused():void
+        {
+            _library.fitters = new <Fitter>[new NaiveSphereFitter(), new FixedFitter(new Sphere(new Vector3D(0, 0, 0.5), 0.8))];
+            assertRefused(_library.add, ["cube", _cube], "shape \"cube\"");
+            assertRefused(_library.add, ["cube", _cube], "Fixed");
+            assertRefused(_library.add, ["cube", _cube], "vertex 0 at (");
+            assertFalse(_library.has("cube"));
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.boundingStructures.fitters = _library.fitters;
+            assertRefused(greatLand.addModel, [BuiltInModel.cube()], "does not enclose");
+            assertFalse(greatLand.hasModel("cube"));
+            // each kind, too short in one direction alone
+            var x:Vector3D = new Vector3D(1, 0, 0);
+            var y:Vector3D = new Vector3D(0, 1, 0);
+            var z:Vector3D = new Vector3D(0, 0, 1);
+            for each (var half:Number in [0.5, 0.4999])
+            {
+                for (var axis:int = 0; axis < 3; axis++)
+                {
+                    var box:Box = new Box(new Vector3D(), x, y, z, axis == 0 ? half : 0.5, axis == 1 ? half : 0.5, axis == 2 ? half : 0.5);
+                    _library.fitters = new <Fitter>[new FixedFitter(box)];
+                    assertAccepted(half == 0.5);
+                }
+                var capsule:Capsule = new Capsule(new Vector3D(0, 0, half == 0.5 ? -0.5 : -0.49), new Vector3D(0, 0, 0.5), Math.SQRT1_2);
+                _library.fitters = new <Fitter>[new FixedFitter(capsule)];
+                assertAccepted(half == 0.5);
+            }
+        }
+
+        private function assertAccepted(isEnclosing:Boolean):void
+        {
+            if (isEnclosing)
+            {
+                _library.add("cube", _cube);
+            }
+            else
+            {
+                assertRefused(_library.add, ["cube", _cube], "vertex");
+            }
+        }
+
+        [Test]
         public function optionsAreChecked():void
         {
             for each (var factor:Number in [0.99, 0, -1, NaN, Infinity])
@@ -222,6 +267,21 @@ import starlogo.bounding.BoundingStructure;
 import starlogo.fitting.Fit;
 import starlogo.fitting.FitSession;
 import starlogo.fitting.Fitter;
+
+class FixedFitter extends Fitter
+{
+    private var _structure:BoundingStructure;
+
+    public function FixedFitter(structure:BoundingStructure)
+    {
+        _structure = structure;
+    }
+
+    override protected function findStructure(session:FitSession):BoundingStructure
+    {
+        return _structure;
+    }
+}
 
 class FailingFitter extends Fitter
 {

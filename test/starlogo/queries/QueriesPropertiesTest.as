@@ -170,6 +170,20 @@ package starlogo.queries
                 return true;
             };
             assertThrows(IllegalOperationError, /accepts/, _queries.near, _agents[0], 3, filter);
+            for each (var change:Function in [tellOfAMove, moveUntilTouch, slide])
+            {
+                var changing:AgentFilter = new AgentFilter();
+                changing.accepts = function(agent:Agent):Boolean
+                {
+                    change();
+                    return true;
+                };
+                assertThrows(IllegalOperationError, /must not be called from a filter's accepts/, _queries.near, _agents[0], Infinity, changing);
+                assertThrows(IllegalOperationError, /must not be called from a filter's accepts/, _queries.nearest, _agents[0], Infinity, changing);
+                assertThrows(IllegalOperationError, /must not be called from a filter's accepts/, _queries.castAll, new Vector3D(-60, 0, 0.5), new Vector3D(1, 0, 0),
+                        Infinity, changing);
+                change();
+            }
             _agents[5].shape = "cube";
             assertEquals(before, answers());
             _queries.update(_agents);
@@ -238,6 +252,21 @@ package starlogo.queries
             _greatLand.addModel(new Model("late", BuiltInModel.cube().vertices, BuiltInModel.cube().triangles));
             _queries.moved(late);
             assertEquals(1, _queries.touching(cube).length);
+        }
+
+        private function tellOfAMove():void
+        {
+            _queries.moved(_agents[1]);
+        }
+
+        private function moveUntilTouch():void
+        {
+            _queries.moveUntilTouch(_agents[1], 1, 0, 0);
+        }
+
+        private function slide():void
+        {
+            _queries.slide(_agents[1], 1, 0, 0);
         }
 
         [Test]

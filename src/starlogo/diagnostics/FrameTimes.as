@@ -1,0 +1,92 @@
+package starlogo.diagnostics
+{
+    /**
+     * The mean, the median and the most of many frames' milliseconds. In a Flash player a frame's time is a whole number of milliseconds, so only
+     * the mean of many frames tells more: the median and the most are whole numbers there too.
+     */
+    public final class FrameTimes
+    {
+        private var _times:Vector.<Number> = new Vector.<Number>();
+        private var _capacity:int;
+        private var _next:int = 0;
+
+        /**
+         * Times of no frames yet.
+         *
+         * @param capacity of how many frames times are kept: later ones take the place of the oldest
+         * @throws RangeError if it is less than 1
+         */
+        public function FrameTimes(capacity:int = 10000)
+        {
+            if (capacity < 1)
+            {
+                throw new RangeError("capacity must be at least 1: " + capacity);
+            }
+            _capacity = capacity;
+        }
+
+        /** How many frames the times are of. */
+        public function get frames():int
+        {
+            return _times.length;
+        }
+
+        /** Adds a frame's milliseconds. */
+        public function add(milliseconds:Number):void
+        {
+            _times[_next] = milliseconds;
+            _next = _next + 1 == _capacity ? 0 : _next + 1;
+        }
+
+        /** Forgets all frames. */
+        public function clear():void
+        {
+            _times.length = _next = 0;
+        }
+
+        /** The mean; 0 without frames, as for the others. */
+        public function get mean():Number
+        {
+            var sum:Number = 0;
+            for each (var time:Number in _times)
+            {
+                sum += time;
+            }
+            return _times.length == 0 ? 0 : sum / _times.length;
+        }
+
+        /** Half of the frames took no longer. Sorts the times, so ask for it now and then. */
+        public function get median():Number
+        {
+            var sorted:Vector.<Number> = _times.concat().sort(compare);
+            var middle:int = sorted.length >> 1;
+            if (sorted.length % 2 == 1)
+            {
+                return sorted[middle];
+            }
+            return sorted.length == 0 ? 0 : (sorted[middle - 1] + sorted[middle]) / 2;
+        }
+
+        /** The longest time. */
+        public function get most():Number
+        {
+            var longest:Number = 0;
+            for each (var time:Number in _times)
+            {
+                longest = time > longest ? time : longest;
+            }
+            return longest;
+        }
+
+        /** The figures in a line: "mean 1.25 ms, median 1.00 ms, most 9.00 ms". */
+        public function toString():String
+        {
+            return "mean " + mean.toFixed(2) + " ms, median " + median.toFixed(2) + " ms, most " + most.toFixed(2) + " ms";
+        }
+
+        private static function compare(a:Number, b:Number):Number
+        {
+            return a - b;
+        }
+    }
+}

@@ -1,0 +1,201 @@
+package starlogo.agents
+{
+    import org.flexunit.asserts.assertEquals;
+    import starlogo.blocks.CollisionBlocks;
+    import starlogo.blocks.DetectionBlocks;
+    import starlogo.blocks.StructureBlocks;
+    import starlogo.blocks.TraitBlocks;
+    import starlogo.GreatLand;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.BreedInterests;
+    import starlogo.collision.Collision;
+    import starlogo.diagnostics.CollisionRecorder;
+    import starlogo.engine;
+    import starlogo.models.BuiltInModel;
+    import starlogo.queries.AgentFilter;
+    import starlogo.queries.AgentQueries;
+
+    use namespace engine;
+
+    /** A breed's name may be any text: what objects have as properties too, and what differs by a space. */
+    public class BreedsTest
+    {
+        private static const NAMES:Array = ["hasOwnProperty", "toString", "constructor", "__proto__", "valueOf", "isPrototypeOf", "propertyIsEnumerable",
+                "_x", " _x", "x", ":x", "::x", "length", "0", "-1", "null", "undefined", "__count__", "tr\u00e9s", "\u2603", " ", "cats"];
+
+        private var _agents:Vector.<Agent>;
+
+        // Two of each breed, one upon the other; the breeds are far apart.
+        [Before]
+        public function setUp():void
+        {
+            _agents = new Vector.<Agent>();
+            for (var i:int = 0; i < 2 * NAMES.length; i++)
+            {
+                var agent:Agent = new Agent("sphere", NAMES[i >> 1]);
+                agent.moveTo(10 * (i >> 1), 0, 0);
+                _agents.push(agent);
+            }
+        }
+
+        [Test]
+        public function everyNameHasANumber():void
+        {
+            for each (var name:String in NAMES)
+            {
+                var number:int = Breeds.numberOf(name);
+                assertEquals(name, Breeds.nameOf(number));
+                assertEquals(name, number, Breeds.numberOf(name));
+                assertEquals(name, number, new Agent("sphere", name).breedNumber);
+            }
+            var agent:Agent = _agents[0];
+            var count:int = Breeds.count;
+            agent.breed = "cats";
+            assertEquals(_agents[_agents.length - 1].breedNumber, agent.breedNumber);
+            assertEquals(count, Breeds.count);
+        }
+
+        [Test]
+        public function filtersTellThemApart():void
+        {
+            var queries:AgentQueries = new AgentQueries(new BinCollider());
+            queries.update(_agents);
+            var asker:Agent = new Agent("sphere", "askers");
+            for (var i:int = 0; i < NAMES.length; i++)
+            {
+                var filter:AgentFilter = AgentFilter.ofBreeds(NAMES[i]);
+                assertEquals(NAMES[i], 2, queries.countNear(asker, Infinity, filter));
+                assertEquals(NAMES[i], _agents[2 * i], queries.nearest(asker, Infinity, filter));
+                assertEquals(NAMES[i], 2, queries.castAll(asker.transform.position, _agents[_agents.length - 1].transform.position, Infinity, filter).length);
+                filter = new AgentFilter();
+                filter.exceptBreeds = new <String>[NAMES[i]];
+                assertEquals(NAMES[i], _agents.length - 2, queries.near(asker, Infinity, filter).length);
+            }
+            // changed, after questions
+            _agents[0].breed = "__proto__";
+            assertEquals(3, queries.countNear(asker, Infinity, AgentFilter.ofBreeds("__proto__")));
+            assertEquals(1, queries.countNear(asker, Infinity, AgentFilter.ofBreeds(NAMES[0])));
+            assertEquals(0, queries.countNear(asker, Infinity, AgentFilter.ofBreeds("of none")));
+        }
+
+        [Test]
+        public function handlersTellThemApart():void
+        {
+            for each (var isWithAny:Boolean in [false, true])
+            {
+                var recorder:CollisionRecorder = new CollisionRecorder(new BinCollider());
+                var collision:Collision = new Collision(recorder);
+                var called:Array = [];
+                var started:Array = [];
+                for each (var name:String in NAMES)
+                {
+                    collision.onCollision(name, name, log(called));
+                    collision.onCollisionStart(name, isWithAny ? Collision.ANY_BREED : name, log(started));
+                }
+                collision.update(_agents);
+                collision.update(_agents);
+                var once:Array = [];
+                var each:Array = [];
+                for each (name in NAMES)
+                {
+                    once.push(name, name);
+                    each.push(name, name);
+                }
+                assertEquals(each.concat(each).sort().join(), called.sort().join());
+                assertEquals(once.sort().join(), started.sort().join());
+                assertEquals(NAMES.length, recorder.toObject().breeds.length);
+            }
+        }
+
+        [Test]
+        public function interestsTellThemApart():void
+        {
+            var interests:BreedInterests = new BreedInterests();
+            for each (var name:String in NAMES)
+            {
+                assertEquals(name, -1, interests.indexOf(name));
+                interests.add(name, name);
+                assertEquals(name, interests.breedCount - 1, interests.indexOf(name));
+            }
+            assertEquals(-1, interests.indexOf("of none"));
+            for each (name in NAMES)
+            {
+                for each (var other:String in NAMES)
+                {
+                    assertEquals(name + ", " + other, name == other, interests.includes(interests.indexOf(name), interests.indexOf(other)));
+                }
+            }
+        }
+
+        [Test]
+        public function anUnknownBreedIsOfNoInterest():void
+        {
+            var interests:BreedInterests = new BreedInterests();
+            interests.add("cats", "dogs");
+            interests.add("cats", "cats");
+            for each (var index:int in [-1, 2, 3])
+            {
+                for (var other:int = -1; other < 3; other++)
+                {
+                    assertEquals(index + ", " + other, false, interests.includes(index, other));
+                    assertEquals(other + ", " + index, false, interests.includes(other, index));
+                }
+            }
+            assertEquals(true, interests.includes(0, 1));
+        }
+
+        [Test]
+        public function blocksTellThemApart():void
+        {
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.addModel(BuiltInModel.sphere());
+            var collisions:CollisionBlocks = new CollisionBlocks(greatLand, _agents);
+            var detection:DetectionBlocks = new DetectionBlocks(collisions);
+            var traits:TraitBlocks = new TraitBlocks(_agents);
+            var structures:StructureBlocks = new StructureBlocks(collisions);
+            for (var i:int = 0; i < NAMES.length; i++)
+            {
+                assertEquals(NAMES[i], 1, detection.countWithin(_agents[2 * i], NAMES[i], 1000));
+                traits.setCollisionDepth(NAMES[i], i + 1);
+                structures.show(NAMES[i], i % 2 == 0);
+            }
+            for (i = 0; i < _agents.length; i++)
+            {
+                assertEquals(_agents[i].breed, (i >> 1) + 1, _agents[i].traversalDepth);
+                assertEquals(_agents[i].breed, (i >> 1) % 2 == 0, structures.isShown(_agents[i]));
+            }
+        }
+
+        [Test]
+        public function aHandlerMayMakeABreed():void
+        {
+            var collision:Collision = new Collision(new BinCollider());
+            var cats:int = 0;
+            var all:int = 0;
+            var three:Vector.<Agent> = new <Agent>[new Agent("sphere", "cats"), new Agent("sphere", "cats"), new Agent("sphere", "cats")];
+            collision.onCollision("cats", "cats", function(collider:Agent, collidee:Agent):void
+                {
+                    cats++;
+                    for each (var agent:Agent in three)
+                    {
+                        agent.breed = "new " + agent.id;
+                    }
+                });
+            collision.onCollision(Collision.ANY_BREED, Collision.ANY_BREED, function(collider:Agent, collidee:Agent):void
+                {
+                    all++;
+                });
+            collision.update(three);
+            assertEquals("both calls of the first pair", 2, cats);
+            assertEquals(6, all);
+        }
+
+        private static function log(calls:Array):Function
+        {
+            return function(collider:Agent, collidee:Agent):void
+            {
+                calls.push(collider.breed);
+            };
+        }
+    }
+}

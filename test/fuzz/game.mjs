@@ -12,6 +12,16 @@ const { Agent, AgentQueries, BinCollider, BuiltInModel, ByteArray, Collision, Co
 const SYSTEMS = [BinCollider, TightestFitCollider, HierarchicalCollider, CombinationCollider];
 const BREEDS = ["bears", "balls", "walls"];
 const SHAPES = ["sphere", "cube", "cylinder", "blob 1", "blob 2"];
+
+/** Models without volume: what is in one place, on a line or in a plane. */
+const THIN = {
+	"point": [[0, 0, 0]],
+	"one place": [[0, 0, 0, 0, 0, 0, 0, 0, 0], [0, 1, 2]],
+	"two points": [[0, 0, 0, 1, 0, 0]],
+	"mast": [[0, 0, 0, 0, 0, 1]],
+	"triangle": [[0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]],
+	"plane": [[0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [0, 1, 2, 0, 2, 3]],
+};
 const KINDS = ["onCollision", "onCollisionStart", "onCollisionEnd"];
 const TRAITS = ["shape", "breed", "size", "heading", "pitch", "roll", "sweeps", "hierarchical", "traversalDepth", "collideAs"];
 const MEANT = "meant";
@@ -45,6 +55,7 @@ class Game {
 
 	constructor() {
 		for (const model of [BuiltInModel.sphere(), BuiltInModel.cube(), BuiltInModel.cylinder()]) this.land.addModel(model);
+		for (const [name, [vertices, triangles = null]] of Object.entries(THIN)) this.take(new Model(name, vertices, triangles));
 		this.setting = { system: 1, exact: false, depth: 5 };
 		this.collision = new Collision(this.makeSystem());
 		this.queries = new AgentQueries(this.collision);
@@ -72,6 +83,24 @@ class Game {
 		agent.moveTo(x, y, z);
 		agent.size = size;
 		this.agents.push(agent);
+	}
+
+	/** Cubes side by side, of which some are left out. */
+	tiles(x, y, z, size, holes) {
+		for (let i = 0; i < 9; i++) {
+			if (holes & 1 << i) continue;
+			const tile = new Agent("cube", "walls");
+			tile.moveTo(size * (x + i % 3), size * (y + Math.floor(i / 3)), size * z);
+			tile.size = size;
+			this.agents.push(tile);
+		}
+	}
+
+	/** To a whole place, by quarters: among tiles it touches exactly. */
+	walk(place, x, y, z, dx, dy, dz, slides) {
+		if (this.agents.length === 0) return;
+		this.at(place).jumpTo(x, y, z);
+		for (let i = 0; i < 4; i++) this.go(place, dx, dy, dz, slides);
 	}
 
 	leave(place) {
@@ -243,12 +272,15 @@ class Game {
 		const agent = this.at(place);
 		this.queries.update(this.agents);
 		const fresh = this.makeSystem();
+		const deepest = () => Math.max(0, ...this.agents.filter((other) => other !== agent && fresh.areColliding(agent, other)).map((other) => fresh.contactOf(agent, other).depth / Math.max(agent.size, other.size)));
+		const before = deepest();
 		const [fromX, fromY, fromZ] = [agent.x, agent.y, agent.z];
 		const part = this.queries[slides ? "slide" : "moveUntilTouch"](agent, x, y, z);
 		assert.ok(part >= 0 && part <= 1, `a part of ${part}`);
 		const went = Math.hypot(agent.x - fromX, agent.y - fromY, agent.z - fromZ);
 		const whole = Math.hypot(x, y, z);
 		assert.ok(went <= whole * (part + HAIR) + 1e-6, `${agent} went ${went} of ${whole}, said ${part}`);
+		if (before <= HAIR) assert.ok(deepest() <= 5 * HAIR, `${agent} ends ${deepest()} deep, from ${before}`);
 		if (!slides && part < 1) {
 			// a bit farther it touches; where it grazes, only here
 			const meets = () => this.agents.some((other) => other !== agent && fresh.areColliding(agent, other));
@@ -391,13 +423,15 @@ export function randomCall(random) {
 	const place = () => (random() < 0.3 ? pick([-1, 0, 0.5, 1]) : between(-2.5, 2.5));
 	const breed = () => pick([...BREEDS, Collision.ANY_BREED]);
 	const value = {
-		shape: () => pick(SHAPES), breed: () => pick(BREEDS), size: () => pick([1, 1, 0.5, between(0.1, 2.5)]),
+		shape: () => pick(random() < 0.2 ? Object.keys(THIN) : SHAPES), breed: () => pick(BREEDS), size: () => pick([1, 1, 0.5, between(0.1, 2.5)]),
 		heading: () => pick([0, 45, 90, between(0, 360)]), pitch: () => pick([0, 30, 90]), roll: () => pick([0, 180, 77]),
 		sweeps: () => random() < 0.3, hierarchical: () => random() < 0.5, traversalDepth: () => integer(7),
 		collideAs: () => pick([Agent.TIGHTEST, Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE]),
 	};
 	const calls = {
 		add: () => [place(), place(), place() / 2, value.size()],
+		tiles: () => [integer(3) - 2, integer(3) - 2, integer(3) - 1, pick([1, 1, 0.1, 3]), integer(512)],
+		walk: () => [integer(99), integer(5) - 2, integer(5) - 2, integer(3) - 1, integer(5) / 4 - 0.5, integer(5) / 4 - 0.5, pick([0, 0, -0.25, -0.1, 0.25]), random() < 0.6],
 		leave: () => [integer(99)],
 		move: () => [integer(99), place(), place(), place() / 2, random() < 0.1],
 		trait: () => {
@@ -417,7 +451,7 @@ export function randomCall(random) {
 		file: () => [pick(Object.keys(FILES)), 1 + integer(1e9)],
 		wrong: () => [integer(99)],
 	};
-	const often = ["add", "add", "add", "move", "move", "move", "trait", "trait", "trait", "frame", "frame", "check", "ask", "ask", "go", "file"];
+	const often = ["add", "add", "add", "move", "move", "move", "trait", "trait", "trait", "frame", "frame", "check", "ask", "ask", "go", "walk", "walk", "file"];
 	const name = random() < 0.6 ? pick(often) : pick(Object.keys(calls));
 	return [name, ...calls[name]()];
 }

@@ -13,6 +13,9 @@ package support
         /** The names that <code>make()</code> knows. */
         public static const NAMES:Array = ["bins", "tightest fits", "hierarchies", "triangles", "combinations"];
 
+        /** Those, and combinations in exact mode. */
+        public static const ALL_NAMES:Array = NAMES.concat("combinations, exact");
+
         /** Makes a collider. */
         public static function make(name:String, greatLand:GreatLand):Collider
         {
@@ -30,6 +33,10 @@ package support
                     return exact;
                 case "combinations":
                     return new CombinationCollider(greatLand);
+                case "combinations, exact":
+                    var combination:CombinationCollider = new CombinationCollider(greatLand);
+                    combination.exact = true;
+                    return combination;
                 default:
                     throw new ArgumentError("unknown collider: " + name);
             }

@@ -354,9 +354,7 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            _moves.aim(dx, dy, dz);
-            _moves.move(agent, filter, contact, false);
-            return _moves.part;
+            return _moves.move(agent, dx, dy, dz, filter, contact, false);
         }
 
         /**
@@ -377,9 +375,7 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            _moves.aim(dx, dy, dz);
-            _moves.move(agent, filter, null, true);
-            return _moves.part;
+            return _moves.move(agent, dx, dy, dz, filter, null, true);
         }
 
         private static function requirePoint(point:Vector3D):void

@@ -14,17 +14,10 @@ package starlogo.queries
      */
     public final class MoveQuestions
     {
-        /** How much of the last motion was free. */
-        public var part:Number = 1;
-
         private var _seen:SeenAgents;
         private var _filters:FilteredRows;
         private var _answers:Answers;
         private var _mover:Mover = null;
-
-        private var _dx:Number = 0;
-        private var _dy:Number = 0;
-        private var _dz:Number = 0;
 
         // What is near the way, with a squared distance of 0, and of these the agents that count.
         private var _search:WaySearch = new WaySearch();
@@ -44,31 +37,20 @@ package starlogo.queries
             _found = new FoundRows(seen);
         }
 
-        /** Sets the motion of the next question: an object would be made of each Number that is given to a longer function. */
-        public function aim(dx:Number, dy:Number, dz:Number):void
-        {
-            _dx = dx;
-            _dy = dy;
-            _dz = dz;
-        }
-
         /**
-         * As AgentQueries.moveUntilTouch, or slide, with the motion that was set: <code>part</code>.
+         * As AgentQueries.moveUntilTouch, or slide.
          *
          * @param contact takes how it touches; or null
          * @param slides whether it goes on along what it meets
+         * @return how much of the motion was free
          */
-        public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):void
+        public function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact, slides:Boolean):Number
         {
-            var dx:Number = _dx;
-            var dy:Number = _dy;
-            var dz:Number = _dz;
             if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
             }
-            // the filter may ask of motions too
-            findNear(agent, filter, slides);
+            findNear(agent, dx, dy, dz, filter, slides);
             if (_mover == null || _mover.strategy !== _seen.strategy)
             {
                 _mover = new Mover(_seen.strategy);
@@ -76,12 +58,9 @@ package starlogo.queries
             var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfNow(agent);
             var isSeen:Boolean = table.shapes[row] != null;
-            part = 1;
             if (isSeen)
             {
-                _mover.aim(dx, dy, dz);
-                _mover.move(table, row, _agents, slides);
-                part = _mover.part;
+                _mover.move(table, row, _agents, dx, dy, dz, slides);
             }
             table.endGuests();
             if (contact != null && isSeen)
@@ -90,23 +69,28 @@ package starlogo.queries
             }
             if (dx == 0 && dy == 0 && dz == 0)
             {
-                return;
+                return 1;
             }
-            if (!isSeen)
+            if (isSeen)
             {
-                _mover.x = agent.x + dx;
-                _mover.y = agent.y + dy;
-                _mover.z = agent.z + dz;
+                if (_mover.at.x != agent.x || _mover.at.y != agent.y || _mover.at.z != agent.z)
+                {
+                    agent.moveTo(_mover.at.x, _mover.at.y, _mover.at.z);
+                }
             }
-            _mover.place(agent);
+            else
+            {
+                agent.moveTo(agent.x + dx, agent.y + dy, agent.z + dz);
+            }
             if (table.rowOf(agent) >= 0)
             {
                 _seen.moved(agent);
             }
+            return isSeen ? _mover.part : 1;
         }
 
         // The agents that count and whose extents are near the way; where it may go anywhere, near where it may end.
-        private function findNear(agent:Agent, filter:AgentFilter, isAnywhere:Boolean):void
+        private function findNear(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, isAnywhere:Boolean):void
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
@@ -116,11 +100,11 @@ package starlogo.queries
                 _seen.beginWay(_search, row);
                 if (isAnywhere)
                 {
-                    _search.widen(Math.sqrt(_dx * _dx + _dy * _dy + _dz * _dz));
+                    _search.widen(Math.sqrt(dx * dx + dy * dy + dz * dz));
                 }
                 else
                 {
-                    _search.moveAlong(_dx, _dy, _dz, 1);
+                    _search.moveAlong(dx, dy, dz, 1);
                 }
                 for (var other:int = _search.next(); other >= 0; other = _search.next())
                 {

@@ -85,6 +85,9 @@ package starlogo.search
         private var _rotations:Vector.<Number> = new Vector.<Number>();
         private var _sizes:Vector.<Number> = new Vector.<Number>();
 
+        /** The columns of what grows with a row: from the position to the middle of the extents, half of these, the radius around them, the size. */
+        internal var sizing:Vector.<Vector.<Number>>;
+
         // By row: the number of the last list that had the agent.
         private var _lists:Vector.<int> = new Vector.<int>();
 
@@ -119,6 +122,7 @@ package starlogo.search
             _strategy = strategy;
             _shapes = shapes;
             _bins = bins;
+            sizing = new <Vector.<Number>>[_offsetX, _offsetY, _offsetZ, extents.halfX, extents.halfY, extents.halfZ, extents.radius, _sizes];
             makeRows(GUESTS);
         }
 

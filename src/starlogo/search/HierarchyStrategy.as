@@ -171,7 +171,10 @@ package starlogo.search
                 _turned.turn(motion);
                 findImpact(table, b, a, _turned, out);
                 motion.time = _turned.time;
-                out.turn(motion);
+                if (motion.time != RelativeMotion.NEVER)
+                {
+                    out.turn(motion);
+                }
                 return;
             }
             counts.hierarchyTests++;

@@ -32,12 +32,16 @@ package starlogo.search
         // How narrow the interval is that the way out ends in before it is swept, as a share of the larger extent.
         private static const NARROW:Number = 1 / 16;
 
+        // The extent of two points at the origin, so that all steps are longer than 0.
+        private static const LEAST_EXTENT:Number = 1e-100;
+
         // Halvings, of which 53 leave nothing of a Number.
         private static const MOST_STEPS:int = 60;
 
         private var _strategy:ShapeStrategy;
         private var _sweep:RowSweep;
         private var _middle:OverlapMiddle = new OverlapMiddle();
+        private var _moved:MovedRow = new MovedRow();
 
         // The pair under way, where its first row is when they touch, and their larger extent.
         private var _table:AgentTable;
@@ -90,10 +94,6 @@ package starlogo.search
                 _middle.setAlong(table, a, b, out);
                 return;
             }
-            var x:Number = table.x[a];
-            var y:Number = table.y[a];
-            var z:Number = table.z[a];
-            var revision:int = table.revisions[a];
             begin(table, a, b, motion);
             _distance = 0;
             if (touch())
@@ -109,10 +109,7 @@ package starlogo.search
             _middle.setAlong(table, a, b, out);
             _middle.keepWithin(table.extents, a, out);
             _middle.keepWithin(table.extents, b, out);
-            table.x[a] = x;
-            table.y[a] = y;
-            table.z[a] = z;
-            table.putBack(a, revision);
+            _moved.giveBack();
             _table = null;
         }
 
@@ -122,13 +119,17 @@ package starlogo.search
             _table = table;
             _a = a;
             _b = b;
+            _moved.take(table, a);
             _x = table.x[a] + (motion.startX + time * motion.x);
             _y = table.y[a] + (motion.startY + time * motion.y);
             _z = table.z[a] + (motion.startZ + time * motion.z);
             var extents:Extents = table.extents;
-            var half:Number = Math.max(extents.halfX[a], Math.max(extents.halfY[a], extents.halfZ[a]));
-            half = Math.max(half, Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b])));
-            _extent = 2 * half;
+            var half:Number = Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b]));
+            half = Math.max(half, _moved.largestHalf);
+            // two points have none: then it is how far apart they may be and still touch
+            var rounding:Number = Tolerances.PLACES * (Math.abs(_x) + Math.abs(_y) + Math.abs(_z)
+                    + (Math.abs(table.x[b]) + Math.abs(table.y[b]) + Math.abs(table.z[b])));
+            _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
         }
 
         // Rounding has them just not touching: there is no depth, and the motion's direction is the normal unless the two touch along theirs.
@@ -160,9 +161,7 @@ package starlogo.search
             }
             if (isDeep)
             {
-                _strategy.leavesDecide = true;
-                findDirection(out);
-                _strategy.leavesDecide = false;
+                findDirectionByLeaves(out);
                 if (_strategy.isExact)
                 {
                     point(out);
@@ -196,6 +195,19 @@ package starlogo.search
             _touching = 0;
             _free = SHALLOW * _extent;
             return touchesFree();
+        }
+
+        private function findDirectionByLeaves(out:ContactPoint):void
+        {
+            _strategy.leavesDecide = true;
+            try
+            {
+                findDirection(out);
+            }
+            finally
+            {
+                _strategy.leavesDecide = false;
+            }
         }
 
         private function findDirection(out:ContactPoint):void
@@ -349,10 +361,7 @@ package starlogo.search
 
         private function displace():void
         {
-            _table.x[_a] = _x + _distance * _alongX;
-            _table.y[_a] = _y + _distance * _alongY;
-            _table.z[_a] = _z + _distance * _alongZ;
-            _table.displace(_a);
+            _moved.put(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ, 0);
         }
     }
 }

@@ -14,6 +14,7 @@ package starlogo.queries
     import support.Effort;
     import support.Fixtures;
     import support.RandomWorlds;
+    import support.ThinModels;
 
     /** The answers about places and touches against loops over all agents, in worlds of many kinds. With -Dfull 1,000,000 questions. */
     public class AgentQueriesTest
@@ -21,7 +22,7 @@ package starlogo.queries
         /** What is read. */
         public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/fortress.obj", "/assets/kelp.obj"];
 
-        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "bear", "fortress", "kelp"];
+        private static const SHAPES:Array = ["sphere", "cube", "cylinder", "bear", "fortress", "kelp", "point", "two points", "triangle", "plane"];
         private static const BREEDS:Array = ["turtles", "wolves", "sheep", "toString", "__proto__"];
 
         private static var sGreatLand:GreatLand;
@@ -40,6 +41,7 @@ package starlogo.queries
             sGreatLand.addModel(BuiltInModel.sphere());
             sGreatLand.addModel(BuiltInModel.cube());
             sGreatLand.addModel(BuiltInModel.cylinder());
+            ThinModels.addTo(sGreatLand);
             for each (var name:String in ["bear", "fortress", "kelp"])
             {
                 sGreatLand.addModel(new ObjModel(name, Fixtures.text("/assets/" + name + ".obj")));

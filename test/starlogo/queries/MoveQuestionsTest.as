@@ -68,14 +68,14 @@ package starlogo.queries
                     {
                         var contact:Contact = new Contact();
                         agents[0].moveTo(0, 0, 0);
-                        var part:Number = queries.moveUntilTouch(agents[0], free * (1 + i * 1e-16), 0, 0, null, contact);
+                        var part:Number = queries.moveUntilTouch(agents[0], free * (1 + i * 1e-10), 0, 0, null, contact);
                         if (part < 1)
                         {
                             ends++;
                             assertTrue(name + ", " + shape + ", normal " + contact.normal, contact.normal.x < -0.5);
                         }
                         agents[0].moveTo(0, 0, 0);
-                        queries.slide(agents[0], free * (1 + i * 1e-16), 0, 0);
+                        queries.slide(agents[0], free * (1 + i * 1e-10), 0, 0);
                         assertEquals(name + ", " + shape, free, Math.round(agents[0].x * 1e6) == Math.round(free * 1e6) ? free : agents[0].x);
                     }
                 }

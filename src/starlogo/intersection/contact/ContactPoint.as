@@ -1,5 +1,6 @@
 package starlogo.intersection.contact
 {
+    import flash.geom.Vector3D;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.sweep.RelativeMotion;
 
@@ -85,6 +86,20 @@ package starlogo.intersection.contact
             normalX /= length;
             normalY /= length;
             normalZ /= length;
+        }
+
+        /** How far a vector goes along the normal. */
+        public function along(vector:Vector3D):Number
+        {
+            return normalX * vector.x + normalY * vector.y + normalZ * vector.z;
+        }
+
+        /** Moves a place along the normal. */
+        public function push(place:Vector3D, by:Number):void
+        {
+            place.x += by * normalX;
+            place.y += by * normalY;
+            place.z += by * normalZ;
         }
 
         /** Sets the normal to the opposite of a motion's direction. */

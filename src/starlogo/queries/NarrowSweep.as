@@ -1,0 +1,239 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.broadphase.Extents;
+    import starlogo.engine;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.search.AgentTable;
+    import starlogo.search.MovedRow;
+    import starlogo.search.RowSweep;
+    import starlogo.search.Separation;
+    import starlogo.search.ShapeStrategy;
+
+    use namespace engine;
+
+    /**
+     * What a row of a table would go into as it moves: what it only touches, leaves or runs along is not met.
+     *
+     * <p>Two rows meet if they touch in both of two trials: with the moving row a hair smaller than it is, about the middle of its extents, and with the
+     * other a hair smaller. One alone is not enough: a sheet is too thin to lose a hair of its thickness, and the inner faces of a U come nearer to the
+     * post that it is round.</p>
+     *
+     * @private
+     */
+    public final class NarrowSweep
+    {
+        // A hair, as a part of the larger extent; besides, of what places and motions are rounded by, how many times as much.
+        private static const HAIR:Number = 0.02 * Tolerances.SEPARATION;
+        private static const OF_PLACES:Number = 16 * Tolerances.PLACES;
+        private static const OF_MOTION:Number = 3 * Tolerances.ROUNDING;
+
+        // A row loses a hair of its least extent, or of the largest divided by this: so its corners lose no more than that many hairs, and half of it at most.
+        private static const SLIMMEST:Number = 10;
+        private static const MOST_SHARE:Number = 0.5;
+
+        /** The larger extent of the last pair that was asked about. */
+        public var extent:Number = 0;
+
+        /** How wide a hair is between the two. */
+        public var hair:Number = 0;
+
+        /** When they meet, as a part of the motion. */
+        public var time:Number = 0;
+
+        /** How. */
+        public var contact:ContactPoint = new ContactPoint();
+
+        /** What it has touched, met or not: the first of these rows. */
+        public var touched:Vector.<int> = new Vector.<int>();
+
+        /** How many these are; they are counted on until this is set. */
+        public var touchedCount:int = 0;
+
+        private var _strategy:ShapeStrategy;
+        private var _sweep:RowSweep;
+        private var _separation:Separation;
+        private var _table:AgentTable;
+        private var _row:int;
+        private var _moving:MovedRow = new MovedRow();
+        private var _standing:MovedRow = new MovedRow();
+
+        // How much of a hair is because of rounding.
+        private var _rounding:Number = 0;
+
+        // Of the row of the pair that was smaller when the two met: where its middle was, and the share that it lacked, less than 0 if it was the one that moves.
+        private var _middleX:Number = 0;
+        private var _middleY:Number = 0;
+        private var _middleZ:Number = 0;
+        private var _loss:Number = 0;
+        private var _motion:RelativeMotion = new RelativeMotion();
+        private var _tried:ContactPoint = new ContactPoint();
+        private var _triedOther:ContactPoint = new ContactPoint();
+
+        // When it touches it as large as it is.
+        private var _wholeTime:Number = 0;
+
+        /** @param strategy decides what touches */
+        public function NarrowSweep(strategy:ShapeStrategy)
+        {
+            _strategy = strategy;
+            _sweep = new RowSweep(strategy);
+            _separation = new Separation(strategy, _sweep);
+        }
+
+        /** Takes a row that moves; <code>end()</code> has to follow. */
+        public function begin(table:AgentTable, row:int, motion:Vector3D):void
+        {
+            _table = table;
+            _row = row;
+            touchedCount = 0;
+            _moving.take(table, row);
+            _rounding = OF_PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]))
+                + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
+        }
+
+        /** Puts the row back as it was. */
+        public function end():void
+        {
+            _moving.giveBack();
+            _table = null;
+        }
+
+        /** Whether the row touches another at a place. */
+        public function touchesAt(other:int, at:Vector3D):Boolean
+        {
+            measure(other);
+            if (!_moving.isNear(other, at.x, at.y, at.z, hair))
+            {
+                return false;
+            }
+            _moving.put(at.x, at.y, at.z, 0);
+            return _strategy.areTouching(_table, _row, other);
+        }
+
+        /** Whether the row would have to go into another to be at a place. */
+        public function meetsAt(other:int, at:Vector3D):Boolean
+        {
+            if (!touchesAt(other, at))
+            {
+                return false;
+            }
+            narrowOther(other);
+            var isMeeting:Boolean = _strategy.areTouching(_table, _row, other);
+            _standing.giveBack();
+            _moving.put(at.x, at.y, at.z, shareOf(_moving));
+            return isMeeting && _strategy.areTouching(_table, _row, other);
+        }
+
+        /** How the row, which touches another at a place, touches it. */
+        public function findContact(other:int, at:Vector3D, out:ContactPoint):void
+        {
+            measure(other);
+            _moving.put(at.x, at.y, at.z, 0);
+            _motion.endAfter(0, 0, 0);
+            _motion.time = 0;
+            _sweep.findContact(_table, _row, other, _motion, out);
+            _separation.find(_table, _row, other, _motion, out);
+        }
+
+        /**
+         * Finds when the row meets another on its way: <code>time</code> and <code>contact</code>.
+         *
+         * @param latest the latest time that is of interest
+         * @return whether it does by then; else what was found last stays
+         */
+        public function find(other:int, at:Vector3D, motion:Vector3D, latest:Number):Boolean
+        {
+            measure(other);
+            _moving.put(at.x + motion.x, at.y + motion.y, at.z + motion.z, 0);
+            sweep(other, motion, _tried);
+            var whole:Number = _motion.time;
+            if (!(whole < latest))
+            {
+                return false;
+            }
+            touched[touchedCount] = other;
+            touchedCount++;
+            narrowOther(other);
+            sweep(other, motion, _triedOther);
+            _standing.giveBack();
+            var second:Number = _motion.time;
+            if (!(second < latest))
+            {
+                return false;
+            }
+            var share:Number = shareOf(_moving);
+            _moving.put(at.x + motion.x, at.y + motion.y, at.z + motion.z, share);
+            sweep(other, motion, _tried);
+            var first:Number = _motion.time;
+            if (!(first < latest))
+            {
+                return false;
+            }
+            var extents:Extents = _table.extents;
+            _wholeTime = whole;
+            if (second > first)
+            {
+                time = second;
+                contact.copyFrom(_triedOther);
+                _loss = shareOf(_standing);
+                _middleX = extents.x[other];
+                _middleY = extents.y[other];
+                _middleZ = extents.z[other];
+            }
+            else
+            {
+                time = first;
+                contact.copyFrom(_tried);
+                _loss = -share;
+                _middleX = extents.x[_row] - (1 - time) * motion.x;
+                _middleY = extents.y[_row] - (1 - time) * motion.y;
+                _middleZ = extents.z[_row] - (1 - time) * motion.z;
+            }
+            return true;
+        }
+
+        /**
+         * Finds when the row, as large as it is, first touches what <code>find()</code> has found. Where it touches that at the beginning already, as
+         * a floor that has a wall, the time is that at which it would be as deep as the smaller row is not.
+         *
+         * @param along how far the motion goes along the contact's normal, less than 0
+         * @param touch has that normal
+         */
+        public function wholeTime(along:Number, touch:ContactPoint):Number
+        {
+            var deeper:Number = _loss * (touch.normalX * (touch.x - _middleX) + touch.normalY * (touch.y - _middleY) + touch.normalZ * (touch.z - _middleZ));
+            var earlier:Number = deeper / along;
+            return _wholeTime > time + earlier / 2 ? _wholeTime : time + earlier;
+        }
+
+        /** Finds the larger extent of the row and another, and how wide a hair is between them. */
+        public function measure(other:int):void
+        {
+            var extents:Extents = _table.extents;
+            var half:Number = Math.max(extents.halfX[other], Math.max(extents.halfY[other], extents.halfZ[other]));
+            extent = 2 * Math.max(half, _moving.largestHalf);
+            hair = HAIR * extent + _rounding;
+        }
+
+        private function sweep(other:int, motion:Vector3D, out:ContactPoint):void
+        {
+            _motion.endAfter(motion.x, motion.y, motion.z);
+            _sweep.findImpact(_table, _row, other, _motion, out);
+        }
+
+        private function narrowOther(other:int):void
+        {
+            _standing.take(_table, other);
+            _standing.narrow(shareOf(_standing));
+        }
+
+        private function shareOf(row:MovedRow):Number
+        {
+            var share:Number = hair / Math.max(row.leastHalf, row.largestHalf / SLIMMEST);
+            return share < MOST_SHARE ? share : MOST_SHARE;
+        }
+    }
+}

@@ -1,0 +1,174 @@
+package starlogo.queries
+{
+    import flash.geom.Vector3D;
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+
+    /**
+     * What is left of a motion, the planes of what it has met, and its projection on them (Fauerby, "Improved collision detection and response", 2003, with all
+     * planes kept).
+     *
+     * @private
+     */
+    public final class SlidePlanes
+    {
+        // The sine of the angle up to which a motion runs along a plane; the square of the share of a motion that is none; the cosine from which on
+        // two planes are one.
+        private static const LEVEL:Number = 1e-12;
+        private static const STUCK:Number = 1e-20;
+        private static const SAME:Number = 1 - 1e-14;
+
+        /** What is left of the motion. */
+        public var motion:Vector3D = new Vector3D();
+
+        /** How many planes there are. */
+        public var count:int = 0;
+
+        /** The first that was met in the corner that the motion is in. */
+        public var corner:int = 0;
+
+        private var _planes:Vector.<ContactPoint> = new Vector.<ContactPoint>();
+
+        // What was left when the corner began; a projection that is tried; the plane that does not count for it.
+        private var _whole:Vector3D = new Vector3D();
+        private var _tried:Vector3D = new Vector3D();
+        private var _without:int = -1;
+
+        /** No motion. */
+        public function SlidePlanes()
+        {
+        }
+
+        /** Begins a motion without planes. */
+        public function begin(dx:Number, dy:Number, dz:Number):void
+        {
+            motion.setTo(dx, dy, dz);
+            count = 0;
+            beginCorner();
+        }
+
+        /** Begins a corner: the planes that are added from now on are of it, and what is left of the motion now is projected on them. */
+        public function beginCorner():void
+        {
+            corner = count;
+            _whole.copyFrom(motion);
+        }
+
+        /** Moves a place by the first part of what is left, from 0 to 1, which is left no more. Returns how far that is. */
+        public function advance(place:Vector3D, part:Number):Number
+        {
+            var length:Number = part * motion.length;
+            place.x += part * motion.x;
+            place.y += part * motion.y;
+            place.z += part * motion.z;
+            motion.scaleBy(1 - part);
+            _whole.scaleBy(1 - part);
+            return length;
+        }
+
+        /** Adds the plane of a contact, which must not be crossed against its normal. It takes the place of one that is the same but for rounding. */
+        public function add(contact:ContactPoint):void
+        {
+            var same:int = 0;
+            while (same < count && !isSame(_planes[same], contact))
+            {
+                same++;
+            }
+            if (same == _planes.length)
+            {
+                _planes.push(new ContactPoint());
+            }
+            _planes[same].copyFrom(contact);
+            count = Math.max(count, same + 1);
+        }
+
+        /** Takes a plane away. */
+        public function remove(at:int):void
+        {
+            count--;
+            _planes[at].copyFrom(_planes[count]);
+        }
+
+        /** The plane that the motion crosses most; null if it crosses none. */
+        public function findCrossed():ContactPoint
+        {
+            var crossed:ContactPoint = null;
+            var least:Number = -LEVEL * motion.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (_planes[i].along(motion) < least)
+                {
+                    crossed = _planes[i];
+                    least = crossed.along(motion);
+                }
+            }
+            return crossed;
+        }
+
+        /**
+         * Projects the motion, as it was when the corner began, on the planes that it crosses: the nearest that crosses none.
+         *
+         * @param without a plane that does not count; -1 for none
+         * @return whether there is any left
+         */
+        public function project(without:int = -1):Boolean
+        {
+            _without = without;
+            motion.setTo(0, 0, 0);
+            _tried.copyFrom(_whole);
+            tryMotion();
+            var isFree:Boolean = motion.lengthSquared > 0;
+            for (var i:int = 0; !isFree && i < count; i++)
+            {
+                _tried.copyFrom(_whole);
+                _planes[i].push(_tried, -_planes[i].along(_whole));
+                tryMotion();
+            }
+            for (i = 0; motion.lengthSquared == 0 && i < count; i++)
+            {
+                tryCreases(i);
+            }
+            return motion.lengthSquared > STUCK * _whole.lengthSquared;
+        }
+
+        private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
+        {
+            return a.normalX * b.normalX + a.normalY * b.normalY + a.normalZ * b.normalZ > SAME;
+        }
+
+        // The lines in which one plane meets those after it.
+        private function tryCreases(first:int):void
+        {
+            var a:ContactPoint = _planes[first];
+            for (var i:int = first + 1; i < count; i++)
+            {
+                var b:ContactPoint = _planes[i];
+                _tried.setTo(a.normalY * b.normalZ - a.normalZ * b.normalY, a.normalZ * b.normalX - a.normalX * b.normalZ,
+                        a.normalX * b.normalY - a.normalY * b.normalX);
+                if (_tried.lengthSquared > Tolerances.NEARLY_PARALLEL)
+                {
+                    _tried.scaleBy(_tried.dotProduct(_whole) / _tried.lengthSquared);
+                    tryMotion();
+                }
+            }
+        }
+
+        // Takes a projection if it crosses no plane and is longer than the best so far.
+        private function tryMotion():void
+        {
+            if (!(_tried.lengthSquared > motion.lengthSquared))
+            {
+                return;
+            }
+            var least:Number = -LEVEL * _tried.length;
+            for (var i:int = 0; i < count; i++)
+            {
+                if (i != _without && _planes[i].along(_tried) < least)
+                {
+                    return;
+                }
+            }
+            motion.copyFrom(_tried);
+        }
+    }
+}

@@ -70,7 +70,7 @@ package starlogo.collision
          */
         public var findMs:Number = 0;
 
-        /** Milliseconds of the whole frame, handlers included; whole ones in a Flash player, as for findMs. */
+        /** Milliseconds of the whole frame, handlers included. In a Flash player they are whole, as for findMs. */
         public var frameMs:Number = 0;
 
         /** All zero. */

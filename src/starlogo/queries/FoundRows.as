@@ -12,7 +12,7 @@ package starlogo.queries
         /** In place of how many rows are wanted: all. */
         public static const ALL:int = int.MAX_VALUE;
 
-        /** In place of how many rows are wanted: none, but their number. */
+        /** In place of how many rows are wanted: only their number counts. */
         public static const NUMBER:int = -1;
 
         /** The rows. */
@@ -89,11 +89,8 @@ package starlogo.queries
                 }
                 return limit;
             }
-            if (most != NUMBER)
-            {
-                rows[count] = row;
-                squares[count] = square;
-            }
+            rows[count] = row;
+            squares[count] = square;
             count++;
             if (count == _room)
             {

@@ -152,13 +152,19 @@ package starlogo.queries
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
             var box:int = RowTree.PER_BOX * node;
-            var toX:Number = Math.max(boxes[int(box + 3)] - _x, _x - boxes[box]);
-            var toY:Number = Math.max(boxes[int(box + 4)] - _y, _y - boxes[int(box + 1)]);
-            var toZ:Number = Math.max(boxes[int(box + 5)] - _z, _z - boxes[int(box + 2)]);
+            var toX:Number = _x - boxes[box];
+            var toY:Number = _y - boxes[int(box + 1)];
+            var toZ:Number = _z - boxes[int(box + 2)];
+            var farX:Number = boxes[int(box + 3)] - _x;
+            var farY:Number = boxes[int(box + 4)] - _y;
+            var farZ:Number = boxes[int(box + 5)] - _z;
+            toX = toX > farX ? toX : farX;
+            toY = toY > farY ? toY : farY;
+            toZ = toZ > farZ ? toZ : farZ;
             return toX * toX + toY * toY + toZ * toZ <= limit;
         }
 
-        // Looks at the rows of a leaf.
+        // Looks at the rows of a leaf. What is only kept or counted is so here, because a call for each row costs as much as the row.
         private function visit(start:int, end:int, found:FoundRows):void
         {
             var xs:Vector.<Number> = _tree.x;
@@ -170,8 +176,11 @@ package starlogo.queries
             var rows:Vector.<int> = _tree.rows;
             var test:RowTest = found.test;
             var skipped:int = found.skipped;
-            var most:int = found.most;
             var limit:Number = found.limit;
+            var most:int = found.most;
+            var foundRows:Vector.<int> = found.rows;
+            var foundSquares:Vector.<Number> = found.squares;
+            var count:int = found.count;
             for (var slot:int = start; slot < end; slot++)
             {
                 var toX:Number = xs[slot] - atX;
@@ -183,10 +192,25 @@ package starlogo.queries
                     continue;
                 }
                 var row:int = rows[slot];
-                if (row != skipped && (test == null || test.accepts(row)))
+                if (row == skipped || (test != null && !test.accepts(row)))
+                {
+                    continue;
+                }
+                if (most != FoundRows.ALL && most != FoundRows.NUMBER)
                 {
                     limit = found.add(row, square);
+                    continue;
                 }
+                if (most == FoundRows.ALL)
+                {
+                    foundRows[count] = row;
+                    foundSquares[count] = square;
+                }
+                count++;
+            }
+            if (most == FoundRows.ALL || most == FoundRows.NUMBER)
+            {
+                found.count = count;
             }
         }
     }

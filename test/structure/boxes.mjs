@@ -46,7 +46,7 @@ const COLD = {
 export const ALLOWED = {
 	'starlogo.agents.Agent.collideAs': { count: 2, why: 'the text of an error' },
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
-	'starlogo.collision.Collision.restore': { count: 1, why: 'what a finally throws again' },
+	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.applyFilter': { count: 1, why: 'what a finally throws again' },
 	'starlogo.queries.Answers.keepAccepted': { count: 1, why: 'what a finally throws again' },

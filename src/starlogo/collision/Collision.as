@@ -202,9 +202,9 @@ package starlogo.collision
          */
         public function reset():void
         {
-            for each (var handler:CollisionHandler in _handlers)
+            for (var i:int = 0; i < _handlers.length; i++)
             {
-                handler.isRemoved = true;
+                _handlers[i].isRemoved = true;
             }
             _handlers.length = 0;
             _tableIsStale = _touchesAreStale = true;

@@ -61,7 +61,11 @@ package starlogo.handlers
             {
                 return false;
             }
-            var place:int = before < _agents.length ? before : _agents.length - 1;
+            var place:int = before;
+            if (place >= _agents.length)
+            {
+                place = _agents.length - 1;
+            }
             while (place >= 0 && _agents[place] !== agent)
             {
                 place--;
@@ -70,12 +74,13 @@ package starlogo.handlers
             if (place < 0)
             {
                 place = _agents.indexOf(agent);
-                looked += place < 0 ? _agents.length : place;
-            }
-            if (place < 0)
-            {
-                _places.remove(agent.id);
-                return false;
+                if (place < 0)
+                {
+                    looked += _agents.length;
+                    _places.remove(agent.id);
+                    return false;
+                }
+                looked += place;
             }
             if (place != before)
             {

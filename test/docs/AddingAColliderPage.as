@@ -1,13 +1,16 @@
 package docs
 {
+    import game.Bubbles;
     import game.DiscCollider;
     import game.SelectiveDiscCollider;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.agents.Agent;
+    import starlogo.collision.BinCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.Collision;
 
-    /** For docs/adding-a-collider.md: the collider finds what all pairs, tried one by one, have. */
+    /** For docs/adding-a-collider.md: both colliders find what all pairs, tried one by one, have. */
     public class AddingAColliderPage extends Page
     {
         public static const FIXTURES:Array = [];
@@ -42,6 +45,7 @@ package docs
                 assertTrue(crowd.indexOf(found[at]) < crowd.indexOf(found[at + 1]));
             }
             checkSelective(crowd, collider);
+            checkBubbles(crowd);
         }
 
         private function checkSelective(crowd:Vector.<Agent>, all:DiscCollider):void
@@ -67,6 +71,23 @@ package docs
             assertTrue(String(calls), calls > 20);
             assertTrue(4 * selective.statistics.candidatePairs < all.statistics.candidatePairs);
             assertEquals("trees", Math.floor(crowd.length / 3), selective.statistics.agentsSkipped);
+        }
+
+        // As spheres of twice the size are.
+        private function checkBubbles(crowd:Vector.<Agent>):void
+        {
+            var found:Vector.<Agent> = new Collider(new Bubbles(greatLand)).findCollisions(crowd);
+            var doubled:Vector.<Agent> = new Vector.<Agent>();
+            for each (var agent:Agent in crowd)
+            {
+                var twice:Agent = new Agent("sphere");
+                twice.size = 2 * agent.size;
+                twice.moveTo(agent.x, agent.y, agent.z - agent.size / 2);
+                doubled.push(twice);
+            }
+            var expected:Vector.<Agent> = new BinCollider().findCollisions(doubled);
+            assertEquals(expected.length, found.length);
+            assertTrue("bubbles meet: " + found.length, found.length > 100);
         }
     }
 }

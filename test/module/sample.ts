@@ -68,6 +68,7 @@ import {
 	ModelLoader,
 	ModelLoaderEvents,
 	ModelReceiver,
+	ModelShape,
 	ModelSource,
 	ModelTransform,
 	NaiveSphereFitter,
@@ -78,6 +79,7 @@ import {
 	RayHit,
 	RitterSphereFitter,
 	SelectiveCollisionSystem,
+	ShapeChoice,
 	SharedFitStorage,
 	Slices,
 	SourceFrame,
@@ -100,6 +102,13 @@ import {
 } from "starlogo-collision";
 
 /** What went on, line by line. */
+/** Shapes of a game's own: every agent has a bubble. */
+class Bubbles extends ShapeChoice {
+	override bind(shape: ModelShape): void {
+		shape.setStructure(new Sphere(new Vector3D(0, 0, 0.5), 1));
+	}
+}
+
 export const log: string[] = [];
 
 /** Runs a game of three frames. */
@@ -144,7 +153,7 @@ export function play(bearText: string): number {
 	passThrough(greatLand);
 	useBlocks(greatLand, [bear, ball]);
 	ask(greatLand, [bear, ball]);
-	const collider: Collider = new TightestFitCollider(greatLand);
+	const collider: Collider = new Collider(new Bubbles(greatLand));
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
 	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
 	precise.exact = true;

@@ -1,36 +1,36 @@
 package support
 {
     import flash.geom.Vector3D;
-    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.queries.RowDistances;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShapes;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.RowPairs;
+    import starlogo.search.ShapeChoice;
 
     use namespace engine;
 
-    /** Asks for the distance of two agents as they are now, as a collider's strategy sees them. */
+    /** Asks for the distance of two agents as they are now, as a collider sees them. */
     public final class AskedDistance
     {
         /** What was found last. */
         public var closest:ClosestPair;
 
-        /** Whether the strategy says that the two touch. */
+        /** Whether the two touch. */
         public var areTouching:Boolean;
 
-        private var _strategy:ShapeStrategy;
+        private var _pairs:RowPairs;
         private var _distances:RowDistances;
         private var _table:AgentTable;
 
-        /** As this strategy sees agents. */
-        public function AskedDistance(greatLand:GreatLand, strategy:ShapeStrategy)
+        /** As a collider of these shapes and these settings sees agents. */
+        public function AskedDistance(choice:ShapeChoice, pairs:RowPairs)
         {
-            _strategy = strategy;
+            _pairs = pairs;
             _distances = new RowDistances();
-            _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), null);
+            _table = new AgentTable(new ModelShapes(choice), null);
             closest = _distances.closest;
         }
 
@@ -39,8 +39,8 @@ package support
         {
             _table.readGuest(0, a);
             _table.readGuest(1, b);
-            areTouching = _strategy.areTouching(_table, 0, 1);
-            _distances.find(_strategy, _table, 0, 1, true);
+            areTouching = _pairs.areTouching(_table, 0, 1);
+            _distances.find(_pairs, _table, 0, 1, true);
             _table.endGuests();
             return closest.distance;
         }

@@ -1,4 +1,3 @@
-// This file is long because its loops are written out: they are those of every frame.
 package starlogo.broadphase
 {
     /**
@@ -31,8 +30,8 @@ package starlogo.broadphase
         // Makes the number of any cell positive, where cutting off the decimals is the floor: even, and beyond a level's reach.
         private static const BIAS:Number = 1 << 26;
 
-        // A point at the origin would ask for no width at all.
-        private static const MIN_WIDTH:Number = 1e-300;
+        /** The levels of the members. */
+        public var levels:BinLevels = new BinLevels();
 
         /** By slot: the number of the member, which is its index in the list of rows that was searched. */
         public var memberAt:Vector.<int> = new Vector.<int>();
@@ -64,9 +63,9 @@ package starlogo.broadphase
          */
         public var entryCount:int = 0;
 
-        // The levels by their numbers, by which extents refer to them; and from the coarsest to the finest.
-        private var _levels:Vector.<BinLevel> = new <BinLevel>[null];
-        private var _byWidth:Vector.<BinLevel> = new Vector.<BinLevel>();
+        // The levels by their numbers, and from the coarsest to the finest: those of BinLevels.
+        private var _levels:Vector.<BinLevel>;
+        private var _byWidth:Vector.<BinLevel>;
 
         // By member: the number of its cell's counter.
         private var _cells:Vector.<int> = new Vector.<int>();
@@ -81,47 +80,8 @@ package starlogo.broadphase
         /** No bins yet. */
         public function Bins()
         {
-        }
-
-        /**
-         * Finds the level for a row's extents and their distance from the world's origin.
-         *
-         * @return whether the level is coarser because of the distance
-         */
-        public function fit(extents:Extents, row:int):Boolean
-        {
-            var half:Number = extents.halfX[row];
-            var other:Number = extents.halfY[row];
-            if (other > half)
-            {
-                half = other;
-            }
-            var level:BinLevel = _levels[extents.level[row]];
-            if (level == null || half > level.largestHalf || half <= level.tooSmallHalf)
-            {
-                level = levelFor(Math.max(2 * half, MIN_WIDTH));
-            }
-            var middleX:Number = extents.x[row];
-            var middleY:Number = extents.y[row];
-            var middleZ:Number = extents.z[row];
-            var distanceSquared:Number = middleX * middleX + middleY * middleY + middleZ * middleZ;
-            var isFar:Boolean = false;
-            while (distanceSquared >= level.reachSquared)
-            {
-                level = levelFor(2 * level.width);
-                isFar = true;
-            }
-            extents.level[row] = level.number;
-            return isFar;
-        }
-
-        /**
-         * The square of the distance up to which all levels reach: rows that are farther out have to be fitted again. Levels without members count:
-         * rows that are not searched have levels too, and a search of motions uses others.
-         */
-        public function get reachSquared():Number
-        {
-            return _byWidth.length == 0 ? Infinity : _byWidth[_byWidth.length - 1].reachSquared;
+            _levels = levels.byNumber;
+            _byWidth = levels.byWidth;
         }
 
         /**
@@ -163,44 +123,18 @@ package starlogo.broadphase
             }
         }
 
-        // The level of the least power of two that is as wide.
-        private function levelFor(least:Number):BinLevel
-        {
-            var width:Number = 1;
-            while (width < least)
-            {
-                width *= 2;
-            }
-            while (width >= 2 * least)
-            {
-                width *= 0.5;
-            }
-            var index:int = 0;
-            while (index < _byWidth.length && _byWidth[index].width > width)
-            {
-                index++;
-            }
-            if (index == _byWidth.length || _byWidth[index].width != width)
-            {
-                var level:BinLevel = new BinLevel(_levels.length, width);
-                _byWidth.splice(index, 0, level);
-                _levels.push(level);
-            }
-            return _byWidth[index];
-        }
-
         // How many members each level has, and where its counters are. Returns how many counters there are.
         private function layOut(extents:Extents, rows:Vector.<int>, count:int):int
         {
-            var levels:Vector.<BinLevel> = _levels;
+            var allLevels:Vector.<BinLevel> = _levels;
             var numbers:Vector.<int> = extents.level;
-            for (var i:int = 1; i < levels.length; i++)
+            for (var i:int = 1; i < allLevels.length; i++)
             {
-                levels[i].count = 0;
+                allLevels[i].count = 0;
             }
             for (i = 0; i < count; i++)
             {
-                levels[numbers[rows[i]]].count++;
+                allLevels[numbers[rows[i]]].count++;
             }
             var counters:int = 0;
             for (i = 0; i < _byWidth.length; i++)

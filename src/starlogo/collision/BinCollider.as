@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.UnitSphereStrategy;
+    import starlogo.search.UnitSpheres;
 
     /**
      * The client's first collision system (thesis §2.2): every agent is a sphere, whatever its model.
@@ -19,7 +19,7 @@ package starlogo.collision
          */
         public function BinCollider(greatLand:GreatLand = null)
         {
-            super(greatLand, new UnitSphereStrategy());
+            super(new UnitSpheres(greatLand));
         }
     }
 }

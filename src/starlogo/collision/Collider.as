@@ -1,19 +1,19 @@
 package starlogo.collision
 {
     import flash.utils.getTimer;
-    import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.BreedPairs;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.RowPairs;
+    import starlogo.search.ShapeChoice;
 
     use namespace engine;
 
     /**
-     * What the engine's four collision systems have in common.
+     * A collision system of the shapes that a ShapeChoice gives; the engine's four collision systems extend it.
      *
      * <p>Only agents that are near each other on the ground plane are tested (thesis §3.7), each pair once. A frame takes time in
      * proportion to the agents and to the pairs that overlap on the ground plane, and memory in proportion to the agents; after the first it
@@ -28,28 +28,25 @@ package starlogo.collision
      */
     public class Collider implements ContactSystem
     {
-        /** @private Has the models, for questions too. */
-        engine var greatLand:GreatLand;
-
         /** @private Finds the shapes of agents, for questions too. */
-        engine var strategy:ShapeStrategy;
+        engine var choice:ShapeChoice;
+
+        /** @private Decides which of them touch, for questions too. */
+        engine var pairs:RowPairs = new RowPairs();
 
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _contactPoint:ContactPoint = new ContactPoint();
 
         /**
-         * For the engine's colliders only.
+         * A collider for the agents of a game.
          *
-         * @param greatLand has the models of the agents
-         * @param strategy says what shapes they have
-         * @throws ArgumentError if greatLand is null, but the strategy needs models
+         * @param choice says which shapes represent them
          */
-        public function Collider(greatLand:GreatLand, strategy:ShapeStrategy)
+        public function Collider(choice:ShapeChoice)
         {
-            _search = new CollisionSearch(greatLand, strategy);
-            this.greatLand = greatLand;
-            this.strategy = strategy;
+            _search = new CollisionSearch(choice, pairs);
+            this.choice = choice;
         }
 
         /** @inheritDoc */

@@ -1,9 +1,10 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.CombinationStrategy;
-    import starlogo.search.HierarchyStrategy;
-    import starlogo.search.TightestFitStrategy;
+    import starlogo.engine;
+    import starlogo.search.TreesAndFits;
+
+    use namespace engine;
 
     /**
      * Takes the agents that are hierarchical for the hierarchies of their models, and all others for their tightest fits
@@ -27,10 +28,8 @@ package starlogo.collision
          */
         public function CombinationCollider(greatLand:GreatLand)
         {
-            var hierarchy:HierarchyStrategy = new HierarchyStrategy(greatLand);
-            var tightestFit:TightestFitStrategy = new TightestFitStrategy(greatLand);
-            _structureTests = new StructureTests(tightestFit);
-            super(greatLand, new CombinationStrategy(tightestFit, hierarchy), hierarchy);
+            super(new TreesAndFits(greatLand));
+            _structureTests = new StructureTests(pairs.structures);
         }
 
         /** How the structures of two agents that are not hierarchical are tested. */

@@ -1,7 +1,7 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.HierarchyStrategy;
+    import starlogo.search.Trees;
 
     /**
      * Takes every agent for the hierarchy of bounding structures of its model (thesis §4), or, if it is exact, for its
@@ -30,8 +30,7 @@ package starlogo.collision
          */
         public function HierarchicalCollider(greatLand:GreatLand)
         {
-            var hierarchy:HierarchyStrategy = new HierarchyStrategy(greatLand);
-            super(greatLand, hierarchy, hierarchy);
+            super(new Trees(greatLand));
         }
     }
 }

@@ -1,26 +1,21 @@
 package starlogo.collision
 {
-    import starlogo.GreatLand;
-    import starlogo.search.HierarchyStrategy;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.engine;
+    import starlogo.search.ShapeChoice;
+
+    use namespace engine;
 
     /** What the HierarchicalCollider and the CombinationCollider have in common: how deep they visit hierarchies. */
     public class PreciseCollider extends Collider
     {
-        private var _hierarchy:HierarchyStrategy;
-
         /**
          * For HierarchicalCollider and CombinationCollider only.
          *
-         * @param greatLand has the models of the agents
-         * @param strategy says what shapes they have
-         * @param hierarchy the part of the strategy that tests hierarchies
-         * @throws ArgumentError if greatLand is null
+         * @param choice finds the shapes of agents
          */
-        public function PreciseCollider(greatLand:GreatLand, strategy:ShapeStrategy, hierarchy:HierarchyStrategy)
+        public function PreciseCollider(choice:ShapeChoice)
         {
-            super(greatLand, strategy);
-            _hierarchy = hierarchy;
+            super(choice);
         }
 
         /**
@@ -32,7 +27,7 @@ package starlogo.collision
          */
         public function get maxDepth():int
         {
-            return _hierarchy.maxDepth;
+            return pairs.trees.maxDepth;
         }
 
         public function set maxDepth(value:int):void
@@ -41,7 +36,7 @@ package starlogo.collision
             {
                 throw new RangeError("maxDepth must be at least 1: " + value);
             }
-            _hierarchy.maxDepth = value;
+            pairs.trees.maxDepth = value;
         }
 
         /**
@@ -55,12 +50,12 @@ package starlogo.collision
          */
         public function get exact():Boolean
         {
-            return _hierarchy.exact;
+            return pairs.trees.exact;
         }
 
         public function set exact(value:Boolean):void
         {
-            _hierarchy.exact = value;
+            pairs.trees.exact = value;
         }
     }
 }

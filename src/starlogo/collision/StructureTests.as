@@ -1,6 +1,6 @@
 package starlogo.collision
 {
-    import starlogo.search.TightestFitStrategy;
+    import starlogo.search.StructurePairs;
 
     /**
      * How a collider tests the structures of two agents: by the exact test of their kinds (thesis §3.6), optionally after cheaper tests.
@@ -8,16 +8,16 @@ package starlogo.collision
      */
     public final class StructureTests
     {
-        private var _strategy:TightestFitStrategy;
+        private var _pairs:StructurePairs;
 
         /**
          * For the engine's colliders only. At first there are exact tests, after those of the spheres around the structures.
          *
-         * @param strategy makes the tests
+         * @param pairs make the tests
          */
-        public function StructureTests(strategy:TightestFitStrategy)
+        public function StructureTests(pairs:StructurePairs)
         {
-            _strategy = strategy;
+            _pairs = pairs;
         }
 
         /**
@@ -26,12 +26,12 @@ package starlogo.collision
          */
         public function get spheresFirst():Boolean
         {
-            return _strategy.spheresFirst;
+            return _pairs.spheresFirst;
         }
 
         public function set spheresFirst(value:Boolean):void
         {
-            _strategy.spheresFirst = value;
+            _pairs.spheresFirst = value;
         }
 
         /**
@@ -41,12 +41,12 @@ package starlogo.collision
          */
         public function get capsulesFirst():Boolean
         {
-            return _strategy.capsulesFirst;
+            return _pairs.capsulesFirst;
         }
 
         public function set capsulesFirst(value:Boolean):void
         {
-            _strategy.capsulesFirst = value;
+            _pairs.capsulesFirst = value;
         }
 
         /**
@@ -56,12 +56,12 @@ package starlogo.collision
          */
         public function get boxFacesOnly():Boolean
         {
-            return _strategy.boxFacesOnly;
+            return _pairs.boxFacesOnly;
         }
 
         public function set boxFacesOnly(value:Boolean):void
         {
-            _strategy.boxFacesOnly = value;
+            _pairs.boxFacesOnly = value;
         }
     }
 }

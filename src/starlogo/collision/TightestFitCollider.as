@@ -1,7 +1,10 @@
 package starlogo.collision
 {
     import starlogo.GreatLand;
-    import starlogo.search.TightestFitStrategy;
+    import starlogo.engine;
+    import starlogo.search.TightestFits;
+
+    use namespace engine;
 
     /**
      * Takes every agent for the tightest fitting sphere, box or capsule of its model (thesis §3), put through the agent's
@@ -22,9 +25,8 @@ package starlogo.collision
          */
         public function TightestFitCollider(greatLand:GreatLand)
         {
-            var strategy:TightestFitStrategy = new TightestFitStrategy(greatLand);
-            _structureTests = new StructureTests(strategy);
-            super(greatLand, strategy);
+            super(new TightestFits(greatLand));
+            _structureTests = new StructureTests(pairs.structures);
         }
 
         /** How two structures are tested. */

@@ -11,7 +11,7 @@ package starlogo.queries
     import starlogo.intersection.intersects;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShape;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.TreePairs;
     import starlogo.solid.HierarchyTraversal;
 
     use namespace engine;
@@ -52,7 +52,6 @@ package starlogo.queries
         private var _toWorld:Placement = new Placement();
         private var _toCentre:Placement = new Placement();
         private var _rowPlacement:Placement = new Placement();
-        private var _sphere:Sphere = new Sphere(new Vector3D(), 0);
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
 
         /** No structure yet. */
@@ -98,15 +97,15 @@ package starlogo.queries
         }
 
         /** Whether a row, whose model is not loading, touches the structure; in exact mode triangles decide. */
-        public function touches(table:AgentTable, row:int, strategy:ShapeStrategy):Boolean
+        public function touches(table:AgentTable, row:int, trees:TreePairs):Boolean
         {
             var shape:ModelShape = table.shapes[row];
             if (shape.hierarchy == null)
             {
-                return intersects(RowDistances.structureOf(table, row, _sphere), _inWorld[_kind]);
+                return intersects(table.structureOf(row), _inWorld[_kind]);
             }
-            return _traversal.structureOverlaps(shape.hierarchy, table.placementOf(row, _rowPlacement), strategy.depthOf(table, row),
-                    _centred[_kind], _placement, strategy.isExact);
+            return _traversal.structureOverlaps(shape.hierarchy, table.placementOf(row, _rowPlacement), trees.depthOf(table, row),
+                    _centred[_kind], _placement, trees.exact);
         }
 
         private function findMiddle(structure:BoundingStructure):void

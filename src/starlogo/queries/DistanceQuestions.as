@@ -83,7 +83,7 @@ package starlogo.queries
             }
             else
             {
-                _rows.find(_seen.strategy, table, a, b, withPoints);
+                _rows.find(_seen.pairs, table, a, b, withPoints);
             }
         }
     }

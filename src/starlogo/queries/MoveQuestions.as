@@ -51,9 +51,9 @@ package starlogo.queries
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
             }
             findNear(agent, dx, dy, dz, filter, slides);
-            if (_mover == null || _mover.strategy !== _seen.strategy)
+            if (_mover == null || _mover.pairs !== _seen.pairs)
             {
-                _mover = new Mover(_seen.strategy);
+                _mover = new Mover(_seen.pairs);
             }
             var table:AgentTable = _seen.table;
             var row:int = _seen.rowOfNow(agent);

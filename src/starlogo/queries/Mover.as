@@ -7,7 +7,7 @@ package starlogo.queries
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.search.AgentTable;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.RowPairs;
 
     use namespace engine;
 
@@ -42,7 +42,7 @@ package starlogo.queries
         private static const AFTER:Number = 1 + 1e-15;
 
         /** Decides what touches. */
-        public var strategy:ShapeStrategy;
+        public var pairs:RowPairs;
 
         /** How far the last row has come, as a part of its motion. */
         public var part:Number = 1;
@@ -70,11 +70,11 @@ package starlogo.queries
 
         private var _standing:ContactPoint = new ContactPoint();
 
-        /** @param strategy decides what touches */
-        public function Mover(strategy:ShapeStrategy)
+        /** @param pairs decide what touches */
+        public function Mover(pairs:RowPairs)
         {
-            this.strategy = strategy;
-            _sweep = new NarrowSweep(strategy);
+            this.pairs = pairs;
+            _sweep = new NarrowSweep(pairs);
         }
 
         /**

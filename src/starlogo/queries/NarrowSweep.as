@@ -8,9 +8,8 @@ package starlogo.queries
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.search.AgentTable;
     import starlogo.search.MovedRow;
-    import starlogo.search.RowSweep;
+    import starlogo.search.RowPairs;
     import starlogo.search.Separation;
-    import starlogo.search.ShapeStrategy;
 
     use namespace engine;
 
@@ -52,8 +51,7 @@ package starlogo.queries
         /** How many these are; they are counted on until this is set. */
         public var touchedCount:int = 0;
 
-        private var _strategy:ShapeStrategy;
-        private var _sweep:RowSweep;
+        private var _pairs:RowPairs;
         private var _separation:Separation;
         private var _table:AgentTable;
         private var _row:int;
@@ -75,12 +73,11 @@ package starlogo.queries
         // When it touches it as large as it is.
         private var _wholeTime:Number = 0;
 
-        /** @param strategy decides what touches */
-        public function NarrowSweep(strategy:ShapeStrategy)
+        /** @param pairs decide what touches */
+        public function NarrowSweep(pairs:RowPairs)
         {
-            _strategy = strategy;
-            _sweep = new RowSweep(strategy);
-            _separation = new Separation(strategy, _sweep);
+            _pairs = pairs;
+            _separation = new Separation(pairs);
         }
 
         /** Takes a row that moves; <code>end()</code> has to follow. */
@@ -110,7 +107,7 @@ package starlogo.queries
                 return false;
             }
             _moving.put(at.x, at.y, at.z, 0);
-            return _strategy.areTouching(_table, _row, other);
+            return _pairs.areTouching(_table, _row, other);
         }
 
         /** Whether the row would have to go into another to be at a place. */
@@ -121,10 +118,10 @@ package starlogo.queries
                 return false;
             }
             narrowOther(other);
-            var isMeeting:Boolean = _strategy.areTouching(_table, _row, other);
+            var isMeeting:Boolean = _pairs.areTouching(_table, _row, other);
             _standing.giveBack();
             _moving.put(at.x, at.y, at.z, shareOf(_moving));
-            return isMeeting && _strategy.areTouching(_table, _row, other);
+            return isMeeting && _pairs.areTouching(_table, _row, other);
         }
 
         /** How the row, which touches another at a place, touches it. */
@@ -134,7 +131,7 @@ package starlogo.queries
             _moving.put(at.x, at.y, at.z, 0);
             _motion.endAfter(0, 0, 0);
             _motion.time = 0;
-            _sweep.findContact(_table, _row, other, _motion, out);
+            _pairs.findContact(_table, _row, other, _motion, out);
             _separation.find(_table, _row, other, _motion, out);
         }
 
@@ -221,7 +218,7 @@ package starlogo.queries
         private function sweep(other:int, motion:Vector3D, out:ContactPoint):void
         {
             _motion.endAfter(motion.x, motion.y, motion.z);
-            _sweep.findImpact(_table, _row, other, _motion, out);
+            _pairs.findImpact(_table, _row, other, _motion, out);
         }
 
         private function narrowOther(other:int):void

@@ -133,7 +133,7 @@ package starlogo.queries
             var ray:Ray = _rays.ray;
             ray.aim(origin, direction);
             _rays.limit = maxDistance;
-            _rays.begin(_seen.table, _seen.strategy);
+            _rays.begin(_seen.table, _seen.pairs.trees);
             _test = _filters.of(filter);
             _except = _exceptToo = -1;
             _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);

@@ -1,8 +1,5 @@
 package starlogo.queries
 {
-    import flash.geom.Vector3D;
-    import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Sphere;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
@@ -10,15 +7,14 @@ package starlogo.queries
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
-    import starlogo.search.HierarchyStrategy;
     import starlogo.search.ModelShape;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.RowPairs;
     import starlogo.solid.HierarchyDistances;
 
     use namespace engine;
 
     /**
-     * Finds how far two rows of a table are apart, as a collider sees them: 0 where its strategy says that they touch, more everywhere else. The
+     * Finds how far two rows of a table are apart, as a collider sees them: 0 where its pairs say that they touch, more everywhere else. The
      * shapes count as wide as they are for touching (Tolerances.PLACES): by what the rounding of places comes to.
      *
      * @private
@@ -29,8 +25,6 @@ package starlogo.queries
         public var closest:ClosestPair = new ClosestPair();
 
         private var _hierarchies:HierarchyDistances = new HierarchyDistances();
-        private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
-        private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
@@ -42,37 +36,38 @@ package starlogo.queries
         /**
          * Finds how far two rows are apart: <code>closest</code>.
          *
-         * @param strategy says whether rows touch
+         * @param pairs say whether rows touch
          * @param table has both, with shapes
          * @param withPoints whether the points are needed too
          */
-        public function find(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        public function find(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            if (HierarchyStrategy.isSecondFirst(table, a, b))
+            if (RowPairs.isSecondFirst(table, a, b))
             {
-                measure(strategy, table, b, a, withPoints);
+                measure(pairs, table, b, a, withPoints);
                 closest.turn();
             }
             else
             {
-                measure(strategy, table, a, b, withPoints);
+                measure(pairs, table, a, b, withPoints);
             }
         }
 
-        private function measure(strategy:ShapeStrategy, table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        private function measure(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
             if (shapeA.hierarchy == null)
             {
-                findClosest(structureOf(table, a, _sphereA), structureOf(table, b, _sphereB), closest);
+                findClosest(table.structureOf(a), table.structureOf(b), closest);
                 var extents:Extents = table.extents;
                 var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
-                var isNear:Boolean = strategy.touchesAcrossGaps || closest.distance <= Tolerances.APART * size;
-                closest.settle(isNear && strategy.areTouching(table, a, b));
+                // boxes of which only the faces are tested may touch across a gap
+                var isNear:Boolean = pairs.structures.boxFacesOnly || closest.distance <= Tolerances.APART * size;
+                closest.settle(isNear && pairs.areTouching(table, a, b));
                 return;
             }
-            var areTouching:Boolean = strategy.areTouching(table, a, b);
+            var areTouching:Boolean = pairs.areTouching(table, a, b);
             if (areTouching && !withPoints)
             {
                 closest.distance = 0;
@@ -82,31 +77,12 @@ package starlogo.queries
             var placementB:Placement = table.placementOf(b, _placementB);
             if (shapeB.hierarchy == null)
             {
-                _hierarchies.toStructure(shapeA.hierarchy, placementA, strategy.depthOf(table, a), shapeB.structure, placementB, areTouching,
+                _hierarchies.toStructure(shapeA.hierarchy, placementA, pairs.trees.depthOf(table, a), shapeB.structure, placementB, areTouching,
                         closest);
                 return;
             }
-            _hierarchies.betweenHierarchies(shapeA.hierarchy, placementA, strategy.depthOf(table, a), shapeB.hierarchy, placementB,
-                    strategy.depthOf(table, b), strategy.isExact, areTouching, closest);
-        }
-
-        /**
-         * The structure of a row that is no hierarchy, in the world, as wide as for touching.
-         *
-         * @param sphere takes it if it is a sphere
-         */
-        internal static function structureOf(table:AgentTable, row:int, sphere:Sphere):BoundingStructure
-        {
-            if (!table.shapes[row].isSphere)
-            {
-                return table.structureOf(row);
-            }
-            sphere.center.x = table.extents.x[row];
-            sphere.center.y = table.extents.y[row];
-            sphere.center.z = table.extents.z[row];
-            sphere.radius = table.extents.halfX[row] * Tolerances.TOUCHING
-                + Tolerances.PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]));
-            return sphere;
+            _hierarchies.betweenHierarchies(shapeA.hierarchy, placementA, pairs.trees.depthOf(table, a), shapeB.hierarchy, placementB,
+                    pairs.trees.depthOf(table, b), pairs.trees.exact, areTouching, closest);
         }
     }
 }

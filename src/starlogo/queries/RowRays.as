@@ -1,23 +1,19 @@
 package starlogo.queries
 {
-    import flash.geom.Vector3D;
-    import starlogo.bounding.Sphere;
-    import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.raySphere;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShape;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.TreePairs;
     import starlogo.solid.SolidRay;
 
     use namespace engine;
 
     /**
-     * Finds where a ray first meets a row of a table, as the table's strategy sees it.
+     * Finds where a ray first meets a row of a table, as a collider sees it.
      *
      * <p>The ray is brought into the space of the row's model, once: whatever represents the model is there as it was fitted, around the triangles, and
      * what is computed rounds with the size of the model, not with its place. For that the point of the line that is nearest to the row's place is found
@@ -47,12 +43,11 @@ package starlogo.queries
         public var ray:Ray = new Ray();
 
         private var _table:AgentTable;
-        private var _strategy:ShapeStrategy;
+        private var _trees:TreePairs;
         private var _line:Ray = new Ray();
         private var _inModel:Ray = new Ray();
         private var _solid:SolidRay = new SolidRay();
         private var _placement:Placement = new Placement();
-        private var _ball:Sphere = new Sphere(new Vector3D(), 1);
 
         /** No ray yet. */
         public function RowRays()
@@ -63,17 +58,17 @@ package starlogo.queries
          * Begins with the rows of a table; ray and limit are set.
          *
          * @param table has the rows
-         * @param strategy says what they are
+         * @param trees say how deep those that are trees are visited
          * @throws RangeError if the limit is negative or not a number
          */
-        public function begin(table:AgentTable, strategy:ShapeStrategy):void
+        public function begin(table:AgentTable, trees:TreePairs):void
         {
             if (!(limit >= 0))
             {
                 throw new RangeError("maxDistance must not be negative: " + limit);
             }
             _table = table;
-            _strategy = strategy;
+            _trees = trees;
         }
 
         /** Whether the ray meets a row within the limit: then distance and normal are set. */
@@ -98,16 +93,7 @@ package starlogo.queries
             line.z = ahead * line.directionZ - toZ;
             var found:Ray = _inModel;
             var size:Number = placement.size;
-            var isBall:Boolean = shape.hierarchy == null && shape.structure == null;
-            if (isBall)
-            {
-                size = _table.extents.halfX[row];
-                found.scale(line, size);
-            }
-            else
-            {
-                found.bringInto(placement, line);
-            }
+            found.bringInto(placement, line);
             var start:Number = -ahead / size;
             found.from = start;
             // what is too far by rounding alone is left out below
@@ -122,13 +108,6 @@ package starlogo.queries
             {
                 return false;
             }
-            if (isBall)
-            {
-                normalX = found.normalX;
-                normalY = found.normalY;
-                normalZ = found.normalZ;
-                return true;
-            }
             normalX = placement.r00 * found.normalX + placement.r01 * found.normalY + placement.r02 * found.normalZ;
             normalY = placement.r10 * found.normalX + placement.r11 * found.normalY + placement.r12 * found.normalZ;
             normalZ = placement.r20 * found.normalX + placement.r21 * found.normalY + placement.r22 * found.normalZ;
@@ -139,20 +118,9 @@ package starlogo.queries
         {
             if (shape.hierarchy != null)
             {
-                return _solid.find(shape.hierarchy, _strategy.depthOf(_table, row), _strategy.isExact, found);
+                return _solid.find(shape.hierarchy, _trees.depthOf(_table, row), _trees.exact, found);
             }
-            if (shape.structure != null)
-            {
-                return rayStructure(found, shape.structure);
-            }
-            // as wide as its extents, and not turned
-            var extents:Extents = _table.extents;
-            var size:Number = extents.halfX[row];
-            var middle:Vector3D = _ball.center;
-            middle.x = (extents.x[row] - _table.x[row]) / size;
-            middle.y = (extents.y[row] - _table.y[row]) / size;
-            middle.z = (extents.z[row] - _table.z[row]) / size;
-            return raySphere(found, _ball);
+            return rayStructure(found, shape.structure);
         }
     }
 }

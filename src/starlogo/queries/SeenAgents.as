@@ -9,7 +9,7 @@ package starlogo.queries
     import starlogo.geometry.Placement;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShapes;
-    import starlogo.search.ShapeStrategy;
+    import starlogo.search.RowPairs;
     import starlogo.search.textOf;
 
     use namespace engine;
@@ -25,8 +25,8 @@ package starlogo.queries
         /** The agents; read-only for questions. */
         public var table:AgentTable;
 
-        /** Says how rows look and which touch: the collision system's own, with its settings. */
-        public var strategy:ShapeStrategy;
+        /** Decide which rows touch: the collision system's own, with its settings. */
+        public var pairs:RowPairs;
 
         /** By row: the place of its agent in the list. */
         public var ranks:Vector.<int> = new Vector.<int>();
@@ -50,7 +50,7 @@ package starlogo.queries
         {
             _source = source;
             var collider:Collider = findCollider();
-            strategy = collider.strategy;
+            pairs = collider.pairs;
             table = tableFor(collider);
             _system = collider;
         }
@@ -76,7 +76,7 @@ package starlogo.queries
                 findRanks(next);
             }
             table = next;
-            strategy = collider.strategy;
+            pairs = collider.pairs;
             _system = collider;
             _places.isStale = _extents.isStale = true;
         }
@@ -199,7 +199,7 @@ package starlogo.queries
 
         private static function tableFor(collider:Collider):AgentTable
         {
-            return new AgentTable(collider.strategy, new ModelShapes(collider.greatLand, collider.strategy), null);
+            return new AgentTable(new ModelShapes(collider.choice), null);
         }
 
         private static function requireAgent(agent:Agent):void

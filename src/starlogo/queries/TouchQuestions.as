@@ -88,7 +88,7 @@ package starlogo.queries
                 {
                     continue;
                 }
-                if (row < 0 ? _structure.touches(table, other, _seen.strategy) : _seen.strategy.areTouching(table, row, other))
+                if (row < 0 ? _structure.touches(table, other, _seen.pairs.trees) : _seen.pairs.areTouching(table, row, other))
                 {
                     var toX:Number = table.x[other] - x;
                     var toY:Number = table.y[other] - y;

@@ -1,9 +1,8 @@
-// This file is long because its loops are written out.
 package starlogo.search
 {
     import flash.utils.ByteArray;
-    import starlogo.GreatLand;
     import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Bins;
     import starlogo.broadphase.PairSink;
     import starlogo.engine;
@@ -14,7 +13,7 @@ package starlogo.search
 
     /**
      * What all colliders do: keeps a table of the agents, has the bins find the pairs of its rows that are near each other (thesis §3.7), and
-     * the strategy decide which of them touch; standing or, where an agent sweeps, as they moved since the last search.
+     * RowPairs decide which of them touch; standing or, where an agent sweeps, as they moved since the last search.
      *
      * <p>In questions about two agents these are guests of the table. They change nothing that a search keeps.</p>
      *
@@ -22,17 +21,19 @@ package starlogo.search
      */
     public final class CollisionSearch extends PairSink
     {
-        private var _strategy:ShapeStrategy;
+        private var _pairs:RowPairs;
+        private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
         private var _table:AgentTable;
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
+        private var _areSpheres:Boolean = false;
 
-        // The members of the bins: all rows, or those whose breeds are of interest, with the places of their agents in the list.
-        private var _members:Vector.<int>;
+        // The rows of the bins' members: all rows, or those whose breeds are of interest, with the indices of their agents in the list.
+        private var _memberRows:Vector.<int>;
         private var _memberCount:int = 0;
         private var _someRows:Vector.<int> = new Vector.<int>();
-        private var _places:Vector.<int> = new Vector.<int>();
+        private var _indices:Vector.<int> = new Vector.<int>();
 
         // The search under way: the pairs of breeds of interest, or null for all; the pairs that were found, as agents, or as members' numbers
         // where these are needed; where an agent sweeps, with their times. The agents of a pair are in the order of the list.
@@ -40,27 +41,27 @@ package starlogo.search
         private var _out:Vector.<Agent>;
         private var _withNumbers:Boolean;
         private var _skippedPairs:int;
-        private var _pairs:Vector.<int> = new Vector.<int>();
+        private var _found:Vector.<int> = new Vector.<int>();
         private var _pairCount:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
 
         /**
-         * @param greatLand has the models of the agents
-         * @param strategy finds their shapes
-         * @throws ArgumentError if greatLand is null, but the strategy needs models
+         * @param choice finds the shapes of agents
+         * @param pairs decide which of them touch
          */
-        public function CollisionSearch(greatLand:GreatLand, strategy:ShapeStrategy)
+        public function CollisionSearch(choice:ShapeChoice, pairs:RowPairs)
         {
-            _strategy = strategy;
-            _table = new AgentTable(strategy, new ModelShapes(greatLand, strategy), _bins);
-            _motions = new Motions(strategy);
+            _pairs = pairs;
+            _shapes = new ModelShapes(choice);
+            _table = new AgentTable(_shapes, _bins);
+            _motions = new Motions(pairs);
         }
 
         /** What the last search did. */
         public function get counts():SearchCounts
         {
-            return _strategy.counts;
+            return _pairs.counts;
         }
 
         /** Whether two agents touch where they are now, as CollisionSystem says. */
@@ -68,7 +69,7 @@ package starlogo.search
         {
             readGuests(a, b);
             var shapes:Vector.<ModelShape> = _table.shapes;
-            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _strategy.areTouching(_table, 0, 1);
+            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(_table, 0, 1);
             _table.endGuests();
             return areTouching;
         }
@@ -91,14 +92,14 @@ package starlogo.search
         }
 
         /**
-         * As find, with the places of the agents in the list.
+         * As find, with the indices of the agents in the list.
          *
-         * @param takePart which agents do, by their places in the list; null for all
+         * @param takePart which agents do, by their indices in the list; null for all
          */
         public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
         {
             search(agents, breeds, takePart, out.agents, true);
-            writePlaces(out.places);
+            writeIndices(out.places);
             out.end(2 * _pairCount);
         }
 
@@ -149,11 +150,11 @@ package starlogo.search
                 return _motions.findContact(_table, rowA, rowB, _isSwept, out);
             }
             readGuests(a, b);
-            var isLoadingA:Boolean = _table.shapes[0] == null;
-            if (isLoadingA || _table.shapes[1] == null)
+            var loading:Agent = _table.shapes[0] == null ? a : b;
+            if (_table.shapes[0] == null || _table.shapes[1] == null)
             {
                 _table.endGuests();
-                throw new ArgumentError((isLoadingA ? a : b) + ": its model is still loading");
+                throw new ArgumentError(loading + ": its model is still loading");
             }
             var time:Number = _motions.findContact(_table, 0, 1, false, out);
             _table.endGuests();
@@ -179,9 +180,13 @@ package starlogo.search
             {
                 count = keepTouchingMotions(slot, others, count);
             }
+            else if (_areSpheres)
+            {
+                count = _pairs.keepTouchingSpheres(_table, _bins, slot, others, count);
+            }
             else
             {
-                count = _strategy.keepTouching(_table, _bins, slot, others, count);
+                count = _pairs.keepTouching(_table, _bins, slot, others, count);
             }
             if (_isSwept || _withNumbers)
             {
@@ -197,7 +202,7 @@ package starlogo.search
         // The pairs of a member and others, as numbers of members.
         private function putMembers(slot:int, others:Vector.<int>, count:int):void
         {
-            var pairs:Vector.<int> = _pairs;
+            var pairs:Vector.<int> = _found;
             var memberAt:Vector.<int> = _bins.memberAt;
             var member:int = memberAt[slot];
             var at:int = 2 * _pairCount;
@@ -251,6 +256,7 @@ package starlogo.search
             _table.read(agents);
             _out = out;
             _withNumbers = withNumbers;
+            _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
             if (_isSwept)
             {
@@ -259,29 +265,29 @@ package starlogo.search
             chooseMembers(breeds, takePart);
             _breeds = breeds == null || breeds.areAll ? null : breeds;
             _pairCount = _skippedPairs = 0;
-            _strategy.resetCounts();
-            _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _members, _memberCount, this);
+            _pairs.resetCounts();
+            _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _memberRows, _memberCount, this);
             if (_isSwept)
             {
-                _order.sort(_times, _pairs, _pairCount);
+                _order.sort(_times, _found, _pairCount);
                 writeAgents(out);
             }
             _out = null;
-            _strategy.finishCounts();
+            _pairs.finishCounts();
             report(agents.length);
         }
 
         // Mostly all agents take part.
         private function chooseMembers(breeds:BreedPairs, takePart:Vector.<Boolean>):void
         {
-            _members = _table.rows;
+            _memberRows = _table.rows;
             _memberCount = _table.count;
             var outsiders:int = breeds == null ? 0 : breeds.read(_table);
             if (_table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
             }
-            _members = _someRows;
+            _memberRows = _someRows;
             _memberCount = 0;
             for (var i:int = 0; i < _table.count; i++)
             {
@@ -289,13 +295,13 @@ package starlogo.search
                 if (_table.shapes[row] != null && (outsiders == 0 || breeds.hasBreedOf(row)) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
-                    _places[_memberCount] = i;
+                    _indices[_memberCount] = i;
                     _memberCount++;
                 }
             }
         }
 
-        // As keepTouching of a strategy, with the times: pairs of which one sweeps are tested as they moved, others where they are.
+        // As keepTouching, with the times: pairs of which one sweeps are tested as they moved, others where they are.
         private function keepTouchingMotions(slot:int, others:Vector.<int>, count:int):int
         {
             var row:int = _bins.rowAt[slot];
@@ -325,15 +331,15 @@ package starlogo.search
                 _motions.findTime(_table, _bins, a, b);
                 return _motions.foundTime;
             }
-            var areTouching:Boolean = ShapeStrategy.areNear(_table.extents, _bins, a, b) && _strategy.areTouching(_table, a, b);
+            var areTouching:Boolean = RowPairs.areNear(_table.extents, _bins, a, b) && _pairs.areTouching(_table, a, b);
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
         private function writeAgents(out:Vector.<Agent>):void
         {
             var listed:Vector.<Agent> = _table.agents;
-            var members:Vector.<int> = _members;
-            var pairs:Vector.<int> = _pairs;
+            var members:Vector.<int> = _memberRows;
+            var pairs:Vector.<int> = _found;
             var length:int = 2 * _pairCount;
             for (var i:int = 0; i < length; i++)
             {
@@ -341,25 +347,25 @@ package starlogo.search
             }
         }
 
-        private function writePlaces(places:Vector.<int>):void
+        private function writeIndices(indices:Vector.<int>):void
         {
-            var pairs:Vector.<int> = _pairs;
-            var hasAll:Boolean = _members === _table.rows;
+            var pairs:Vector.<int> = _found;
+            var hasAll:Boolean = _memberRows === _table.rows;
             var length:int = 2 * _pairCount;
             for (var i:int = 0; i < length; i++)
             {
                 var member:int = pairs[i];
                 if (!hasAll)
                 {
-                    member = _places[member];
+                    member = _indices[member];
                 }
-                places[i] = member;
+                indices[i] = member;
             }
         }
 
         private function report(agentCount:int):void
         {
-            var did:SearchCounts = _strategy.counts;
+            var did:SearchCounts = _pairs.counts;
             did.agents = agentCount;
             did.agentsSkipped = agentCount - _memberCount - _table.loadingCount;
             did.agentsLoading = _table.loadingCount;

@@ -1,7 +1,7 @@
 package starlogo.search
 {
     /**
-     * A number for each of many agents, by their ids. Open addressing: what is not at its own place is at the first free one behind it.
+     * A number for each of many agents, by their ids. Open addressing: an id that is not in its own slot is in the first free one behind it.
      * It grows, and does not shrink.
      *
      * @private
@@ -10,7 +10,7 @@ package starlogo.search
     {
         private static const FEWEST:int = 16;
 
-        // 0 is a free place: no id is 0.
+        // 0 is a free slot: no id is 0.
         private var _ids:Vector.<int> = new Vector.<int>(FEWEST);
         private var _values:Vector.<int> = new Vector.<int>(FEWEST);
         private var _count:int = 0;
@@ -27,12 +27,12 @@ package starlogo.search
          */
         public function valueOf(id:int):int
         {
-            var place:int = placeOf(id);
-            return _ids[place] == 0 ? -1 : _values[place];
+            var slot:int = slotOf(id);
+            return _ids[slot] == 0 ? -1 : _values[slot];
         }
 
         /**
-         * Gives an id a value, in place of the one that it has.
+         * Gives an id a value, instead of the one that it has.
          *
          * @param id positive
          * @param value any but -1
@@ -43,13 +43,13 @@ package starlogo.search
             {
                 grow();
             }
-            var place:int = placeOf(id);
-            if (_ids[place] == 0)
+            var slot:int = slotOf(id);
+            if (_ids[slot] == 0)
             {
-                _ids[place] = id;
+                _ids[slot] = id;
                 _count++;
             }
-            _values[place] = value;
+            _values[slot] = value;
         }
 
         /** Takes an id out, if it is there. */
@@ -57,22 +57,22 @@ package starlogo.search
         {
             var ids:Vector.<int> = _ids;
             var mask:int = ids.length - 1;
-            var gap:int = placeOf(id);
+            var gap:int = slotOf(id);
             if (ids[gap] == 0)
             {
                 return;
             }
             _count--;
-            // those after it move up, except for those that would come before their own place
-            for (var place:int = (gap + 1) & mask; ids[place] != 0; place = (place + 1) & mask)
+            // those after it move up, except for those that would come before their own slot
+            for (var slot:int = (gap + 1) & mask; ids[slot] != 0; slot = (slot + 1) & mask)
             {
-                var other:int = ids[place];
-                var away:int = (place - (other ^ other >> 5 ^ other >> 11 ^ other >> 17)) & mask;
-                if (away >= ((place - gap) & mask))
+                var other:int = ids[slot];
+                var away:int = (slot - (other ^ other >> 5 ^ other >> 11 ^ other >> 17)) & mask;
+                if (away >= ((slot - gap) & mask))
                 {
                     ids[gap] = other;
-                    _values[gap] = _values[place];
-                    gap = place;
+                    _values[gap] = _values[slot];
+                    gap = slot;
                 }
             }
             ids[gap] = 0;
@@ -90,23 +90,23 @@ package starlogo.search
             _count = 0;
         }
 
-        // Where an id is, or the free place where it belongs. Ids that follow one another have places of their own.
-        private function placeOf(id:int):int
+        // Where an id is, or the free slot where it belongs. Ids that follow one another have slots of their own.
+        private function slotOf(id:int):int
         {
             var ids:Vector.<int> = _ids;
             var mask:int = ids.length - 1;
-            var place:int = (id ^ id >> 5 ^ id >> 11 ^ id >> 17) & mask;
-            var there:int = ids[place];
+            var slot:int = (id ^ id >> 5 ^ id >> 11 ^ id >> 17) & mask;
+            var there:int = ids[slot];
             while (there != id)
             {
                 if (there == 0)
                 {
-                    return place;
+                    return slot;
                 }
-                place = (place + 1) & mask;
-                there = ids[place];
+                slot = (slot + 1) & mask;
+                there = ids[slot];
             }
-            return place;
+            return slot;
         }
 
         private function grow():void

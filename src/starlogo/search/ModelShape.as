@@ -7,40 +7,67 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The shape that represents a model in a collider, in the model's space: one object for all agents that have the model.
-     *
-     * @private
+     * The shape that represents a model in a Collider, in the model's space: one object for all agents that have the model. A ShapeChoice sets it.
      */
     public final class ModelShape
     {
-        // In place of a kind of structure: the hierarchy.
-        engine static const HIERARCHY:int = 3;
+        /** @private The form of a hierarchy; the other forms are the kinds of BoundingStructure. */
+        engine static const TREE:int = 3;
 
-        // What was asked for: of this model, a kind of BoundingStructure, Agent.ANY_KIND or HIERARCHY.
-        engine var model:String;
-        engine var kind:int;
+        /** The model's name. */
+        public var model:String;
+
+        /** The number that ShapeChoice.kindOf() has given. */
+        public var kind:int;
 
         // The revision of what the GreatLand knows of the model, and whether there has been another since.
-        engine var revision:int;
-        engine var isVoid:Boolean = false;
+        internal var revision:int;
+        internal var isVoid:Boolean = false;
 
-        // The structure that represents the model, or the one around its hierarchy; null for a unit sphere.
+        /** @private BoundingStructure.SPHERE, CAPSULE, BOX, or TREE. */
+        engine var form:int = -1;
+
+        // The structure that decides, or the one around the tree; the tree.
         engine var structure:BoundingStructure = null;
         engine var hierarchy:SolidHierarchy = null;
 
-        // Whether it is a sphere and nothing else; whether the structure decides, and has to be placed in the world.
-        engine var isSphere:Boolean = false;
-        engine var decides:Boolean = false;
+        // Whether the shape stands upright and faces the x axis, however its agent is turned.
+        engine var isUpright:Boolean = false;
 
         // What is tried before the structure, a little wider; or null.
         internal var outer:OuterStructures = null;
 
-        /** Sets the key: model, kind and revision; the strategy finds the rest. */
+        /**
+         * For colliders only.
+         *
+         * @param model the model's name
+         * @param kind the number that ShapeChoice.kindOf() has given
+         * @param revision of what the GreatLand knows of the model
+         */
         public function ModelShape(model:String, kind:int, revision:int)
         {
             this.model = model;
             this.kind = kind;
             this.revision = revision;
+        }
+
+        /**
+         * Represents the model by a structure.
+         *
+         * @param structure a Sphere, Capsule or Box in the model's space; not to be changed afterwards
+         */
+        public function setStructure(structure:BoundingStructure):void
+        {
+            this.structure = structure;
+            form = structure.kind;
+        }
+
+        /** @private Represents the model by its hierarchy. */
+        engine function setTree(hierarchy:SolidHierarchy):void
+        {
+            this.hierarchy = hierarchy;
+            structure = hierarchy.root.bounds;
+            form = TREE;
         }
     }
 }

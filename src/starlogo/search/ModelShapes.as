@@ -13,26 +13,23 @@ package starlogo.search
      */
     public final class ModelShapes
     {
+        /** The forms of all shapes so far: the bit of each is set. */
+        public var forms:int = 0;
+
+        private var _choice:ShapeChoice;
         private var _greatLand:GreatLand;
-        private var _strategy:ShapeStrategy;
         private var _revision:int = -1;
 
         // Those that are asked for often are near the beginning. A table would need keys, made of model and kind for every look.
         private var _shapes:Vector.<ModelShape> = new Vector.<ModelShape>();
 
         /**
-         * @param greatLand has the models; null if the strategy needs none
-         * @param strategy finds their shapes
-         * @throws ArgumentError if greatLand is null, but needed
+         * @param choice finds the shapes
          */
-        public function ModelShapes(greatLand:GreatLand, strategy:ShapeStrategy)
+        public function ModelShapes(choice:ShapeChoice)
         {
-            if (greatLand == null && strategy.needsModels)
-            {
-                throw new ArgumentError("greatLand must not be null");
-            }
-            _greatLand = greatLand;
-            _strategy = strategy;
+            _choice = choice;
+            _greatLand = choice.greatLand;
         }
 
         /**
@@ -43,7 +40,7 @@ package starlogo.search
          */
         public function shapeOf(agent:Agent):ModelShape
         {
-            var kind:int = _strategy.kindOf(agent);
+            var kind:int = _choice.kindOf(agent);
             for (var i:int = 0; i < _shapes.length; i++)
             {
                 var shape:ModelShape = _shapes[i];
@@ -63,7 +60,8 @@ package starlogo.search
                 throw new ArgumentError(agent + ": there is no model \"" + agent.shape + "\"; add it to the GreatLand first");
             }
             shape = new ModelShape(agent.shape, kind, _greatLand == null ? 0 : _greatLand.revisionOf(agent.shape));
-            _strategy.bind(shape, agent);
+            _choice.bind(shape, agent);
+            forms |= 1 << shape.form;
             _shapes.push(shape);
             return shape;
         }

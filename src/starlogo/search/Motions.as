@@ -22,7 +22,7 @@ package starlogo.search
         internal var isSweeping:Vector.<Boolean> = new Vector.<Boolean>();
         internal var extents:Extents = new Extents();
 
-        private var _strategy:ShapeStrategy;
+        private var _pairs:RowPairs;
 
         // Of the first of a pair relative to the second.
         private var _motion:RelativeMotion = new RelativeMotion();
@@ -31,17 +31,15 @@ package starlogo.search
         private var _enters:Number;
         private var _leaves:Number;
 
-        private var _sweep:RowSweep;
         private var _separation:Separation;
 
         /**
-         * @param strategy decides what is not a sphere
+         * @param pairs decide which rows touch
          */
-        public function Motions(strategy:ShapeStrategy)
+        public function Motions(pairs:RowPairs)
         {
-            _strategy = strategy;
-            _sweep = new RowSweep(strategy);
-            _separation = new Separation(strategy, _sweep);
+            _pairs = pairs;
+            _separation = new Separation(pairs);
         }
 
         /** Whether any agent of a list sweeps. */
@@ -85,7 +83,7 @@ package starlogo.search
                 swept.radius[row] = Math.sqrt(halfX * halfX + halfY * halfY);
                 if (table.shapes[row] != null)
                 {
-                    bins.fit(swept, row);
+                    bins.levels.fit(swept, row);
                 }
             }
         }
@@ -100,18 +98,18 @@ package starlogo.search
             var motion:RelativeMotion = _motion;
             motion.endAfter(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
             var isStill:Boolean = motion.x == 0 && motion.y == 0 && motion.z == 0;
-            var areSpheres:Boolean = table.shapes[a].isSphere && table.shapes[b].isSphere;
+            var areSpheres:Boolean = RowPairs.areSpheres(table, a, b);
             if (!isStill && !areSpheres && bins != null && passEachOther(table.extents, a, b, bins.slack))
             {
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
-            _strategy.counts.sweptPairs++;
+            _pairs.counts.sweptPairs++;
             if (!isStill)
             {
-                _sweep.findTime(table, a, b, motion);
+                _pairs.findTime(table, a, b, motion);
             }
-            else if (_strategy.areTouching(table, a, b))
+            else if (_pairs.areTouching(table, a, b))
             {
                 motion.time = 0;
             }
@@ -149,7 +147,7 @@ package starlogo.search
                 motion.time = 1;
             }
             var time:Number = motion.time;
-            _sweep.findContact(table, a, b, motion, out);
+            _pairs.findContact(table, a, b, motion, out);
             _separation.find(table, a, b, motion, out);
             if (isPassing)
             {

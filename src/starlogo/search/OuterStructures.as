@@ -1,10 +1,10 @@
 package starlogo.search
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.Capsule;
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -15,12 +15,16 @@ package starlogo.search
      */
     public final class OuterStructures
     {
-        internal var sphere:Sphere = new Sphere(new Vector3D(), 0);
-        internal var capsule:Capsule = new Capsule(new Vector3D(), new Vector3D(), 0);
+        internal var sphere:Sphere;
+        internal var capsule:Capsule;
 
-        /** Points at the origin. */
-        public function OuterStructures()
+        /** Around a model: copies of its own, a little wider. */
+        public function OuterStructures(sphere:Sphere, capsule:Capsule)
         {
+            this.sphere = sphere.clone() as Sphere;
+            this.capsule = capsule.clone() as Capsule;
+            this.sphere.radius *= Tolerances.OUTER;
+            this.capsule.radius *= Tolerances.OUTER;
         }
 
         /** Sets them to those of a model, placed where an agent is and wider by a margin. */

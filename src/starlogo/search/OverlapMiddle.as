@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import starlogo.bounding.BoundingStructure;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
@@ -53,7 +54,7 @@ package starlogo.search
         private function findAcross(table:AgentTable, row:int, out:ContactPoint):void
         {
             var extents:Extents = table.extents;
-            if (table.shapes[row].isSphere)
+            if (table.forms[row] == BoundingStructure.SPHERE)
             {
                 _across = 2 * extents.halfX[row];
                 return;

@@ -38,8 +38,7 @@ package starlogo.search
         // Halvings, of which 53 leave nothing of a Number.
         private static const MOST_STEPS:int = 60;
 
-        private var _strategy:ShapeStrategy;
-        private var _sweep:RowSweep;
+        private var _pairs:RowPairs;
         private var _middle:OverlapMiddle = new OverlapMiddle();
         private var _moved:MovedRow = new MovedRow();
 
@@ -72,13 +71,11 @@ package starlogo.search
         private var _parting:ContactPoint = new ContactPoint();
 
         /**
-         * @param strategy decides whether rows touch
-         * @param sweep when they do as one moves
+         * @param pairs decide which rows touch, and when
          */
-        public function Separation(strategy:ShapeStrategy, sweep:RowSweep)
+        public function Separation(pairs:RowPairs)
         {
-            _strategy = strategy;
-            _sweep = sweep;
+            _pairs = pairs;
         }
 
         /**
@@ -89,7 +86,7 @@ package starlogo.search
          */
         public function find(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if ((table.shapes[a].isSphere && table.shapes[b].isSphere) || _strategy.hasExactContact(table, a, b))
+            if (_pairs.hasExactContact(table, a, b))
             {
                 _middle.setAlong(table, a, b, out);
                 return;
@@ -127,8 +124,7 @@ package starlogo.search
             var half:Number = Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b]));
             half = Math.max(half, _moved.largestHalf);
             // two points have none: then it is how far apart they may be and still touch
-            var rounding:Number = Tolerances.PLACES * (Math.abs(_x) + Math.abs(_y) + Math.abs(_z)
-                    + (Math.abs(table.x[b]) + Math.abs(table.y[b]) + Math.abs(table.z[b])));
+            var rounding:Number = table.margins[a] + table.margins[b];
             _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
         }
 
@@ -162,7 +158,7 @@ package starlogo.search
             if (isDeep)
             {
                 findDirectionByLeaves(out);
-                if (_strategy.isExact)
+                if (_pairs.trees.exact)
                 {
                     point(out);
                     _free = out.depth;
@@ -199,14 +195,14 @@ package starlogo.search
 
         private function findDirectionByLeaves(out:ContactPoint):void
         {
-            _strategy.leavesDecide = true;
+            _pairs.trees.leavesDecide = true;
             try
             {
                 findDirection(out);
             }
             finally
             {
-                _strategy.leavesDecide = false;
+                _pairs.trees.leavesDecide = false;
             }
         }
 
@@ -215,7 +211,7 @@ package starlogo.search
             _start.copyFrom(out);
             _distance = 0;
             displace();
-            _strategy.findOuterContact(_table, _a, _b, _left);
+            _pairs.findOuterContact(_table, _a, _b, _left);
             point(_left);
             _free = _left.depth;
             goOut();
@@ -284,7 +280,7 @@ package starlogo.search
             displace();
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            _sweep.findImpact(_table, _a, _b, _back, _left);
+            _pairs.findImpact(_table, _a, _b, _back, _left);
             var time:Number = Math.min(_back.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
@@ -356,7 +352,7 @@ package starlogo.search
         private function touch():Boolean
         {
             displace();
-            return _strategy.areTouching(_table, _a, _b);
+            return _pairs.areTouching(_table, _a, _b);
         }
 
         private function displace():void

@@ -20,7 +20,7 @@ package starlogo.queries
     public class AgentDistanceTest
     {
         // of the bits of all distances
-        private static const GOLDEN:String = "d9a14da4";
+        private static const GOLDEN:String = "2d342f2a";
 
         private static var sGreatLand:GreatLand;
         private static var sNames:Array;

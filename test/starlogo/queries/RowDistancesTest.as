@@ -10,11 +10,12 @@ package starlogo.queries
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.search.CombinationStrategy;
-    import starlogo.search.HierarchyStrategy;
-    import starlogo.search.ShapeStrategy;
-    import starlogo.search.TightestFitStrategy;
-    import starlogo.search.UnitSphereStrategy;
+    import starlogo.search.RowPairs;
+    import starlogo.search.ShapeChoice;
+    import starlogo.search.TightestFits;
+    import starlogo.search.Trees;
+    import starlogo.search.TreesAndFits;
+    import starlogo.search.UnitSpheres;
     import support.AskedDistance;
     import support.DistanceReference;
     import support.Effort;
@@ -73,9 +74,9 @@ package starlogo.queries
         public function structures():void
         {
             var greatLand:GreatLand = sGreatLands[0];
-            for each (var strategy:ShapeStrategy in [new UnitSphereStrategy(), new TightestFitStrategy(greatLand)])
+            for each (var choice:ShapeChoice in [new UnitSpheres(greatLand), new TightestFits(greatLand)])
             {
-                var asked:AskedDistance = new AskedDistance(greatLand, strategy);
+                var asked:AskedDistance = new AskedDistance(choice, new RowPairs());
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
                 {
                     check(asked, agent(), agent(), "pair " + i);
@@ -89,12 +90,12 @@ package starlogo.queries
         {
             for each (var greatLand:GreatLand in sGreatLands)
             {
-                var strategy:HierarchyStrategy = new HierarchyStrategy(greatLand);
-                var asked:AskedDistance = new AskedDistance(greatLand, strategy);
+                var pairs:RowPairs = new RowPairs();
+                var asked:AskedDistance = new AskedDistance(new Trees(greatLand), pairs);
                 var reference:DistanceReference = new DistanceReference(greatLand);
                 for (var i:int = 0; i < Effort.choose(60, 3000); i++)
                 {
-                    strategy.maxDepth = _random.integer(1, 6);
+                    pairs.trees.maxDepth = _random.integer(1, 6);
                     var a:Agent = agent();
                     var b:Agent = agent();
                     if (_random.chance(0.3))
@@ -104,16 +105,16 @@ package starlogo.queries
                     check(asked, a, b, "pair " + i);
                     if (!asked.areTouching)
                     {
-                        var depthB:int = b.traversalDepth || strategy.maxDepth;
-                        var least:Number = greatLand === sGreatLands[0] ? reference.ofNodes(a, strategy.maxDepth, b, depthB)
-                            : reference.ofBranchesTo(a, strategy.maxDepth, b, depthB);
+                        var depthB:int = b.traversalDepth || pairs.trees.maxDepth;
+                        var least:Number = greatLand === sGreatLands[0] ? reference.ofNodes(a, pairs.trees.maxDepth, b, depthB)
+                            : reference.ofBranchesTo(a, pairs.trees.maxDepth, b, depthB);
                         assertNear("pair " + i, least, asked.closest.distance, a, b);
                     }
                     if (greatLand === sGreatLands[0])
                     {
                         var slack:Number = PRECISION * sizeOf(a, b);
-                        var offA:Number = reference.fromNodes(a, strategy.maxDepth, asked.pointA);
-                        var offB:Number = reference.fromNodes(b, b.traversalDepth || strategy.maxDepth, asked.pointB);
+                        var offA:Number = reference.fromNodes(a, pairs.trees.maxDepth, asked.pointA);
+                        var offB:Number = reference.fromNodes(b, b.traversalDepth || pairs.trees.maxDepth, asked.pointB);
                         assertTrue("pair " + i + ": points " + offA + " and " + offB + " off", arePoints(asked, offA, offB, slack));
                     }
                 }
@@ -125,9 +126,9 @@ package starlogo.queries
         public function triangles():void
         {
             var greatLand:GreatLand = sGreatLands[0];
-            var strategy:HierarchyStrategy = new HierarchyStrategy(greatLand);
-            strategy.exact = true;
-            var asked:AskedDistance = new AskedDistance(greatLand, strategy);
+            var pairs:RowPairs = new RowPairs();
+            pairs.trees.exact = true;
+            var asked:AskedDistance = new AskedDistance(new Trees(greatLand), pairs);
             var reference:DistanceReference = new DistanceReference(greatLand);
             for (var i:int = 0; i < Effort.choose(60, 3000); i++)
             {
@@ -150,19 +151,19 @@ package starlogo.queries
         {
             for each (var greatLand:GreatLand in sGreatLands)
             {
-                var trees:HierarchyStrategy = new HierarchyStrategy(greatLand);
-                var asked:AskedDistance = new AskedDistance(greatLand, new CombinationStrategy(new TightestFitStrategy(greatLand), trees));
+                var trees:RowPairs = new RowPairs();
+                var asked:AskedDistance = new AskedDistance(new TreesAndFits(greatLand), trees);
                 var reference:DistanceReference = new DistanceReference(greatLand);
                 for (var i:int = 0; i < Effort.choose(60, 3000); i++)
                 {
-                    trees.maxDepth = _random.integer(1, 6);
+                    trees.trees.maxDepth = _random.integer(1, 6);
                     var a:Agent = agent();
                     var b:Agent = agent();
                     a.hierarchical = true;
                     check(asked, a, b, "pair " + i);
                     if (!asked.areTouching)
                     {
-                        var least:Number = reference.toTightestFit(a, trees.maxDepth, b);
+                        var least:Number = reference.toTightestFit(a, trees.trees.maxDepth, b);
                         assertNear("pair " + i, least, asked.closest.distance, a, b);
                     }
                 }
@@ -175,18 +176,18 @@ package starlogo.queries
         {
             for each (var greatLand:GreatLand in sGreatLands)
             {
-                var trees:HierarchyStrategy = new HierarchyStrategy(greatLand);
-                var asked:AskedDistance = new AskedDistance(greatLand, trees);
-                var combined:HierarchyStrategy = new HierarchyStrategy(greatLand);
-                var askedCombined:AskedDistance = new AskedDistance(greatLand, new CombinationStrategy(new TightestFitStrategy(greatLand), combined));
-                var askedFit:AskedDistance = new AskedDistance(greatLand, new TightestFitStrategy(greatLand));
+                var trees:RowPairs = new RowPairs();
+                var asked:AskedDistance = new AskedDistance(new Trees(greatLand), trees);
+                var combined:RowPairs = new RowPairs();
+                var askedCombined:AskedDistance = new AskedDistance(new TreesAndFits(greatLand), combined);
+                var askedFit:AskedDistance = new AskedDistance(new TightestFits(greatLand), new RowPairs());
                 for (var i:int = 0; i < Effort.choose(60, 3000); i++)
                 {
                     var a:Agent = agent();
                     var b:Agent = agent();
-                    trees.exact = true;
+                    trees.trees.exact = true;
                     var exact:Number = asked.between(a, b);
-                    trees.exact = false;
+                    trees.trees.exact = false;
                     var what:String = "pair " + i + ", " + a.shape + " and " + b.shape;
                     // of vertices alone nothing but the depth limit decides
                     var isCloud:Boolean = a.shape == "cloud" || b.shape == "cloud";

@@ -15,7 +15,6 @@ package starlogo.search
     public class AgentTableTest
     {
         private var _land:GreatLand;
-        private var _strategy:ShapeStrategy;
         private var _table:AgentTable;
         private var _agents:Vector.<Agent>;
 
@@ -24,8 +23,7 @@ package starlogo.search
         {
             _land = new GreatLand();
             _land.addModel(BuiltInModel.cube());
-            _strategy = new TightestFitStrategy(_land);
-            _table = new AgentTable(_strategy, new ModelShapes(_land, _strategy), new Bins());
+            _table = new AgentTable(new ModelShapes(new TightestFits(_land)), new Bins());
             _agents = new Vector.<Agent>();
             for (var i:int = 0; i < 20; i++)
             {

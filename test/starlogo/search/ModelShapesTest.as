@@ -25,7 +25,7 @@ package starlogo.search
             _land = new GreatLand();
             _land.addModel(BuiltInModel.sphere());
             _land.addModel(BuiltInModel.cube());
-            _shapes = new ModelShapes(_land, new TightestFitStrategy(_land));
+            _shapes = new ModelShapes(new TightestFits(_land));
             _ball = new Agent("sphere");
             _cube = new Agent("cube");
             _shapes.forgetReplaced();

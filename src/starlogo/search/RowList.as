@@ -1,0 +1,206 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Says which row of a table each agent of a list has. An agent keeps its row while it is listed; a row that is free is used again.
+     *
+     * @private
+     */
+    public final class RowList
+    {
+        /** The first rows are of no list: they are for guests. */
+        public static const GUESTS:int = 2;
+
+        /** The rows of the agents, in the order of the list. */
+        public var rows:Vector.<int> = new Vector.<int>();
+
+        /** How many agents are listed; none after a list that was refused. */
+        public var count:int = 0;
+
+        /** Counts the changes of the list: while it stays, the rows are of the same agents. */
+        public var number:int = 0;
+
+        /** By row: the agent, or null. */
+        public var agents:Vector.<Agent> = new <Agent>[null, null];
+
+        /** The rows that the last read has added, and how many they are. */
+        public var added:Vector.<int> = new Vector.<int>();
+
+        /** @copy #added */
+        public var addedCount:int = 0;
+
+        /** The rows that are free, and how many they are. */
+        public var free:Vector.<int> = new Vector.<int>();
+
+        /** @copy #free */
+        public var freeCount:int = 0;
+
+        // By row: the number of the last list that had the agent.
+        private var _lists:Vector.<int> = new <int>[0, 0];
+
+        private var _rowsById:IdTable = new IdTable();
+
+        // Rows below it are in use, or free.
+        private var _end:int = GUESTS;
+
+        // Of a list that is checked: the agents' indices in it.
+        private var _checked:IdTable = new IdTable();
+
+        /** No agents. */
+        public function RowList()
+        {
+        }
+
+        /** The row of an agent that is listed, or -1. */
+        public function rowOf(agent:Agent):int
+        {
+            return _rowsById.valueOf(agent.number);
+        }
+
+        /** Whether the rows are those of a list, in its order. */
+        public function isOf(list:Vector.<Agent>):Boolean
+        {
+            var i:int = 0;
+            if (list.length == count)
+            {
+                while (i < count && agents[rows[i]] === list[i])
+                {
+                    i++;
+                }
+            }
+            return i == count && list.length == count;
+        }
+
+        /**
+         * Makes the rows those of a list. Mostly agents have the rows that they had. Rows of agents that are no longer listed stay theirs until
+         * <code>freeOthers()</code>.
+         *
+         * @throws ArgumentError as check; then no row is added
+         */
+        public function read(list:Vector.<Agent>):void
+        {
+            var known:int = count;
+            count = 0;
+            addedCount = 0;
+            number++;
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var agent:Agent = list[i];
+                var row:int = i < known ? rows[i] : -1;
+                if (row < 0 || agents[row] !== agent)
+                {
+                    // in JavaScript it may be anything
+                    if (!(agent is Agent))
+                    {
+                        refuse(isNoAgent(i, agent));
+                    }
+                    row = rowOf(agent);
+                }
+                if (row < 0)
+                {
+                    row = add(agent);
+                }
+                else if (_lists[row] == number)
+                {
+                    refuse(listedTwice(agent, list.indexOf(agent), i));
+                }
+                _lists[row] = number;
+                rows[i] = row;
+            }
+            count = list.length;
+        }
+
+        /**
+         * Throws what <code>read()</code> would throw, and changes nothing.
+         *
+         * @throws ArgumentError if an agent is null or listed twice
+         */
+        public function check(list:Vector.<Agent>):void
+        {
+            _checked.clear();
+            for (var i:int = 0; i < list.length; i++)
+            {
+                var agent:Agent = list[i];
+                if (!(agent is Agent))
+                {
+                    throw isNoAgent(i, agent);
+                }
+                var first:int = _checked.valueOf(agent.number);
+                if (first >= 0)
+                {
+                    throw listedTwice(agent, first, i);
+                }
+                _checked.set (agent.number, i);
+            }
+        }
+
+        /** Frees the rows of agents that are not in the list that was read last: they come last in <code>free</code>. */
+        public function freeOthers():void
+        {
+            for (var row:int = GUESTS; row < _end; row++)
+            {
+                if (_lists[row] != number && agents[row] != null)
+                {
+                    release(row);
+                }
+            }
+        }
+
+        private function refuse(error:Error):void
+        {
+            for (var i:int = 0; i < addedCount; i++)
+            {
+                release(added[i]);
+            }
+            number++;
+            throw error;
+        }
+
+        private function add(agent:Agent):int
+        {
+            var row:int = _end;
+            if (freeCount > 0)
+            {
+                freeCount--;
+                row = free[freeCount];
+            }
+            else
+            {
+                _end++;
+                // by an eighth more: a vector that grows by one at a time is copied again and again
+                if (_end > agents.length)
+                {
+                    agents.length = _lists.length = _end + (_end >> 3);
+                }
+            }
+            agents[row] = agent;
+            _rowsById.set (agent.number, row);
+            added[addedCount] = row;
+            addedCount++;
+            return row;
+        }
+
+        private function release(row:int):void
+        {
+            _rowsById.remove(agents[row].number);
+            agents[row] = null;
+            free[freeCount] = row;
+            freeCount++;
+        }
+
+        private static function isNoAgent(index:int, agent:Agent):Error
+        {
+            var problem:String = agent == null ? "is null" : "must be an Agent, not " + textOf(agent, "an Agent");
+            return new ArgumentError("agents[" + index + "] " + problem);
+        }
+
+        private static function listedTwice(agent:Agent, first:int, second:int):Error
+        {
+            return new ArgumentError(agent + " is listed twice: agents[" + first + "] and agents[" + second + "]");
+        }
+    }
+}

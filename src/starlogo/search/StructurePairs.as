@@ -1,0 +1,207 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.intersection.boxBox;
+    import starlogo.intersection.capsuleCapsule;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.intersects;
+    import starlogo.intersection.sphereSphere;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.findBoxImpact;
+    import starlogo.intersection.sweep.findTimeOfImpact;
+
+    use namespace engine;
+
+    /**
+     * Answers for two rows that are structures, not both spheres: whether they touch, when, and how (thesis §3.6).
+     *
+     * @private
+     */
+    public final class StructurePairs
+    {
+        /** See StructureTests, whose settings these are. */
+        public var spheresFirst:Boolean = true;
+
+        /** @copy #spheresFirst */
+        public var capsulesFirst:Boolean = false;
+
+        /** @copy #spheresFirst */
+        public var boxFacesOnly:Boolean = false;
+
+        private var _counts:SearchCounts;
+        private var _finder:ContactFinder = new ContactFinder();
+
+        // The way back of a motion, and the interval in which all structures under way touch.
+        private var _back:RelativeMotion = new RelativeMotion();
+        private var _first:Number = 0;
+        private var _last:Number = 1;
+
+        // The extents of two rows.
+        private var _extentsA:Box = newBox();
+        private var _extentsB:Box = newBox();
+
+        /**
+         * @param counts takes the numbers of tests
+         */
+        public function StructurePairs(counts:SearchCounts)
+        {
+            _counts = counts;
+        }
+
+        /** As RowPairs.areTouching. */
+        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            var structureA:BoundingStructure = table.structureOf(a);
+            var structureB:BoundingStructure = table.structureOf(b);
+            if (haveOuter(table, a, b) && !areOuterTouching(table, a, b))
+            {
+                return false;
+            }
+            noteTest(structureA, structureB);
+            if (isByFaces(table, a, b))
+            {
+                readExtents(table, a, b);
+                return boxBox(Box(structureA), Box(structureB), true) && boxBox(_extentsA, _extentsB);
+            }
+            return intersects(structureA, structureB);
+        }
+
+        /** As RowPairs.findTime. */
+        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        {
+            var structureA:BoundingStructure = table.structureOf(a);
+            var structureB:BoundingStructure = table.structureOf(b);
+            noteTest(structureA, structureB);
+            var byFaces:Boolean = isByFaces(table, a, b);
+            findTimeOfStructures(structureA, structureB, byFaces, motion);
+            if (motion.time != RelativeMotion.NEVER && (byFaces || haveOuter(table, a, b)))
+            {
+                _back.reverse(motion);
+                findTimeOfStructures(structureA, structureB, byFaces, _back);
+                findTimeOfAll(table, a, b, byFaces, motion);
+            }
+            // rounding can miss a touch at the end of the motion
+            if (motion.time == RelativeMotion.NEVER && areTouching(table, a, b))
+            {
+                motion.time = 1;
+            }
+        }
+
+        /** As RowPairs.findContact. */
+        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            _finder.displacement.stopAt(motion);
+            _finder.find(table.structureOf(a), table.structureOf(b), out);
+        }
+
+        /** As RowPairs.hasExactContact. */
+        public function hasExactContact(table:AgentTable, a:int, b:int):Boolean
+        {
+            if ((spheresFirst || capsulesFirst) && haveOuter(table, a, b))
+            {
+                return false;
+            }
+            return !isByFaces(table, a, b);
+        }
+
+        private function areOuterTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            var outerA:OuterStructures = table.outer[a];
+            var outerB:OuterStructures = table.outer[b];
+            if (spheresFirst)
+            {
+                noteTest(outerA.sphere, outerB.sphere);
+                if (!sphereSphere(outerA.sphere, outerB.sphere))
+                {
+                    return false;
+                }
+            }
+            if (capsulesFirst && isOneBox(table, a, b))
+            {
+                noteTest(outerA.capsule, outerB.capsule);
+                return capsuleCapsule(outerA.capsule, outerB.capsule);
+            }
+            return true;
+        }
+
+        private static function findTimeOfStructures(a:BoundingStructure, b:BoundingStructure, byFaces:Boolean, motion:RelativeMotion):void
+        {
+            if (byFaces)
+            {
+                findBoxImpact(Box(a), Box(b), motion, true);
+                return;
+            }
+            findTimeOfImpact(a, b, motion);
+        }
+
+        // Finds when all that decides touches; the structures' times, on the motion and on the way back, are there. Each two touch during one interval.
+        private function findTimeOfAll(table:AgentTable, a:int, b:int, byFaces:Boolean, motion:RelativeMotion):void
+        {
+            _first = motion.time;
+            _last = 1 - _back.time;
+            if (byFaces)
+            {
+                readExtents(table, a, b);
+                limitTimes(_extentsA, _extentsB, motion);
+            }
+            var outerA:OuterStructures = table.outer[a];
+            var outerB:OuterStructures = table.outer[b];
+            var areOuter:Boolean = haveOuter(table, a, b);
+            if (areOuter && spheresFirst)
+            {
+                noteTest(outerA.sphere, outerB.sphere);
+                limitTimes(outerA.sphere, outerB.sphere, motion);
+            }
+            if (areOuter && capsulesFirst && isOneBox(table, a, b))
+            {
+                noteTest(outerA.capsule, outerB.capsule);
+                limitTimes(outerA.capsule, outerB.capsule, motion);
+            }
+            motion.time = _first <= _last ? _first : RelativeMotion.NEVER;
+        }
+
+        private function limitTimes(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion):void
+        {
+            findTimeOfImpact(a, b, motion);
+            findTimeOfImpact(a, b, _back);
+            _first = Math.max(_first, motion.time);
+            _last = Math.min(_last, 1 - _back.time);
+        }
+
+        private function noteTest(a:BoundingStructure, b:BoundingStructure):void
+        {
+            _counts.tests[a.kind << 2 | b.kind]++;
+        }
+
+        // Whether the faces of two boxes decide, and their extents, without which boxes far from each other would touch.
+        private function isByFaces(table:AgentTable, a:int, b:int):Boolean
+        {
+            return boxFacesOnly && table.forms[a] == BoundingStructure.BOX && table.forms[b] == BoundingStructure.BOX;
+        }
+
+        private function readExtents(table:AgentTable, a:int, b:int):void
+        {
+            table.readExtents(a, _extentsA);
+            table.readExtents(b, _extentsB);
+        }
+
+        private static function newBox():Box
+        {
+            return new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+        }
+
+        private static function haveOuter(table:AgentTable, a:int, b:int):Boolean
+        {
+            return table.shapes[a].outer != null && table.shapes[b].outer != null;
+        }
+
+        private static function isOneBox(table:AgentTable, a:int, b:int):Boolean
+        {
+            return table.forms[a] == BoundingStructure.BOX || table.forms[b] == BoundingStructure.BOX;
+        }
+    }
+}

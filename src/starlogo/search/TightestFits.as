@@ -1,0 +1,54 @@
+package starlogo.search
+{
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.engine;
+    import starlogo.libraries.BoundingStructuresLibrary;
+
+    use namespace engine;
+
+    /**
+     * Every agent is the tightest fitting structure of its model, or the one that it collides as (§7.3), put through the agent's whole
+     * transform (thesis §3).
+     *
+     * @private
+     */
+    public final class TightestFits extends ShapeChoice
+    {
+        /**
+         * @param greatLand has the structures
+         */
+        public function TightestFits(greatLand:GreatLand)
+        {
+            super(greatLand);
+        }
+
+        /** @inheritDoc */
+        override public function kindOf(agent:Agent):int
+        {
+            return agent.structureKind;
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            var library:BoundingStructuresLibrary = greatLand.boundingStructures;
+            var model:String = shape.model;
+            if (!library.has(model))
+            {
+                throw new ArgumentError(agent + ": its model was added while loadTightestFit was off; set it, and add the model again");
+            }
+            if (shape.kind != Agent.ANY_KIND)
+            {
+                shape.setStructure(greatLand.structureOfKind(model, shape.kind));
+                return;
+            }
+            shape.setStructure(library.tightestFit(model));
+            if (shape.form != BoundingStructure.SPHERE && library.hasAll(model))
+            {
+                shape.outer = new OuterStructures(library.sphere(model), library.capsule(model));
+            }
+        }
+    }
+}

@@ -1,0 +1,203 @@
+package starlogo.search
+{
+    import starlogo.agents.Agent;
+    import starlogo.broadphase.Bins;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.SweptHierarchyTraversal;
+
+    use namespace engine;
+
+    /**
+     * Answers for two rows of which at least one is a tree: whether they touch, when, and how (thesis §4.6).
+     *
+     * @private
+     */
+    public final class TreePairs
+    {
+        /** How many levels are visited of the trees of agents without a depth of their own. */
+        public var maxDepth:int = 5;
+
+        /** Whether triangles decide, and no depth limit applies. */
+        public var exact:Boolean = false;
+
+        /**
+         * Whether triangles are left out, and the leaves of trees decide for them: all that triangles find, leaves find too, and in a tenth of
+         * the time.
+         */
+        public var leavesDecide:Boolean = false;
+
+        private var _counts:SearchCounts;
+        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _swept:SweptHierarchyTraversal;
+        private var _turned:RelativeMotion = new RelativeMotion();
+        private var _placementA:Placement = new Placement();
+        private var _placementB:Placement = new Placement();
+
+        /**
+         * @param counts takes the numbers of tests
+         */
+        public function TreePairs(counts:SearchCounts)
+        {
+            _counts = counts;
+            _swept = new SweptHierarchyTraversal(_traversal);
+        }
+
+        /** As RowPairs.keepTouching, of a member that is a tree. */
+        public function keepTouching(table:AgentTable, bins:Bins, slot:int, others:Vector.<int>, count:int):int
+        {
+            var rowAt:Vector.<int> = bins.rowAt;
+            var row:int = rowAt[slot];
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var agents:Vector.<Agent> = table.agents;
+            var hierarchy:SolidHierarchy = shapes[row].hierarchy;
+            var number:int = agents[row].number;
+            var placement:Placement = table.placementOf(row, _placementA);
+            var depth:int = depthOf(table, row);
+            var isDecided:Boolean = exact;
+            var kept:int = 0;
+            for (var i:int = 0; i < count; i++)
+            {
+                var otherRow:int = rowAt[others[i]];
+                if (!RowPairs.areNear(table.extents, bins, row, otherRow))
+                {
+                    continue;
+                }
+                _counts.hierarchyTests++;
+                var other:SolidHierarchy = shapes[otherRow].hierarchy;
+                var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
+                var otherDepth:int = depthOf(table, otherRow);
+                var isTouching:Boolean;
+                if (other == null)
+                {
+                    isTouching = _traversal.structureOverlaps(hierarchy, placement, depth, shapes[otherRow].structure, otherPlacement);
+                }
+                else if (agents[otherRow].number > number)
+                {
+                    isTouching = _traversal.hierarchiesOverlap(hierarchy, placement, depth, other, otherPlacement, otherDepth, isDecided);
+                }
+                else
+                {
+                    isTouching = _traversal.hierarchiesOverlap(other, otherPlacement, otherDepth, hierarchy, placement, depth, isDecided);
+                }
+                if (isTouching)
+                {
+                    others[kept] = others[i];
+                    kept++;
+                }
+            }
+            return kept;
+        }
+
+        /** As RowPairs.areTouching. */
+        public function areTouching(table:AgentTable, a:int, b:int):Boolean
+        {
+            if (RowPairs.isSecondFirst(table, a, b))
+            {
+                return areTouching(table, b, a);
+            }
+            _counts.hierarchyTests++;
+            var shapeA:ModelShape = table.shapes[a];
+            var shapeB:ModelShape = table.shapes[b];
+            var placementA:Placement = table.placementOf(a, _placementA);
+            var placementB:Placement = table.placementOf(b, _placementB);
+            if (shapeB.hierarchy == null)
+            {
+                return _traversal.structureOverlaps(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB);
+            }
+            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
+                    depthOf(table, b), exact && !leavesDecide);
+        }
+
+        /** As RowPairs.findTime. */
+        public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
+        {
+            if (RowPairs.isSecondFirst(table, a, b))
+            {
+                _turned.turn(motion);
+                findTime(table, b, a, _turned);
+                motion.time = _turned.time;
+                return;
+            }
+            _counts.hierarchyTests++;
+            setSweptPair(table, a, b, false);
+            _swept.findTime(motion);
+        }
+
+        /** As RowPairs.findContact. */
+        public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (table.forms[a] != ModelShape.TREE)
+            {
+                _turned.turn(motion);
+                findContact(table, b, a, _turned, out);
+                out.turn(motion);
+                return;
+            }
+            setSweptPair(table, a, b, false);
+            _swept.findContact(motion, out);
+        }
+
+        /** As RowPairs.findImpact. */
+        public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (RowPairs.isSecondFirst(table, a, b))
+            {
+                _turned.turn(motion);
+                findImpact(table, b, a, _turned, out);
+                motion.time = _turned.time;
+                if (motion.time != RelativeMotion.NEVER)
+                {
+                    out.turn(motion);
+                }
+                return;
+            }
+            _counts.hierarchyTests++;
+            setSweptPair(table, a, b, leavesDecide);
+            _swept.findImpact(motion, out);
+        }
+
+        /** As RowPairs.findOuterContact. */
+        public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        {
+            _swept.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
+                    table.placementOf(b, _placementB), out);
+        }
+
+        /** How many levels are visited of a row's tree. */
+        public function depthOf(table:AgentTable, row:int):int
+        {
+            if (exact)
+            {
+                return int.MAX_VALUE;
+            }
+            return table.depths[row] == 0 ? maxDepth : table.depths[row];
+        }
+
+        /** Begins to count the tests of a search. */
+        public function resetCounts():void
+        {
+            _swept.resetCounts();
+            _traversal.resetCounts();
+        }
+
+        /** Completes the counts of a search. */
+        public function finishCounts():void
+        {
+            _counts.nodeVisits = _traversal.nodeVisits + _swept.nodeVisits;
+            _counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
+        }
+
+        // The first is a tree; where both are, leaves may decide in place of triangles.
+        private function setSweptPair(table:AgentTable, a:int, b:int, byLeaves:Boolean):void
+        {
+            var shapeB:ModelShape = table.shapes[b];
+            _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy,
+                    shapeB.structure, table.placementOf(b, _placementB), depthOf(table, b), exact && !(byLeaves && shapeB.hierarchy != null));
+        }
+    }
+}

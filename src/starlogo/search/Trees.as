@@ -1,0 +1,34 @@
+package starlogo.search
+{
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Every agent is the hierarchy of its model (thesis §4).
+     *
+     * @private
+     */
+    public final class Trees extends ShapeChoice
+    {
+        /**
+         * @param greatLand has the hierarchies
+         */
+        public function Trees(greatLand:GreatLand)
+        {
+            super(greatLand);
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            if (!greatLand.hierarchies.has(shape.model))
+            {
+                throw new ArgumentError(agent + ": its model was added while loadHierarchies was off; set it, and add the model again");
+            }
+            shape.setTree(greatLand.hierarchies.hierarchy(shape.model));
+        }
+    }
+}

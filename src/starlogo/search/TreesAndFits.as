@@ -1,0 +1,42 @@
+package starlogo.search
+{
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * An agent that is hierarchical is the hierarchy of its model, any other its tightest fit (thesis §5).
+     *
+     * @private
+     */
+    public final class TreesAndFits extends ShapeChoice
+    {
+        private var _trees:Trees;
+        private var _fits:TightestFits;
+
+        /**
+         * @param greatLand has the hierarchies and the structures
+         */
+        public function TreesAndFits(greatLand:GreatLand)
+        {
+            super(greatLand);
+            _trees = new Trees(greatLand);
+            _fits = new TightestFits(greatLand);
+        }
+
+        /** @inheritDoc */
+        override public function kindOf(agent:Agent):int
+        {
+            return agent.hierarchical ? ModelShape.TREE : _fits.kindOf(agent);
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            var choice:ShapeChoice = shape.kind == ModelShape.TREE ? _trees : _fits;
+            choice.bind(shape, agent);
+        }
+    }
+}

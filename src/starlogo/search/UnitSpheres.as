@@ -1,0 +1,33 @@
+package starlogo.search
+{
+    import flash.geom.Vector3D;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.Sphere;
+    import starlogo.engine;
+
+    use namespace engine;
+
+    /**
+     * Every agent is a sphere of its size, whatever its model (thesis §2.2).
+     *
+     * @private
+     */
+    public final class UnitSpheres extends ShapeChoice
+    {
+        /**
+         * @param greatLand says which models there are; null if any name will do
+         */
+        public function UnitSpheres(greatLand:GreatLand)
+        {
+            super(greatLand, false);
+        }
+
+        /** @inheritDoc */
+        override public function bind(shape:ModelShape, agent:Agent):void
+        {
+            shape.setStructure(new Sphere(new Vector3D(0, 0, 0.5), 0.5));
+            shape.isUpright = true;
+        }
+    }
+}

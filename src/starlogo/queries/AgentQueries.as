@@ -360,7 +360,7 @@ package starlogo.queries
         /**
          * Moves an agent as <code>moveUntilTouch()</code> does, and where it touches another it goes on along that: with what is left of the
          * motion, projected on the plane of the contact, or on the line in which two planes meet. All that it has touched in this motion counts, so
-         * that it ends in corners. It ends a hair from what it touches, so that the next motion along it is free.
+         * that it ends in corners. It ends half a hair from what it touches, if there is room, so that the next motion along it is free.
          *
          * @param agent moves
          * @param dx how far along x, in patches

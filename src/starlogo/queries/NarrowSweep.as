@@ -102,12 +102,8 @@ package starlogo.queries
         public function touchesAt(other:int, at:Vector3D):Boolean
         {
             measure(other);
-            if (!_moving.isNear(other, at.x, at.y, at.z, hair))
-            {
-                return false;
-            }
             _moving.put(at.x, at.y, at.z, 0);
-            return _pairs.areTouching(_table, _row, other);
+            return _moving.isNear(other, hair) && _pairs.areTouching(_table, _row, other);
         }
 
         /** Whether the row would have to go into another to be at a place. */

@@ -93,6 +93,12 @@ package starlogo.queries
         {
             findMiddle(a, _middle);
             findMiddle(b, _towards);
+            if (a.number > b.number)
+            {
+                // a ray that grazes something may be rounded in another way from the other side: it is always the same one
+                findMiddle(b, _middle);
+                findMiddle(a, _towards);
+            }
             _towards.decrementBy(_middle);
             var distance:Number = Math.sqrt(_towards.x * _towards.x + _towards.y * _towards.y + _towards.z * _towards.z);
             if (distance == 0)

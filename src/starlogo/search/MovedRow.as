@@ -27,6 +27,7 @@ package starlogo.search
         private var _y:Number = 0;
         private var _z:Number = 0;
         private var _sizing:Vector.<Number> = new Vector.<Number>(8, true);
+        private var _isCopied:Boolean = false;
 
         // Where it is, and how much smaller.
         private var _atX:Number = NaN;
@@ -48,13 +49,11 @@ package starlogo.search
             _x = table.x[row];
             _y = table.y[row];
             _z = table.z[row];
-            for (var i:int = 0; i < _sizing.length; i++)
-            {
-                _sizing[i] = table.sizing[i][row];
-            }
             _atX = NaN;
-            largestHalf = Math.max(_sizing[3], Math.max(_sizing[4], _sizing[5]));
-            leastHalf = Math.min(_sizing[3], Math.min(_sizing[4], _sizing[5]));
+            _isCopied = false;
+            var extents:Extents = table.extents;
+            largestHalf = Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
+            leastHalf = Math.min(extents.halfX[row], Math.min(extents.halfY[row], extents.halfZ[row]));
         }
 
         /**
@@ -95,21 +94,32 @@ package starlogo.search
             _table = null;
         }
 
-        /** Whether the extents that the row has at a place, as large as it is, are no farther from those of another than a gap. */
-        public function isNear(other:int, x:Number, y:Number, z:Number, gap:Number):Boolean
+        /** Whether the extents of the row, where it is, are no farther from those of another than a gap. */
+        public function isNear(other:int, gap:Number):Boolean
         {
             var extents:Extents = _table.extents;
-            return Math.abs(x + _sizing[0] - extents.x[other]) <= _sizing[3] + extents.halfX[other] + gap
-                && Math.abs(y + _sizing[1] - extents.y[other]) <= _sizing[4] + extents.halfY[other] + gap
-                && Math.abs(z + _sizing[2] - extents.z[other]) <= _sizing[5] + extents.halfZ[other] + gap;
+            var row:int = _row;
+            return Math.abs(extents.x[row] - extents.x[other]) <= extents.halfX[row] + extents.halfX[other] + gap
+                && Math.abs(extents.y[row] - extents.y[other]) <= extents.halfY[row] + extents.halfY[other] + gap
+                && Math.abs(extents.z[row] - extents.z[other]) <= extents.halfZ[row] + extents.halfZ[other] + gap;
         }
 
+        // Mostly a row stays as large as it is, and its size is not copied.
         private function shrink(share:Number):void
         {
-            for (var i:int = 0; share != _share && i < _sizing.length; i++)
+            if (share == _share)
             {
+                return;
+            }
+            for (var i:int = 0; i < _sizing.length; i++)
+            {
+                if (!_isCopied)
+                {
+                    _sizing[i] = _table.sizing[i][_row];
+                }
                 _table.sizing[i][_row] = (1 - share) * _sizing[i];
             }
+            _isCopied = true;
             _share = share;
         }
     }

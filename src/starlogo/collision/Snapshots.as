@@ -9,6 +9,9 @@ package starlogo.collision
     /** Writes and reads the snapshots of one Collision. */
     internal final class Snapshots
     {
+        // As many as leave a whole number that a Number holds exactly.
+        private static const COUNTS:int = 4096;
+
         private static var sCount:int = 0;
 
         // Tells this Collision's snapshots from those of all others: in this program by the count, elsewhere by the clock.
@@ -21,7 +24,7 @@ package starlogo.collision
         public function Snapshots()
         {
             sCount++;
-            _origin = new Date().getTime() + sCount / 65536;
+            _origin = new Date().getTime() * COUNTS + sCount % COUNTS;
         }
 
         /** The bytes of a snapshot; parameters as for FrameRecord. */

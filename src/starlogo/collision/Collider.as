@@ -32,7 +32,7 @@ package starlogo.collision
         engine var choice:ShapeChoice;
 
         /** @private Decides which of them touch, for questions too. */
-        engine var pairs:RowPairs = new RowPairs();
+        engine var pairs:RowPairs;
 
         private var _search:CollisionSearch;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
@@ -45,6 +45,7 @@ package starlogo.collision
          */
         public function Collider(choice:ShapeChoice)
         {
+            pairs = new RowPairs(choice);
             _search = new CollisionSearch(choice, pairs);
             this.choice = choice;
         }

@@ -99,25 +99,19 @@ package starlogo.queries
             }
             readOthers(table, others);
             _sweep.begin(table, row, _rest.motion);
-            try
+            _before.copyFrom(at);
+            liftOut();
+            _rest.beginCorner();
+            if (slides)
             {
-                _before.copyFrom(at);
-                liftOut();
-                _rest.beginCorner();
-                if (slides)
-                {
-                    slide();
-                    leaveTouches();
-                }
-                else
-                {
-                    goUntilTouch();
-                }
+                slide();
+                leaveTouches();
             }
-            finally
+            else
             {
-                _sweep.end();
+                goUntilTouch();
             }
+            _sweep.end();
         }
 
         /** Writes the contact of the last move that was not sliding. */

@@ -57,16 +57,16 @@ package starlogo.search
             numbers.length = 0;
             follow();
             areOfInterest = new Vector.<Boolean>(breedCount * breedCount);
-            for (var i:int = 0; i < _added.length; i += 2)
+            for (var i:int = 0; i < areOfInterest.length; i++)
+            {
+                // in Ruffle an element that was not set is null
+                areOfInterest[i] = false;
+            }
+            for (i = 0; i < _added.length; i += 2)
             {
                 markPairs(numbersOf(_added[i]), numbersOf(_added[i + 1]));
             }
-            // not by indexOf(false), which finds none in Ruffle: an element that was not set becomes false only when it is read
-            areAll = true;
-            for each (var isOfInterest:Boolean in areOfInterest)
-            {
-                areAll = areAll && isOfInterest;
-            }
+            areAll = areOfInterest.indexOf(false) < 0;
         }
 
         /** A breed's number, from 0 on; -1 for a breed that is in no pair. */

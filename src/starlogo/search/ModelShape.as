@@ -20,8 +20,10 @@ package starlogo.search
         /** The number that ShapeChoice.kindOf() has given. */
         public var kind:int;
 
-        // The revision of what the GreatLand knows of the model, and whether there has been another since.
+        /** @private The revision of what the GreatLand knows of the model. */
         internal var revision:int;
+
+        /** @private Whether there has been another revision since. */
         internal var isVoid:Boolean = false;
 
         /** @private BoundingStructure.SPHERE, CAPSULE, BOX, or TREE. */
@@ -34,7 +36,7 @@ package starlogo.search
         // Whether the shape stands upright and faces the x axis, however its agent is turned.
         engine var isUpright:Boolean = false;
 
-        // What is tried before the structure, a little wider; or null.
+        /** @private What is tried before the structure, a little wider; or null. */
         internal var outer:OuterStructures = null;
 
         /**

@@ -31,19 +31,23 @@ package starlogo.search
         /** Answers for pairs of structures that are not both spheres. */
         public var structures:StructurePairs;
 
-        /** Answers for pairs of which at least one is a tree. */
-        public var trees:TreePairs;
+        /** Answers for pairs of which at least one is a tree; null if the choice of shapes has no trees. */
+        public var trees:TreePairs = null;
 
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
         private var _points:PointSweep = new PointSweep();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
-        /** With the settings that colliders begin with. */
-        public function RowPairs()
+        /**
+         * With the settings that colliders begin with.
+         *
+         * @param choice gives the rows their shapes
+         */
+        public function RowPairs(choice:ShapeChoice)
         {
             structures = new StructurePairs(counts);
-            trees = new TreePairs(counts);
+            choice.prepare(this);
         }
 
         /**
@@ -291,13 +295,19 @@ package starlogo.search
         public function resetCounts():void
         {
             counts.reset();
-            trees.resetCounts();
+            if (trees != null)
+            {
+                trees.resetCounts();
+            }
         }
 
         /** Completes the counts of a search. */
         public function finishCounts():void
         {
-            trees.finishCounts();
+            if (trees != null)
+            {
+                trees.finishCounts();
+            }
         }
 
         /** Whether two rows are spheres. */
@@ -341,7 +351,8 @@ package starlogo.search
             return distance <= reach && distance >= -reach;
         }
 
-        private static function isOneTree(table:AgentTable, a:int, b:int):Boolean
+        /** Whether at least one of two rows is a tree. */
+        public static function isOneTree(table:AgentTable, a:int, b:int):Boolean
         {
             return table.forms[a] == ModelShape.TREE || table.forms[b] == ModelShape.TREE;
         }

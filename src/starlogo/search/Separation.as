@@ -59,6 +59,9 @@ package starlogo.search
         private var _free:Number = 0;
         private var _exit:Number = 0;
 
+        // Whether leaves decide in place of triangles.
+        private var _byLeaves:Boolean = false;
+
         // How far along it the first is put: a field, because V8 makes objects of Numbers that are passed.
         private var _distance:Number = 0;
 
@@ -116,6 +119,7 @@ package starlogo.search
             _table = table;
             _a = a;
             _b = b;
+            _byLeaves = false;
             _moved.take(table, a);
             _x = table.x[a] + (motion.startX + time * motion.x);
             _y = table.y[a] + (motion.startY + time * motion.y);
@@ -158,7 +162,7 @@ package starlogo.search
             if (isDeep)
             {
                 findDirectionByLeaves(out);
-                if (_pairs.trees.exact)
+                if (_pairs.trees != null && _pairs.trees.exact)
                 {
                     point(out);
                     _free = out.depth;
@@ -195,15 +199,9 @@ package starlogo.search
 
         private function findDirectionByLeaves(out:ContactPoint):void
         {
-            _pairs.trees.leavesDecide = true;
-            try
-            {
-                findDirection(out);
-            }
-            finally
-            {
-                _pairs.trees.leavesDecide = false;
-            }
+            _byLeaves = RowPairs.isOneTree(_table, _a, _b);
+            findDirection(out);
+            _byLeaves = false;
         }
 
         private function findDirection(out:ContactPoint):void
@@ -280,7 +278,14 @@ package starlogo.search
             displace();
             var way:Number = _touching - _free;
             _back.endAfter(way * _alongX, way * _alongY, way * _alongZ);
-            _pairs.findImpact(_table, _a, _b, _back, _left);
+            if (_byLeaves)
+            {
+                _pairs.trees.findImpact(_table, _a, _b, _back, _left, true);
+            }
+            else
+            {
+                _pairs.findImpact(_table, _a, _b, _back, _left);
+            }
             var time:Number = Math.min(_back.time, 1);
             out.normalX = _alongX;
             out.normalY = _alongY;
@@ -352,7 +357,7 @@ package starlogo.search
         private function touch():Boolean
         {
             displace();
-            return _pairs.areTouching(_table, _a, _b);
+            return _byLeaves ? _pairs.trees.areTouching(_table, _a, _b, true) : _pairs.areTouching(_table, _a, _b);
         }
 
         private function displace():void

@@ -44,6 +44,11 @@ package starlogo.search
             return Agent.ANY_KIND;
         }
 
+        /** @private Gives pairs what answers for trees, if there are any. Only these choices name it: a game without trees does not load their code. */
+        engine function prepare(pairs:RowPairs):void
+        {
+        }
+
         /**
          * Finds the shape of a model.
          *

@@ -21,6 +21,12 @@ package starlogo.search
             super(greatLand);
         }
 
+        /** @private */
+        override engine function prepare(pairs:RowPairs):void
+        {
+            pairs.trees = new TreePairs(pairs.counts);
+        }
+
         /** @inheritDoc */
         override public function bind(shape:ModelShape, agent:Agent):void
         {

@@ -26,6 +26,12 @@ package starlogo.search
             _fits = new TightestFits(greatLand);
         }
 
+        /** @private */
+        override engine function prepare(pairs:RowPairs):void
+        {
+            _trees.prepare(pairs);
+        }
+
         /** @inheritDoc */
         override public function kindOf(agent:Agent):int
         {

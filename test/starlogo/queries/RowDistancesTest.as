@@ -76,7 +76,7 @@ package starlogo.queries
             var greatLand:GreatLand = sGreatLands[0];
             for each (var choice:ShapeChoice in [new UnitSpheres(greatLand), new TightestFits(greatLand)])
             {
-                var asked:AskedDistance = new AskedDistance(choice, new RowPairs());
+                var asked:AskedDistance = new AskedDistance(choice, new RowPairs(choice));
                 for (var i:int = 0; i < Effort.choose(400, 20000); i++)
                 {
                     check(asked, agent(), agent(), "pair " + i);
@@ -90,8 +90,9 @@ package starlogo.queries
         {
             for each (var greatLand:GreatLand in sGreatLands)
             {
-                var pairs:RowPairs = new RowPairs();
-                var asked:AskedDistance = new AskedDistance(new Trees(greatLand), pairs);
+                var choice:ShapeChoice = new Trees(greatLand);
+                var pairs:RowPairs = new RowPairs(choice);
+                var asked:AskedDistance = new AskedDistance(choice, pairs);
                 var reference:DistanceReference = new DistanceReference(greatLand);
                 for (var i:int = 0; i < Effort.choose(60, 3000); i++)
                 {
@@ -126,9 +127,10 @@ package starlogo.queries
         public function triangles():void
         {
             var greatLand:GreatLand = sGreatLands[0];
-            var pairs:RowPairs = new RowPairs();
+            var choice:ShapeChoice = new Trees(greatLand);
+            var pairs:RowPairs = new RowPairs(choice);
             pairs.trees.exact = true;
-            var asked:AskedDistance = new AskedDistance(new Trees(greatLand), pairs);
+            var asked:AskedDistance = new AskedDistance(choice, pairs);
             var reference:DistanceReference = new DistanceReference(greatLand);
             for (var i:int = 0; i < Effort.choose(60, 3000); i++)
             {
@@ -151,8 +153,9 @@ package starlogo.queries
         {
             for each (var greatLand:GreatLand in sGreatLands)
             {
-                var trees:RowPairs = new RowPairs();
-                var asked:AskedDistance = new AskedDistance(new TreesAndFits(greatLand), trees);
+                var choice:ShapeChoice = new TreesAndFits(greatLand);
+                var trees:RowPairs = new RowPairs(choice);
+                var asked:AskedDistance = new AskedDistance(choice, trees);
                 var reference:DistanceReference = new DistanceReference(greatLand);
                 for (var i:int = 0; i < Effort.choose(60, 3000); i++)
                 {
@@ -176,11 +179,14 @@ package starlogo.queries
         {
             for each (var greatLand:GreatLand in sGreatLands)
             {
-                var trees:RowPairs = new RowPairs();
-                var asked:AskedDistance = new AskedDistance(new Trees(greatLand), trees);
-                var combined:RowPairs = new RowPairs();
-                var askedCombined:AskedDistance = new AskedDistance(new TreesAndFits(greatLand), combined);
-                var askedFit:AskedDistance = new AskedDistance(new TightestFits(greatLand), new RowPairs());
+                var choice:ShapeChoice = new Trees(greatLand);
+                var trees:RowPairs = new RowPairs(choice);
+                var asked:AskedDistance = new AskedDistance(choice, trees);
+                choice = new TreesAndFits(greatLand);
+                var combined:RowPairs = new RowPairs(choice);
+                var askedCombined:AskedDistance = new AskedDistance(choice, combined);
+                choice = new TightestFits(greatLand);
+                var askedFit:AskedDistance = new AskedDistance(choice, new RowPairs(choice));
                 for (var i:int = 0; i < Effort.choose(60, 3000); i++)
                 {
                     var a:Agent = agent();

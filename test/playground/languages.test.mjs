@@ -97,7 +97,8 @@ test('a browser in German gets German, all of it and nothing of English; a choic
 	await page.reload();
 	await ready(page, 'play');
 	assert.equal(await page.getAttribute('html', 'lang'), 'en', 'it is kept');
-	assert.deepEqual(said, []);
+	// nothing is drawn in this context, of which three.js complains
+	assert.deepEqual(said.filter((text) => !/creating WebGL context/.test(text)), []);
 	await context.close();
 });
 

@@ -93,7 +93,7 @@ export class Programs {
 		if (name !== "link") this.shelf.last = name;
 		this.#listPrograms();
 		this.view.reset();
-		this.view.scene.seeAll();
+		this.view.lookAt(program);
 		if (before) this.#sayOpened();
 	}
 
@@ -222,9 +222,9 @@ export class Programs {
 	}
 
 	/** Opens a program, or makes a model a shape that agents can have. */
-	async openFile(file) {
+	async openFile(file, files = [file]) {
 		if (MODEL_FILE.test(file.name)) {
-			await this.view.own.add(file);
+			await this.view.own.add(file, files);
 			return;
 		}
 		if (!/\.json$/i.test(file.name)) {

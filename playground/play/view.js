@@ -59,7 +59,7 @@ class PlayView {
 		this.#build(main);
 		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
-		this.scene.foot.append(this.keys.legend);
+		this.theatre.append(h("div.foot", {}, this.scene.legend, this.keys.pad));
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
 			this.#choose(agent);
@@ -95,11 +95,11 @@ class PlayView {
 			this.#playOn();
 		});
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
-		this.screen = h("div.screen", {}, this.worldHost, this.keys.pad);
+		this.screen = h("div.screen", {}, this.worldHost);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
-		const camera = choice(Object.entries(words.cameras), "all", (name) => {
+		this.camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
 			if (name === "all") this.stage.showAll();
 			this.draw();
@@ -122,11 +122,11 @@ class PlayView {
 			h("section.program", { "aria-label": words.blocks },
 				h("div.tools", {}, field(words.program, this.programs.menu), button(texts.gallery.open, () => this.programs.openGallery()),
 					button(words.save, () => download(this.editor.program, words.fileName)),
-					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)),
+					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
 					button(words.share, () => this.programs.share()), this.programs.undoButton),
 				this.blocksHost),
 			h("section.game", { "aria-label": words.world },
-				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, camera),
+				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera),
 					tick(words.sees, false, (on) => {
 						this.scene.isSeen = on;
 						this.draw();
@@ -154,10 +154,16 @@ class PlayView {
 		try {
 			this.keys.show(program);
 			this.world.begin(program);
-			this.scene.seeAll();
+			this.lookAt(program);
 		} catch {
 			// which is said when they are there
 		}
+		this.draw();
+	}
+
+	/** Looks at a new program's game as it is best seen. */
+	lookAt(program) {
+		this.camera.value = this.scene.lookAt(program);
 		this.draw();
 	}
 
@@ -203,8 +209,8 @@ class PlayView {
 	}
 
 	/** Opens what the user has chosen, or dropped anywhere on the page. */
-	openFile(file) {
-		return this.programs.openFile(file);
+	openFile(file, files) {
+		return this.programs.openFile(file, files);
 	}
 
 	/** Says something, with what may be done about it. */

@@ -131,7 +131,7 @@ mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
 
-for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js" })) {
+for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
 	const first = neededFor(`playground/${entry}`);
 	const editor = view === "play" ? neededFor("playground/play/editor.js").filter((file) => !first.includes(file)) : [];
 	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);

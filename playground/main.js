@@ -1,4 +1,4 @@
-/** Loads the page's words in one language, and shows the view that the address names: #play, #inspect, #compare or #measure. Each loads only what it needs. */
+/** Loads the page's words in one language, and shows the view that the address names: #play, #inspect, #compare, #measure or #teach. Each loads only what it needs. */
 import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
 import { chiefOf } from "./shared/files.js";
@@ -16,6 +16,7 @@ const VIEWS = {
 	inspect: () => import("./inspect/view.js"),
 	compare: () => import("./compare/view.js"),
 	measure: () => import("./measure/view.js"),
+	teach: () => import("./teach/view.js"),
 };
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));

@@ -36,8 +36,12 @@ export class Programs {
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
-	/** Opens the program of a link; without one, that which was open last, or else the paintball game. */
+	/** Opens the program of a link, or one that the page brings, by its name (lesson-helmet); without one, that which was open last, or else the paintball game. */
 	async open(link) {
+		if (link in BROUGHT) {
+			this.#show(BROUGHT[link], link);
+			return;
+		}
 		if (link) {
 			try {
 				this.#show(await fromLink(link), "link");
@@ -54,7 +58,7 @@ export class Programs {
 	/** The program that will be opened, as far as that is known. */
 	async first(link) {
 		try {
-			return link ? await fromLink(link) : this.#last().program;
+			return link in BROUGHT ? BROUGHT[link] : link ? await fromLink(link) : this.#last().program;
 		} catch {
 			return EXAMPLES.paintball;
 		}

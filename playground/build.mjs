@@ -67,13 +67,15 @@ const fewMessages = {
 /** Shaders of materials, lights and effects that the page has none of, by the names that three.js gives them; some are beginnings of names. */
 const UNUSED_SHADERS = ["background", "cube_", "distanceRGBA", "equirect", "linedashed", "meshmatcap", "meshnormal", "meshphong", "meshphysical", "meshtoon", "shadow_", "sprite", "depth_vert", "depth_frag",
 	"alphahash", "aomap", "batching", "bumpmap", "clearcoat", "clipping_planes", "displacementmap", "emissivemap", "envmap", "gradientmap", "iridescence", "lightmap", "lights_phong", "lights_physical",
-	"lights_toon", "logdepthbuf", "metalnessmap", "morph", "normalmap", "roughnessmap", "shadowmap", "shadowmask", "skin", "specularmap", "tonemapping_pars", "transmission", "dithering", "alphamap"];
+	"lights_toon", "logdepthbuf", "metalnessmap", "morph", "normalmap", "roughnessmap", "shadowmap", "shadowmask", "skin", "specularmap_pars", "packing", "bsdfs", "lights_fragment_maps", "tonemapping_pars", "transmission", "dithering", "alphamap"];
 
-/** What of three.js's renderer is there for headsets, shadows and surroundings that mirror in things, with as much of each as its renderer calls without them. */
+/** What of three.js's renderer is there for headsets, shadows, morphs, groups of uniforms, and surroundings that mirror in things, with as much of each as its renderer calls without them. */
 const UNUSED_PARTS = {
 	"class WebXRManager": "class WebXRManager extends EventDispatcher { enabled = false; isPresenting = false; getEnvironmentBlendMode() {} setAnimationLoop() {} dispose() {} }",
 	"class PMREMGenerator": "class PMREMGenerator {}",
 	"function WebGLShadowMap": "function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }",
+	"function WebGLMorphtargets": "function WebGLMorphtargets() {}",
+	"function WebGLUniformsGroups": "function WebGLUniformsGroups() { this.dispose = () => {}; }",
 	"function WebGLCubeMaps": "function WebGLCubeMaps() { return { get: (texture) => texture, dispose() {} }; }",
 	"function WebGLCubeUVMaps": "function WebGLCubeUVMaps() { return { get: (texture) => texture, dispose() {} }; }",
 };

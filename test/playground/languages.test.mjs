@@ -164,7 +164,7 @@ function unmarked() {
 	const look = (text) => {
 		if (/\p{L}{2}|\p{L}/u.test(rest(text))) found.add(text.trim().slice(0, 80));
 	};
-	const isApart = (element) => element.closest('script, style, noscript, code, .language, h1 img, option[value^="own-"]');
+	const isApart = (element) => element.closest('script, style, noscript, code, .language, h1 img, option[value^="own-"], .address');
 	const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
 	while (walker.nextNode()) if (!isApart(walker.currentNode.parentElement)) look(walker.currentNode.data);
 	for (const element of document.body.querySelectorAll('[aria-label], [title], [alt], [placeholder]')) {
@@ -207,5 +207,10 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 	await page.goto(`${site.url}#compare`);
 	await ready(page, 'compare');
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Compare');
+	for (const view of ['measure', 'teach', 'teach/helmet']) {
+		await page.goto(`${site.url}#${view}`);
+		await ready(page, view.split('/')[0]);
+		assert.deepEqual(await page.evaluate(unmarked), [], view);
+	}
 	await context.close();
 });

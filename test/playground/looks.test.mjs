@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { begin, open, ready, root } from './browser.mjs';
+import { gzipSync } from 'node:zlib';
+import { begin, open, ready, root, saved } from './browser.mjs';
 
 const LAPTOP = { viewport: { width: 1366, height: 768 }, isDrawn: false };
 
@@ -236,4 +237,67 @@ test('Compare: short numbers in its program, Copy in sight, and the whole game a
 	const ends = await page.evaluate(() => [...document.querySelectorAll('.scattered .screen, .scattered table, .scattered .legend, .scattered button')].map((each) => each.getBoundingClientRect().bottom));
 	assert.ok(ends.every((end) => end > 0 && end <= 768), `${ends}`);
 	assert.deepEqual(said.splice(0), []);
+});
+
+test('Measure: times of each system, live, in a chart that is kept, downloaded, and put beside another one', async () => {
+	const { page, said } = await shared('measure');
+	await page.getByLabel('Agents up to').selectOption('100');
+	await page.getByLabel('Name of this machine').fill('the old laptop');
+	await page.getByRole('button', { name: 'Measure', exact: true }).click();
+	await page.waitForFunction(() => document.querySelectorAll('.chart g[data-system] path').length > 2);
+	assert.ok(await page.getByRole('button', { name: 'Keep' }).isDisabled(), 'while it measures, the chart grows');
+	await page.waitForFunction(() => document.querySelector('.status').textContent === 'Measured.');
+	const { points, machine } = await page.evaluate(() => globalThis.playground.result);
+	assert.deepEqual(Object.values(points).map((list) => list.map(([count]) => count)), Array(5).fill([25, 50, 100]));
+	assert.ok(Object.values(points).flat().every(([, ms]) => ms > 0 && ms < 10000));
+	assert.equal(machine, 'the old laptop');
+	assert.equal(await page.locator('.chart g[data-system]').count(), 5);
+	await page.getByRole('button', { name: 'Keep' }).click();
+	const file = await saved(page, () => page.getByRole('button', { name: 'Download', exact: true }).click());
+	assert.deepEqual(JSON.parse(file).points, points);
+	assert.match(await saved(page, () => page.getByRole('button', { name: 'Download the chart' }).click()), /^<svg .*ms a frame/s);
+	await page.reload();
+	await ready(page, 'measure');
+	assert.match((await page.getByLabel('Beside it').locator('option').allTextContents()).join(), /the old laptop, /);
+	await page.getByLabel('Beside it').selectOption('0');
+	assert.equal(await page.locator('.chart polyline[stroke-dasharray]').count(), 5);
+	await page.setInputFiles('input[type=file]', { name: 'other.json', mimeType: 'application/json', buffer: Buffer.from(file.replace('the old laptop', 'the new one')) });
+	await page.waitForFunction(() => /the new one/.test(document.querySelector('.status').textContent));
+	await page.setInputFiles('input[type=file]', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{}') });
+	await page.waitForFunction(() => /broken\.json is nothing/.test(document.querySelector('.status').textContent));
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('for teachers: each lesson has a page that is printed on one sheet, its time, and a link that opens it', async () => {
+	const { page, said } = await shared('teach');
+	const links = await page.locator('.sheet tbody tr').evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('a')].map((each) => each.getAttribute('href'))));
+	assert.equal(links.length, 10);
+	for (const [sheet, lesson] of links) {
+		await page.evaluate((hash) => {
+			location.hash = hash;
+		}, sheet);
+		await page.waitForFunction((hash) => document.querySelector('.address')?.getAttribute('href').endsWith(hash), lesson);
+		assert.match(await page.textContent('.sheet .note'), /^Lesson \d+ of 10, \d+ minutes$/);
+		await page.emulateMedia({ media: 'print' });
+		// A4 at 96 pixels an inch, with margins of half an inch
+		await page.setViewportSize({ width: 698, height: 1026 });
+		assert.ok(await page.evaluate(() => document.querySelector('.sheet').scrollHeight) <= 1026, sheet);
+		assert.equal(await page.locator('.bar').isVisible(), false);
+		await page.emulateMedia({ media: 'screen' });
+	}
+	await page.setViewportSize(LAPTOP.viewport);
+	const play = (await shared('play')).page;
+	await play.goto(`${site.url}#play/lesson-helmet`);
+	await play.waitForFunction(() => /helmet/.test(document.querySelector('.lesson h2')?.textContent));
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('what Inspect and Compare load is 245 KB at most, and one language', async () => {
+	for (const view of ['inspect', 'compare']) {
+		const { page } = await shared(view);
+		const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname).filter((name) => name.endsWith('.js')));
+		const sizes = [...new Set(files)].filter((name) => !name.includes('formats')).map((name) => gzipSync(readFileSync(path.join(root, 'bin/playground', name.replace('/any/where/', '')))).length);
+		const kilobytes = sizes.reduce((sum, size) => sum + size, 0) / 1024;
+		assert.ok(sizes.length >= 3 && kilobytes < 245, `${view}: ${kilobytes.toFixed(1)} KB in ${sizes.length} files`);
+	}
 });

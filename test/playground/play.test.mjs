@@ -438,6 +438,8 @@ test('neither zoom nor a moved view loses the world, and all of it is one choice
 		const { stage } = globalThis.playground;
 		return [[0, 0], [-12, -12], [12, 12]].map(([x, y]) => stage.pixelOf(x, y, 0)).filter(({ isSeen }) => isSeen).length;
 	});
+	assert.equal(await page.getByLabel('Camera').inputValue(), 'follow');
+	await page.getByLabel('Camera').selectOption('all');
 	assert.equal(await inSight(), 3);
 	const { x, y, width, height } = await page.locator('.world').boundingBox();
 	await page.mouse.move(x + width / 2, y + height / 2);

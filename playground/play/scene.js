@@ -3,6 +3,7 @@ import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
 import { button, h } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
+import { Being } from "./being.js";
 import { nameOf } from "./panel.js";
 import { HALF_WIDTH } from "./world.js";
 
@@ -16,6 +17,8 @@ export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HAL
 /** How many frames a flash and a mark last. */
 const [FLASH, MARK] = [9, 45];
 const MOST_SAID = 40;
+/** How large the pictures of shapes are in menus. */
+const SMALL = [80, 60];
 
 export class Scene {
 	camera = "all";
@@ -26,6 +29,7 @@ export class Scene {
 	#said = new Map();
 	#levels = new Map();
 	#heights = new Map();
+	#pictures = new Map();
 
 	/**
 	 * @param {import("../shared/stage.js").Stage} stage
@@ -77,6 +81,7 @@ export class Scene {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
+		stage.setGround(world.ground);
 		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
@@ -93,11 +98,22 @@ export class Scene {
 	}
 
 	/** A picture of other agents, which are shown until the game is drawn again. */
-	picture(agents, width, height) {
+	picture(agents, width, height, ground = "meadow") {
+		this.stage.setGround(ground);
 		this.stage.showAgents(agents, this.models);
 		this.stage.showMarks([], []);
 		this.stage.clearLines("structures", "chosen");
 		return this.stage.picture(width, height, this.#partOf(agents));
+	}
+
+	/** A picture of one agent of a shape, as an address; made once. */
+	pictureOf(shape) {
+		const model = this.models.get(shape);
+		if (model && !this.#pictures.has(model)) {
+			this.#pictures.set(model, this.picture([new Being(shape, "")], ...SMALL));
+			this.draw(null);
+		}
+		return this.#pictures.get(model) ?? null;
 	}
 
 	#height(agent) {

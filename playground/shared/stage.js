@@ -10,7 +10,7 @@ import { h, isDark, onThemeChange } from "./dom.js";
 import { fit, look } from "./fit.js";
 import { Land } from "./land.js";
 import { Marks } from "./marks.js";
-import { LANDS } from "./colours.js";
+import { GROUNDS } from "./colours.js";
 import { Agents } from "./paint.js";
 import { texts } from "./language.js";
 
@@ -24,6 +24,7 @@ export class Stage {
 	#wanted = 0;
 	#grid = null;
 	#isTouched = false;
+	#land = "meadow";
 
 	/**
 	 * @param {HTMLElement} host what it fills
@@ -94,13 +95,21 @@ export class Stage {
 		this.canvas.style.touchAction = "pan-y";
 	}
 
+	/** What agents stand on: a name of GROUNDS. */
+	setGround(name) {
+		if (!this.land || this.#land === name) return;
+		this.#land = name;
+		this.#dress();
+	}
+
 	#dress() {
 		const name = isDark() ? "dark" : "light";
-		const theme = this.land ? LANDS[name] : THEMES[name];
+		const theme = this.land ? GROUNDS[this.#land][name] : THEMES[name];
 		this.ambient.intensity = theme.ambient;
 		this.sun.intensity = theme.sun;
 		if (this.land) {
 			this.land.dress(theme);
+			this.agents.outline(theme.ink);
 			this.redraw();
 			return;
 		}

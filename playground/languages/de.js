@@ -155,7 +155,7 @@ export const texts = {
 		examples: { helmet: "Der Helm des Feuerwehrmanns", wing: "Unter dem Flügel des Drachen", wall: "Neben der Mitte der Wand" },
 		games: { paintball: "Farbkugeln", chase: "Auf der Flucht", maze: "Irrgarten", space: "Weltraum", catch: "Perlenfischer", tag: "Fangen", pinball: "Flipper" },
 		title: "Name des Programms", new: "Neu", newName: "Mein Programm", keep: "Kopie behalten", keepNote: "Was du änderst, wird von selbst behalten", kept: "✓ behalten", keptNowhere: "nicht behalten",
-		save: "Herunterladen", open: "Öffnen …", share: "Link kopieren", link: "Link zu diesem Programm", code: "Als JavaScript",
+		save: "Herunterladen", open: "Öffnen …", share: "Link kopieren", link: "Link zu diesem Programm",
 		splitter: "Breite der Blöcke", mute: "Ton ausschalten", unmute: "Ton einschalten",
 		undo: "Rückgängig",
 		editor: {
@@ -180,7 +180,7 @@ export const texts = {
 		startAnew: "Neu beginnen",
 		keyName: (does) => does.charAt(0).toUpperCase() + does.slice(1),
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "Leertaste" },
-		numbers: "Zahlen",
+		figures: "Zahlen",
 		panel: { fps: "Bilder je Sekunde", ms: "ms Kollisionserkennung", agents: "Agenten", pairs: "nahe Paare", tests: "Tests", collisions: "berühren sich", meetings: "Treffen bisher" },
 		inspector: "Der angeklickte Agent",
 		inspected: { shape: (shape) => `Form: ${shape}`, as: (system) => `gesehen von: ${system}`, touching: (names) => `berührt ${names}`, alone: "berührt niemanden", close: "Schließen" },

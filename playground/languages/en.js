@@ -158,7 +158,7 @@ export const texts = {
 		examples: { helmet: "The fireman's helmet", wing: "Under the dragon's wing", wall: "Beside the wall's middle" },
 		games: { paintball: "Paintball", chase: "Chase", maze: "Maze", space: "Space", catch: "Catch", tag: "Tag", pinball: "Pinball" },
 		title: "Name of the program", new: "New", newName: "My program", keep: "Keep a copy", keepNote: "What you change is kept by itself", kept: "✓ kept", keptNowhere: "not kept",
-		save: "Download", open: "Open…", share: "Copy a link", link: "Link to this program", code: "As JavaScript",
+		save: "Download", open: "Open…", share: "Copy a link", link: "Link to this program",
 		splitter: "Width of the blocks", mute: "Turn the sound off", unmute: "Turn the sound on",
 		undo: "Undo",
 		editor: {
@@ -183,7 +183,7 @@ export const texts = {
 		startAnew: "Start anew",
 		keyName: (does) => does.charAt(0).toUpperCase() + does.slice(1),
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "space" },
-		numbers: "Numbers",
+		figures: "Numbers",
 		panel: { fps: "frames a second", ms: "ms of collision detection", agents: "agents", pairs: "pairs near", tests: "tests", collisions: "touching", meetings: "meetings so far" },
 		inspector: "The agent that was clicked",
 		inspected: { shape: (shape) => `a ${lower(shape)}`, as: (system) => `seen by ${lower(system)}`, touching: (names) => `touches ${names}`, alone: "touches nobody", close: "Close" },

@@ -16,9 +16,9 @@ const [WORDS, SCALE] = [12, 0.9];
 const [SMALLEST, LARGEST, ZOOM] = [0.3, 1.5, 1.2];
 /** How long the name of a breed or a variable may be. */
 const LONGEST = 30;
-const words = texts.play.editor;
 /** How far the first script is from the corner, in pixels. */
 const MARGIN = 12;
+const words = texts.play.editor;
 
 /** The picture of a shape, as an address; the page that has an editor sets it. */
 const pictures = { of: () => null };

@@ -30,6 +30,7 @@ export class Scene {
 	#levels = new Map();
 	#heights = new Map();
 	#pictures = new Map();
+	#isPictured = false;
 
 	/**
 	 * @param {import("../shared/stage.js").Stage} stage
@@ -111,7 +112,12 @@ export class Scene {
 		const model = this.models.get(shape);
 		if (model && !this.#pictures.has(model)) {
 			this.#pictures.set(model, this.picture([new Being(shape, "")], ...SMALL));
-			this.draw(null);
+			// what the game shows comes back after the last one
+			if (!this.#isPictured) queueMicrotask(() => {
+				this.#isPictured = false;
+				this.draw(null);
+			});
+			this.#isPictured = true;
 		}
 		return this.#pictures.get(model) ?? null;
 	}

@@ -14,8 +14,9 @@ const LOST = [392, 330, 262];
 export class Sound {
 	#context = null;
 	#isMuted = false;
-	/** The frame of the last tone, and how many meetings there had been. */
-	#last = 0;
+	/** The frame that was heard last, that of the last tone, and how many meetings there had been. */
+	#frame = 0;
+	#last = -BETWEEN;
 	#met = 0;
 
 	constructor() {
@@ -48,8 +49,13 @@ export class Sound {
 
 	/** Hears a frame of a game: a tone if a touch has begun in it. */
 	hear({ frame, state: { meetings }, events: [event] }) {
+		if (frame <= this.#frame) {
+			// a game has begun anew, or gone back
+			this.#last = -BETWEEN;
+			this.#met = 0;
+		}
 		const isNew = meetings > this.#met;
-		if (frame < this.#last) this.#last = 0;
+		this.#frame = frame;
 		this.#met = meetings;
 		if (!isNew || frame - this.#last < BETWEEN) return;
 		this.#last = frame;

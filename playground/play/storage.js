@@ -124,7 +124,7 @@ export async function fromLink(text) {
 
 /** What of a program its game depends on: not where its blocks lie, nor which are folded; nor the collision system, which changes while it is played. */
 export const meaning = (program) => JSON.stringify(program, function meant(key, value) {
-	return key === "system" || key === "languageVersion" || (["id", "x", "y", "collapsed"].includes(key) && "type" in this && Object.hasOwn(this, key)) ? undefined : value;
+	return key === "system" || key === "languageVersion" || ("type" in this && ["id", "x", "y", "collapsed"].includes(key)) ? undefined : value;
 });
 
 /** A name that every system takes for a file. */

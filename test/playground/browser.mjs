@@ -49,6 +49,8 @@ export async function begin() {
  */
 export async function open(site, hash, { isDrawn = true, ...options } = SIZES.desktop) {
 	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...options });
+	// a busy machine takes its time
+	context.setDefaultTimeout(400000);
 	if (!isDrawn) await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];
@@ -97,4 +99,4 @@ export async function hold(page, address) {
 	return release;
 }
 
-export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: 60000 });
+export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: 400000 });

@@ -79,7 +79,7 @@ function address() {
 async function show() {
 	const { name, argument } = address();
 	if (shown?.name === name) {
-		shown.view.open?.(argument);
+		await shown.view.open?.(argument);
 		main.dataset.ready = name;
 		return;
 	}

@@ -4,6 +4,7 @@ import { pairsOf } from "../compare/game.js";
 import { LINES, VERDICTS } from "../shared/colours.js";
 import { button, h } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
+import { Being } from "./being.js";
 import { nameOf } from "./panel.js";
 import { breedsOfKeys } from "./program.js";
 import { HALF_WIDTH } from "./world.js";
@@ -18,6 +19,8 @@ const [FLASH, MARK] = [9, 45];
 const MOST_SAID = 40;
 /** How high signs stand over heads. */
 const ABOVE = 0.35;
+/** How large the pictures of shapes are in menus. */
+const SMALL = [80, 60];
 
 export class Scene {
 	camera = "all";
@@ -32,6 +35,8 @@ export class Scene {
 	#said = new Map();
 	#levels = new Map();
 	#heights = new Map();
+	#pictures = new Map();
+	#isPictured = false;
 
 	/**
 	 * @param {import("../shared/stage.js").Stage} stage
@@ -97,6 +102,7 @@ export class Scene {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
+		stage.setGround(world.ground);
 		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
@@ -114,12 +120,28 @@ export class Scene {
 	}
 
 	/** A picture of other agents, which are shown until the game is drawn again. */
-	picture(agents, width, height) {
+	picture(agents, width, height, ground = "meadow") {
+		this.stage.setGround(ground);
 		this.stage.showAgents(agents, this.models);
 		this.stage.showMarks([], []);
 		this.stage.showSigns([]);
 		this.stage.clearLines("structures", "chosen");
 		return this.stage.picture(width, height, this.#partOf(agents));
+	}
+
+	/** A picture of one agent of a shape, as an address; made once. */
+	pictureOf(shape) {
+		const model = this.models.get(shape);
+		if (model && !this.#pictures.has(model)) {
+			this.#pictures.set(model, this.picture([new Being(shape, "")], ...SMALL));
+			// what the game shows comes back after the last one
+			if (!this.#isPictured) queueMicrotask(() => {
+				this.#isPictured = false;
+				this.draw(null);
+			});
+			this.#isPictured = true;
+		}
+		return this.#pictures.get(model) ?? null;
 	}
 
 	#height(agent) {

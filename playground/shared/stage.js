@@ -11,7 +11,7 @@ import { fit, look } from "./fit.js";
 import { Land } from "./land.js";
 import { Marks } from "./marks.js";
 import { Signs } from "./signs.js";
-import { LANDS } from "./colours.js";
+import { GROUNDS } from "./colours.js";
 import { Agents } from "./paint.js";
 import { texts } from "./language.js";
 
@@ -28,6 +28,7 @@ export class Stage {
 	#wanted = 0;
 	#grid = null;
 	#isTouched = false;
+	#land = "meadow";
 
 	/**
 	 * @param {HTMLElement} host what it fills
@@ -99,14 +100,22 @@ export class Stage {
 		this.canvas.style.touchAction = "pan-y";
 	}
 
+	/** What agents stand on: a name of GROUNDS. */
+	setGround(name) {
+		if (!this.land || this.#land === name) return;
+		this.#land = name;
+		this.#dress();
+	}
+
 	#dress() {
 		for (const wireframe of this.#wireframes.values()) this.#tint(wireframe);
 		const name = isDark() ? "dark" : "light";
-		const theme = this.land ? LANDS[name] : THEMES[name];
+		const theme = this.land ? GROUNDS[this.#land][name] : THEMES[name];
 		this.ambient.intensity = theme.ambient;
 		this.sun.intensity = theme.sun;
 		if (this.land) {
 			this.land.dress(theme);
+			this.agents.outline(theme.ink);
 			this.redraw();
 			return;
 		}

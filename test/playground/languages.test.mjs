@@ -59,7 +59,7 @@ test('of one thing, one is said', () => {
 });
 
 test('a browser in German gets German, all of it and nothing of English; a choice by hand is kept', async () => {
-	const { page, context, said } = await open(site, 'play', German);
+	const { page, context, said } = await open(site, 'play/paintball', German);
 	const files = async () => (await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name))).filter((name) => name.endsWith('.js'))
 		.map((name) => readFileSync(path.join(root, 'bin/playground', new URL(name).pathname.replace('/any/where/', '')), 'utf8'));
 	const count = (all, words) => all.filter((text) => text.includes(words)).length;
@@ -186,7 +186,7 @@ test('no word of the page is anywhere but in its language', { skip: isChromium ?
 		await route.fulfill({ response, body });
 	});
 	const press = (name) => page.getByRole('button', { name: `⟦${name}⟧`, exact: true }).first().click();
-	await page.goto(`${site.url}#play`);
+	await page.goto(`${site.url}#play/paintball`);
 	await ready(page, 'play');
 	assert.match(await page.textContent('h1'), /⟦/, 'words are marked');
 	assert.deepEqual(await page.evaluate(unmarked), [], 'Play');

@@ -4,7 +4,6 @@ import "./locale.js";
 import { KeyboardNavigation } from "@blockly/keyboard-navigation";
 import { button, h, isDark, onThemeChange } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
-import { ask } from "./ask.js";
 import { BLOCK_STYLES, CATEGORY_STYLES, DEFINITIONS, MENUS, NEW_BREED, SHAPE_OF, TOOLBOX, meet } from "./blocks.js";
 
 const PARTS = {
@@ -26,7 +25,10 @@ const pictures = { of: () => null };
 /** The menu of shapes: each with its picture. */
 const picturedShapes = () => MENUS.SHAPE().map(([text, value]) => [h("span.shape", { title: text }, h("img", { "data-shape": value, alt: "", width: 80, height: 60 }), text), value]);
 
-Blockly.dialog.setPrompt((message, value, callback) => ask(message, value, LONGEST).then(callback));
+Blockly.dialog.setPrompt(async (message, value, callback) => {
+	const { ask } = await import("./ask.js");
+	callback(await ask(message, value, LONGEST));
+});
 Blockly.common.defineBlocksWithJsonArray(DEFINITIONS.map((definition) => ({
 	...definition,
 	args0: definition.args0.map((part) => (part.menu ? { ...part, ...(part.menu === "SHAPE" ? { type: "field_shape", options: picturedShapes } : { options: MENUS[part.menu] }) } : part)),

@@ -47,7 +47,7 @@ const inTime = (breed, seconds, text) => folded(timer(1, breed, when(compare("GT
 
 const GEMS = 6;
 const chase = program(
-	each("dragons", aim(nearest("people", 50)), alongside(number(0.05), "trees")),
+	each("dragons", aim(nearest("people", 50)), move(0.04)),
 	touch("dragons", "people", end("lost", words.chase.lost)),
 	touch("people", "gems", remove("collidee"), change(1), when(compare("EQ", field("starlogo_score"), number(GEMS)), say(words.chase.home))),
 	touch("people", "fortresses", when(compare("GTE", field("starlogo_score"), number(GEMS)), end("won", words.chase.won))),
@@ -56,8 +56,9 @@ const chase = program(
 		create(1, "people", "person", size(1.2), go(-9, -9, 0), heading(45)),
 		create(1, "dragons", "dragon", size(3), go(9, -6, 0), heading(180)),
 		create(1, "fortresses", "fortress", size(4), go(8, 8, 0)),
-		create(GEMS, "gems", "sphere", scatter, size(0.6), up(0.3), paint("me", colour("yellow"))),
-		create(7, "trees", "tree", scatter, size(1.6)),
+		// around the trees, so that no tree stands in the way of one
+		create(GEMS, "gems", "sphere", heading(numbers(0, 359)), move(9), size(0.6), up(0.3), paint("me", colour("yellow"))),
+		create(7, "trees", "tree", heading(numbers(0, 359)), move(5), size(1.6)),
 	)),
 	...walks("people", 0.1, "trees"),
 );
@@ -76,7 +77,7 @@ const maze = many(["place"],
 		set("place", -8),
 		repeat(3, wall(get("place"), EDGE, 8, 90), wall(get("place"), -EDGE, 8, 90), wall(EDGE, get("place"), 8), wall(-EDGE, get("place"), 8), step("place", 8)),
 		wall(-6, -8, 8), wall(-6, 0, 8), wall(0, 0, 8), wall(0, 8, 8), wall(6, -8, 8), wall(6, 0, 8),
-		wall(-4, -1, 4, 90), wall(2, -3, 4, 90), wall(8.5, 1, 4, 90),
+		wall(-4.5, -1, 3, 90), wall(1.5, -3, 3, 90), wall(7.5, 1, 3, 90),
 		create(1, "turtles", "turtle", size(1.3), go(-9, 8, 0), heading(20)),
 		create(1, "turtles", "turtle", size(1.3), go(-3, -8, 0), heading(70)),
 		create(1, "turtles", "turtle", size(1.3), go(3, 7, 0), heading(110)),

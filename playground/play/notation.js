@@ -19,7 +19,7 @@ export const paint = (WHO, COLOUR) => ({ type: "starlogo_colour", fields: { WHO 
 export const size = (value) => ({ type: "starlogo_size", inputs: { SIZE: number(value) } });
 export const go = (x, y, z) => ({ type: "starlogo_go", inputs: { X: input(x), Y: input(y), Z: input(z) } });
 export const up = (steps) => ({ type: "starlogo_up", inputs: { STEPS: number(steps) } });
-export const heading = (value) => ({ type: "starlogo_heading", inputs: { HEADING: number(value) } });
+export const heading = (value) => ({ type: "starlogo_heading", inputs: { HEADING: input(value) } });
 export const scatter = { type: "starlogo_scatter" };
 export const create = (count, BREED, SHAPE, ...blocks) => ({ type: "starlogo_create", fields: { BREED, SHAPE }, inputs: { COUNT: number(count), DO: inside(...blocks) } });
 export const key = (KEY, MODE, BREED, ...blocks) => ({ type: "starlogo_key", fields: { KEY, MODE, BREED }, inputs: { DO: inside(...blocks) } });

@@ -18,7 +18,7 @@ export const SIZES = {
 };
 
 /** How long anything may take, in milliseconds. */
-export const PATIENCE = 400000;
+export const PATIENCE = 120000;
 
 /** Lets a browser's context draw nothing in 3D, though all is as if it did: for what is no matter of pictures. The processor draws, and slowly. */
 export const drawNothing = (context) => context.addInitScript(() => {

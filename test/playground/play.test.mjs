@@ -611,13 +611,23 @@ test('at first sight: what this is, the goal, the keys, Run, and words of 14 pix
 	for (const [width, height] of [[1366, 768], [1920, 1080], [390, 844]]) {
 		await page.setViewportSize({ width, height });
 		await settle(page);
-		for (const selector of ['.title', '.goal', '.keys', '.primary', '.world']) {
+		for (const selector of ['.goal', '.keys', '.primary', '.world']) {
 			const box = await page.locator(selector).boundingBox();
 			assert.ok(box && box.y >= 0 && box.y + Math.min(box.height, 200) <= height && box.x >= 0 && box.x + box.width <= width, `${selector} at ${width} x ${height}: ${JSON.stringify(box)}`);
 		}
 	}
 	const heights = await page.evaluate(() => [...document.querySelectorAll('.blocklyBlockCanvas .blocklyText')].map((text) => parseFloat(getComputedStyle(text).fontSize) * globalThis.playground.editor.workspace.scale));
 	assert.ok(heights.length > 10 && heights.every((size) => size >= 14), `${Math.min(...heights)} pixels`);
+	// and of the first screen: what this is, and the first lesson
+	await choose(page, 'all');
+	for (const [width, height] of [[1366, 768], [1920, 1080], [390, 844]]) {
+		await page.setViewportSize({ width, height });
+		await settle(page);
+		for (const selector of ['.gallery .intro', '.gallery .next']) {
+			const box = await page.locator(selector).boundingBox();
+			assert.ok(box && box.y >= 0 && box.y + box.height <= height && box.x >= 0 && box.x + box.width <= width, `${selector} at ${width} x ${height}: ${JSON.stringify(box)}`);
+		}
+	}
 	assert.deepEqual(said, []);
 	await context.close();
 });
@@ -661,7 +671,7 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 test('a lesson is opened, done and left for the next; the first screen has all programs, and takes names', async () => {
 	const { page, context, said } = await open(site, 'play', { ...SIZES.desktop, isDrawn: false });
 	await page.waitForSelector('.gallery .intro');
-	await press(page, '1 Blocks make turtles move Go on here');
+	await page.locator('.gallery .next').click();
 	await page.getByText('A hint').click();
 	assert.ok(await page.getByText('under Movement, goes into the script').isVisible());
 	await press(page, 'Next');

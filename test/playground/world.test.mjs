@@ -520,6 +520,15 @@ function steer(world, agent, to, isWalking = true) {
 
 const nearestTo = (agent, others) => others.reduce((best, other) => (Math.hypot(other.x - agent.x, other.y - agent.y) < Math.hypot(best.x - agent.x, best.y - agent.y) ? other : best));
 
+const awayFrom = (one, other) => Math.hypot(other.x - one.x, other.y - one.y);
+
+/** Whether a place is further away than so much from all of the way between two others. */
+function isFar(place, from, to, distance) {
+	const [x, y] = [to.x - from.x, to.y - from.y];
+	const part = Math.min(1, Math.max(0, ((place.x - from.x) * x + (place.y - from.y) * y) / (x * x + y * y)));
+	return awayFrom(place, { x: from.x + part * x, y: from.y + part * y }) > distance;
+}
+
 /** Players that win the games by keys alone. */
 const PLAYERS = {
 	paintball(world) {
@@ -529,21 +538,21 @@ const PLAYERS = {
 			world.press('space');
 		}
 	},
-	chase(world, memory) {
+	chase(world) {
 		const [[person], [dragon], [fortress]] = ['people', 'dragons', 'fortresses'].map((breed) => all(world, breed));
 		const gems = all(world, 'gems');
-		const next = gems.length > 0 ? nearestTo(person, gems) : fortress;
-		const away = Math.hypot(person.x - dragon.x, person.y - dragon.y);
-		// around the dragon, if it is near
-		const side = Math.atan2(person.y - dragon.y, person.x - dragon.x) + 0.9;
-		memory.fled = away < 4 ? world.frame : memory.fled ?? -1000;
-		steer(world, person, world.frame - memory.fled < 30 ? { x: dragon.x + 7 * Math.cos(side), y: dragon.y + 7 * Math.sin(side) } : next);
+		const ring = Array.from({ length: 12 }, (_, i) => ({ x: 9 * Math.cos((i * Math.PI) / 6), y: 9 * Math.sin((i * Math.PI) / 6) }));
+		// where the dragon does not come first, nor is on the way
+		const isFree = (place) => isFar(dragon, person, place, 2.6) && awayFrom(dragon, place) > 0.4 * awayFrom(person, place) + 2.6;
+		const free = (gems.length > 0 ? gems : [fortress]).filter(isFree);
+		const safe = ring.filter(isFree).sort((one, other) => awayFrom(dragon, other) - awayFrom(dragon, one));
+		steer(world, person, free.length > 0 ? nearestTo(person, free) : safe[0] ?? { x: 2 * person.x - dragon.x, y: 2 * person.y - dragon.y });
 	},
 	maze(world, memory) {
 		const [person] = all(world, 'people');
 		memory.way ??= [];
 		if (memory.way.length === 0 || (person.x === -9 && person.y === -9)) {
-			memory.way = [[-9, 7], [-6, 7], [-3, 6], [-1.2, 0], [-2, -7], [0, -7], [3, -7], [5, -2], [3, 1], [3, 7], [6, 7], [8, 6], [7, 3], [7, -5], [9, -9]].map(([x, y]) => ({ x, y }));
+			memory.way = [[-9, 7], [-6, 7], [-3, 6], [-1.7, 1], [-1.7, -4], [-1.5, -7], [1, -7], [4.5, -5], [4.5, 0], [3, 7], [6, 7], [10, 6], [10, 2], [10, -3], [9, -9]].map(([x, y]) => ({ x, y }));
 		}
 		const [next] = memory.way;
 		if (Math.hypot(next.x - person.x, next.y - person.y) < 0.8 && memory.way.length > 1) {

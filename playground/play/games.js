@@ -54,7 +54,7 @@ const chase = program(
 	folded(start(
 		goal(words.chase.goal), score(number(0)),
 		create(1, "people", "person", size(1.2), go(-9, -9, 0), heading(45)),
-		create(1, "dragons", "dragon", size(3), go(9, -6, 0), heading(180)),
+		create(1, "dragons", "dragon", size(3), go(9, -9, 0), heading(180)),
 		create(1, "fortresses", "fortress", size(4), go(8, 8, 0)),
 		// around the trees, so that no tree stands in the way of one
 		create(GEMS, "gems", "sphere", heading(numbers(0, 359)), move(9), size(0.6), up(0.3), paint("me", colour("yellow"))),
@@ -68,7 +68,7 @@ const EDGE = 11.5;
 const maze = many(["place"],
 	touch("people", "fortresses", end("won", words.maze.won)),
 	touch("turtles", "people", say(words.maze.caught), { type: "starlogo_ask", inputs: { AGENT: field("starlogo_agent", { WHO: "collidee" }), DO: { block: go(-9, -9, 0) } } }),
-	each("turtles", move(0.07)),
+	each("turtles", move(0.05)),
 	collision("turtles", "walls", bounce),
 	folded(start(
 		goal(words.maze.goal),
@@ -78,7 +78,6 @@ const maze = many(["place"],
 		repeat(3, wall(get("place"), EDGE, 8, 90), wall(get("place"), -EDGE, 8, 90), wall(EDGE, get("place"), 8), wall(-EDGE, get("place"), 8), step("place", 8)),
 		wall(-6, -8, 8), wall(-6, 0, 8), wall(0, 0, 8), wall(0, 8, 8), wall(6, -8, 8), wall(6, 0, 8),
 		wall(-4.5, -1, 3, 90), wall(1.5, -3, 3, 90), wall(7.5, 1, 3, 90),
-		create(1, "turtles", "turtle", size(1.3), go(-9, 8, 0), heading(20)),
 		create(1, "turtles", "turtle", size(1.3), go(-3, -8, 0), heading(70)),
 		create(1, "turtles", "turtle", size(1.3), go(3, 7, 0), heading(110)),
 		create(1, "turtles", "turtle", size(1.3), go(9, -3, 0), heading(200)),

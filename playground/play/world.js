@@ -242,11 +242,13 @@ export class World {
 		else agent.jumpTo(wrappedX, wrappedY, agent.z);
 	}
 
-	/** Forward, until it touches one of a breed, or along that. */
+	/** Forward, until it touches one of a breed, or along that; as high as it was, also along something that leans. */
 	advance(agent, steps, breed, how) {
+		const { z } = agent;
 		const angle = (agent.heading * Math.PI) / 180;
 		const filter = breed === Collision.ANY_BREED ? null : AgentFilter.ofBreeds(breed);
 		this.senses.queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
+		agent.z = z;
 		this.#moveInside(agent, agent.x, agent.y);
 	}
 

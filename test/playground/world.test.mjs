@@ -543,7 +543,7 @@ const PLAYERS = {
 		const gems = all(world, 'gems');
 		const ring = Array.from({ length: 12 }, (_, i) => ({ x: 9 * Math.cos((i * Math.PI) / 6), y: 9 * Math.sin((i * Math.PI) / 6) }));
 		// where the dragon does not come first, nor is on the way
-		const isFree = (place) => isFar(dragon, person, place, 2.6) && awayFrom(dragon, place) > 0.4 * awayFrom(person, place) + 2.6;
+		const isFree = (place) => isFar(dragon, person, place, 3) && awayFrom(dragon, place) > 0.4 * awayFrom(person, place) + 3;
 		const free = (gems.length > 0 ? gems : [fortress]).filter(isFree);
 		const safe = ring.filter(isFree).sort((one, other) => awayFrom(dragon, other) - awayFrom(dragon, one));
 		steer(world, person, free.length > 0 ? nearestTo(person, free) : safe[0] ?? { x: 2 * person.x - dragon.x, y: 2 * person.y - dragon.y });
@@ -607,6 +607,12 @@ for (const name of Object.keys(PLAYERS)) {
 		assert.equal(world.ended?.how, 'won', `${world.ended?.text} after ${world.seconds} s, score ${world.score}`);
 	});
 }
+
+test('who slides along something that leans stays on the ground', () => {
+	const world = played(program(start(create(1, 'people', 'person'), create(1, 'trees', 'tree', { type: 'starlogo_go', inputs: { X: number(3), Y: number(0.3), Z: number(0) } })),
+		each('people', { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'trees' }, inputs: { STEPS: number(0.1) } })), 60);
+	assert.equal(all(world, 'people')[0].z, 0);
+});
 
 test('the page has a game for each name, with idle models among them', () => {
 	assert.deepEqual(Object.keys(parts.GAMES), Object.keys(parts.texts.play.games));

@@ -12,7 +12,7 @@ const TURTLES = 10;
 const unpainted = { block: { type: "starlogo_number_of", fields: { BREED: "turtles" }, inputs: { COLOUR: colour("own") } } };
 
 const paintball = program(
-	key("space", "pressed", "bears", hatch("paintballs", "sphere", paint("me", { block: { type: "starlogo_any_colour" } }), size(0.4), up(0.8), move(1))),
+	key("space", "pressed", "bears", hatch("paintballs", "sphere", paint("me", { block: { type: "starlogo_any_colour" } }), size(0.4), up(0.3), move(1))),
 	touch("paintballs", "turtles", ...splash),
 	each("bears",
 		score({ block: { type: "math_arithmetic", fields: { OP: "MINUS" }, inputs: { A: number(TURTLES), B: unpainted } } }),

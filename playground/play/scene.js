@@ -133,7 +133,7 @@ export class Scene {
 	pictureOf(shape) {
 		const model = this.models.get(shape);
 		if (model && !this.#pictures.has(model)) {
-			this.#pictures.set(model, this.picture([new Being(shape, "")], ...SMALL));
+			this.#pictures.set(model, this.picture([new Being(shape, shape)], ...SMALL));
 			// what the game shows comes back after the last one
 			if (!this.#isPictured) queueMicrotask(() => {
 				this.#isPictured = false;

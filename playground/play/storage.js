@@ -128,7 +128,7 @@ export const meaning = (program) => JSON.stringify(program, function meant(key, 
 });
 
 /** A name that every system takes for a file. */
-export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").trim() || "program";
+export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").replaceAll(/\s+/g, " ").trim() || "program";
 
 /** Hands a text over as a file. */
 export function download(text, type, name) {

@@ -125,8 +125,9 @@ test('a program does what its blocks say', async () => {
 	// a breed of one's own, that says something
 	const hello = { type: 'starlogo_say', inputs: { TEXT: { shadow: { type: 'text', fields: { TEXT: 'Hello!' } } } } };
 	await openProgram(page, program(start(create('turtles', 'turtle', hello))));
-	page.once('dialog', (dialog) => dialog.accept('dogs'));
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].setFieldValue('new breed', 'BREED'));
+	await page.locator('.ask input').fill('dogs');
+	await page.keyboard.press('Enter');
 	await page.waitForFunction(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].getFieldValue('BREED') === 'dogs');
 	await step(page, 1);
 	assert.equal((await agents(page, 'dogs')).length, 1);

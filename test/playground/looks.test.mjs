@@ -104,7 +104,7 @@ test('colours mean the same in every view, a sign says it too, and they differ f
 	})));
 	found.play = await looks(page.locator('.legend.sees'));
 	const compare = (await shared('compare')).page;
-	await compare.getByLabel('A scattered game').check();
+	await compare.getByRole('radio', { name: 'A scattered game' }).check();
 	found.compare = await looks(compare.locator('.scattered .legend'));
 	assert.deepEqual(found.play, found.compare);
 	assert.deepEqual(Object.keys(found.play).sort(), ['hit', 'missed', 'none', 'wrong']);
@@ -213,7 +213,7 @@ test('Inspect: a glTF file with its data beside it, and which way is up', async 
 
 test('Compare: short numbers in its program, Copy in sight, and the whole game above the fold', async () => {
 	const { page, said } = await shared('compare');
-	await page.getByLabel('Two agents', { exact: true }).check();
+	await page.getByRole('radio', { name: 'Two agents', exact: true }).check();
 	const at = await page.evaluate(() => {
 		const { agents: [, ball], stage: { camera, canvas } } = globalThis.playground;
 		const point = camera.position.clone().set(ball.x, ball.y, ball.z + ball.size / 2).project(camera);
@@ -233,7 +233,7 @@ test('Compare: short numbers in its program, Copy in sight, and the whole game a
 	await page.getByRole('button', { name: 'Copy', exact: true }).click();
 	await page.waitForFunction(() => document.querySelector('.code [role=status]').textContent !== '');
 	await page.getByText('The same in JavaScript').click();
-	await page.getByLabel('A scattered game').check();
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
 	const ends = await page.evaluate(() => [...document.querySelectorAll('.scattered .screen, .scattered table, .scattered .legend, .scattered button')].map((each) => each.getBoundingClientRect().bottom));
 	assert.ok(ends.every((end) => end > 0 && end <= 768), `${ends}`);
 	assert.deepEqual(said.splice(0), []);

@@ -44,7 +44,7 @@ package starlogo.search
             return Agent.ANY_KIND;
         }
 
-        /** @private Gives pairs what answers for trees, if there are any. Only these choices name it: a game without trees does not load their code. */
+        /** @private Gives the pairs what answers for trees. Only choices that have trees override it, so other games do not load that code. */
         engine function prepare(pairs:RowPairs):void
         {
         }

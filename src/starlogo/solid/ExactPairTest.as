@@ -4,7 +4,7 @@ package starlogo.solid
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
-    import starlogo.intersection.TriangleAxes;
+    import starlogo.intersection.ClosestTriangles;
     import starlogo.intersection.triangleTriangle;
 
     use namespace engine;
@@ -30,7 +30,7 @@ package starlogo.solid
 
         // A triangle of the second model in the space of the first.
         private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
-        private var _axes:TriangleAxes = new TriangleAxes();
+        private var _closest:ClosestTriangles = new ClosestTriangles();
 
         /** @inheritDoc */
         public function ExactPairTest(pose:RelativePose)
@@ -41,7 +41,7 @@ package starlogo.solid
         /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            _axes.tolerance = touching;
+            _closest.reach = touching;
             setCommonBox(a, b);
             _countA = collect(solidA.extents, a.first, a.end, _nearA);
             if (_countA == 0)
@@ -238,7 +238,7 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (triangleTriangle(solidA.corners, 9 * i, corners, 0, _axes))
+                if (triangleTriangle(solidA.corners, 9 * i, corners, 0, _closest))
                 {
                     return true;
                 }

@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.TriangleOverlap;
     import starlogo.intersection.sweep.TriangleSweep;
 
     use namespace engine;
@@ -15,6 +16,7 @@ package starlogo.solid
     internal final class SweptPairTest extends TrianglePairTest
     {
         private var _sweep:TriangleSweep = new TriangleSweep();
+        private var _overlap:TriangleOverlap = new TriangleOverlap();
 
         // The triangles of a leaf of the second model in the space of the first, at time 0.
         private var _corners:Vector.<Number> = new Vector.<Number>();
@@ -123,8 +125,8 @@ package starlogo.solid
             _cornersOf = null;
             pose.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
             var corners:Vector.<Number> = solidA.corners;
-            _sweep.relate(corners, _firstA, _corners, 0);
-            _sweep.findContact(pose.motion, out);
+            _overlap.relate(corners, _firstA, _corners, 0);
+            _overlap.findContact(pose.motion, out);
             // from the first triangle's first corner
             out.x += corners[_firstA];
             out.y += corners[int(_firstA + 1)];

@@ -171,13 +171,6 @@ package starlogo.geometry
         public static const NESTED_LEVELS:int = 64;
 
         /**
-         * By how much a model may be larger than another and still be placed in the other's space, a factor: else the other one is placed
-         * in its space, or is a point of it. Larger than 1e50: products of six lengths overflow. Smaller than 1e17: models are taken for
-         * points whose extent is more than rounding.
-         */
-        public static const MUCH_LARGER:Number = 1e40;
-
-        /**
          * How close corners of triangles are taken for one when a surface is looked at as a whole, as a fraction of the
          * model's largest coordinate. Smaller than 2.1e-7: seams between corners that were rounded to single precision may
          * stay open, and the model has no inside. Larger: features as small as that are closed over.

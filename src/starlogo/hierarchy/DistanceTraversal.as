@@ -104,9 +104,9 @@ package starlogo.hierarchy
                 }
                 nodeVisits++;
                 a = nodes[top];
-                b = nodes[int(top + 1)];
-                _decidingA = nodes[int(top + 2)];
-                _decidingB = nodes[int(top + 3)];
+                b = nodes[top + 1];
+                _decidingA = nodes[top + 2];
+                _decidingB = nodes[top + 3];
                 var aEnds:Boolean = a.cutoffLevel >= depthA;
                 var bEnds:Boolean = b.cutoffLevel >= depthB;
                 if (!aEnds || !bEnds)
@@ -207,19 +207,19 @@ package starlogo.hierarchy
             var aboveB:HierarchyNode = _decidingB;
             var lower:int = _count;
             var above:Number = bound;
-            push(isFirst ? a.left : a, isFirst ? b : b.left, aboveA, aboveB);
+            push(isFirst ? a.low : a, isFirst ? b : b.low, aboveA, aboveB);
             bound = above;
-            push(isFirst ? a.right : a, isFirst ? b : b.right, aboveA, aboveB);
-            if (_bounds[lower] < _bounds[int(lower + 1)])
+            push(isFirst ? a.high : a, isFirst ? b : b.high, aboveA, aboveB);
+            if (_bounds[lower] < _bounds[lower + 1])
             {
                 above = _bounds[lower];
-                _bounds[lower] = _bounds[int(lower + 1)];
-                _bounds[int(lower + 1)] = above;
+                _bounds[lower] = _bounds[lower + 1];
+                _bounds[lower + 1] = above;
                 for (var at:int = 4 * lower; at < 4 * lower + 4; at++)
                 {
                     aboveA = _nodes[at];
-                    _nodes[at] = _nodes[int(at + 4)];
-                    _nodes[int(at + 4)] = aboveA;
+                    _nodes[at] = _nodes[at + 4];
+                    _nodes[at + 4] = aboveA;
                 }
             }
         }
@@ -231,9 +231,9 @@ package starlogo.hierarchy
             estimate(a, b);
             var top:int = 4 * _count;
             _nodes[top] = a;
-            _nodes[int(top + 1)] = b;
-            _nodes[int(top + 2)] = _decidingA;
-            _nodes[int(top + 3)] = _decidingB;
+            _nodes[top + 1] = b;
+            _nodes[top + 2] = _decidingA;
+            _nodes[top + 3] = _decidingB;
             _bounds[_count] = bound;
             _count++;
         }

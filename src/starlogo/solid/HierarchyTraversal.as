@@ -97,7 +97,7 @@ package starlogo.solid
                 depthA = depthB = int.MAX_VALUE;
             }
             var traversal:NodePairTraversal = _structures;
-            if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+            if (decider != null || a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
             {
                 traversal = _pose.isUpright ? _uprightBoxes : _boxes;
             }
@@ -126,7 +126,7 @@ package starlogo.solid
                 decider = _triangles;
                 depth = int.MAX_VALUE;
             }
-            if (structure.kind != BoundingStructure.BOX || a.boundsKind != BoundingStructure.BOX)
+            if (structure.kind != BoundingStructure.BOX || decider == null && a.boundsKind != BoundingStructure.BOX)
             {
                 if (_leaf.structure !== structure)
                 {

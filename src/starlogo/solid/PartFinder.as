@@ -108,9 +108,9 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (a === b && !a.isLeaf)
+                if (a === b && a.low != null)
                 {
-                    _stack.push(a.left, a.left, a.right, a.right, a.left, a.right);
+                    _stack.push(a.low, a.low, a.high, a.high, a.low, a.high);
                 }
                 else if (a === b || doOverlap(a, b))
                 {
@@ -141,13 +141,13 @@ package starlogo.solid
 
         private function compare(a:HierarchyNode, b:HierarchyNode):void
         {
-            if (!a.isLeaf && (b.isLeaf || a.radius >= b.radius))
+            if (a.low != null && (b.low == null || a.radius >= b.radius))
             {
-                _stack.push(a.left, b, a.right, b);
+                _stack.push(a.low, b, a.high, b);
             }
-            else if (!b.isLeaf)
+            else if (b.low != null)
             {
-                _stack.push(a, b.left, a, b.right);
+                _stack.push(a, b.low, a, b.high);
             }
             else
             {

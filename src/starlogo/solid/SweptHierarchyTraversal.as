@@ -216,11 +216,11 @@ package starlogo.solid
                 _leaf.structure = _structureB;
                 return _structures.find(_a.root, _depthA, _leaf, 1, null);
             }
-            if (_a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
+            _isByTriangles = _isExact && _exact.prepare(_a, _b);
+            if (_isByTriangles || _a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
             {
                 _traversal = _boxes;
             }
-            _isByTriangles = _isExact && _exact.prepare(_a, _b);
             if (_isByTriangles)
             {
                 return _traversal.find(_a.root, int.MAX_VALUE, _b.root, int.MAX_VALUE, _exact);

@@ -74,7 +74,7 @@ package starlogo.solid
             var maxY:Number = extents[int(extent + 4)];
             var maxZ:Number = extents[int(extent + 5)];
             var limit:Number = nearest.squared;
-            turnTo(corners, at);
+            var isTurned:Boolean = false;
             extents = _solid.extents;
             var end:int = a.end;
             for (var i:int = a.first; i < end; i++)
@@ -108,15 +108,21 @@ package starlogo.solid
                 {
                     squared += gap * gap;
                 }
-                if (squared < limit && !isBeyond(_solid.corners, 9 * i))
+                if (squared >= limit)
+                {
+                    continue;
+                }
+                if (!isTurned)
+                {
+                    turnTo(corners, at);
+                    isTurned = true;
+                }
+                if (!isBeyond(_solid.corners, 9 * i))
                 {
                     triangleTests++;
                     nearest.add(_solid.corners, 9 * i, corners, at);
-                    if (nearest.squared < limit)
-                    {
-                        limit = nearest.squared;
-                        turnTo(corners, at);
-                    }
+                    isTurned = nearest.squared == limit;
+                    limit = nearest.squared;
                 }
             }
         }

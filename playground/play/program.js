@@ -131,6 +131,12 @@ export function keysOf(state) {
 	return keys;
 }
 
+/** The breeds that keys move. */
+export function breedsOfKeys(state) {
+	const tops = state?.blocks?.blocks ?? [];
+	return [...new Set(tops.filter(({ type }) => type === "starlogo_key").map(({ fields }) => fields.BREED))];
+}
+
 /** What a block does in a word or two. */
 function doing({ type, fields, inputs }) {
 	if (inputs?.STEPS?.shadow?.fields.NUM < 0) return texts.blocks.back;

@@ -10,7 +10,9 @@ import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 import { SIZES, begin, hold, open, ready, root } from './browser.mjs';
 
-const VIEWS = ['play', 'inspect', 'compare'];
+const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
+/** What is looked at of Play: a game, not the first screen. */
+const ADDRESSES = { play: 'play/paintball' };
 const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
 const counts = JSON.parse(readFileSync(path.join(root, 'test/fixtures/playground/scattered.json'), 'utf8'));
 
@@ -24,14 +26,14 @@ const pages = {};
 
 /** The page that tests of a view share, at the size of a small laptop. */
 async function shared(view) {
-	pages[view] ??= await open(site, view, { viewport: { width: 1366, height: 768 } });
+	pages[view] ??= await open(site, ADDRESSES[view] ?? view, { viewport: { width: 1366, height: 768 } });
 	return pages[view];
 }
 
 /** A page of a view, in which nothing may be said on the console and nothing comes from elsewhere, whatever is tried there. */
 for (const view of VIEWS) {
 	test(`${view} on a desktop`, async (t) => {
-		const { page, context, said } = await open(site, view);
+		const { page, context, said } = await open(site, ADDRESSES[view] ?? view);
 		await t.test('what is there stays where it is', () => staysInPlace(page));
 		await t.test('Blockly comes with Play alone', async () => {
 			const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
@@ -57,14 +59,13 @@ for (const view of VIEWS) {
 			});
 		}
 		if (view === 'play') {
-			await t.test('axe-core finds no fault in a lesson and the gallery', async () => {
-				await page.getByRole('button', { name: 'Lessons' }).click();
+			await t.test('axe-core finds no fault in the first screen and in a lesson', async () => {
+				await page.getByRole('button', { name: 'Lessons and games' }).click();
+				await page.waitForSelector('.gallery');
+				await faultless(page, 'dark');
+				await page.locator('.gallery .open').first().click();
 				await page.waitForSelector('.lesson:visible');
 				await faultless(page, 'light');
-				await page.getByRole('button', { name: 'Gallery' }).click();
-				await page.waitForSelector('.gallery img');
-				await faultless(page, 'dark');
-				await page.keyboard.press('Escape');
 			});
 			await t.test('nor in two systems beside each other, with an agent that is looked at', async () => {
 				await page.getByLabel('And beside it').selectOption('exact');
@@ -86,7 +87,7 @@ for (const view of VIEWS) {
 	});
 
 	test(`${view} on a phone`, async () => {
-		const { page, context, said } = await open(site, view, SIZES.phone);
+		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, SIZES.phone);
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 		await staysInPlace(page);
 		await faultless(page, 'light');
@@ -133,8 +134,8 @@ async function reachesAll(page, showsFocus = true) {
 	const wanted = await page.evaluate(() => {
 		const groups = new Set();
 		const controls = [...document.querySelectorAll('a[href], button, select, summary, input:not([tabindex="-1"]), .world[tabindex]')]
-			// of radio buttons of one name, one is reached, and arrows do the rest; what is folded is not there
-			.filter((each) => each.checkVisibility() && !each.closest('.blocks') && !(each.type === 'radio' && (groups.has(each.name) || !groups.add(each.name))));
+			// of radio buttons of one name, one is reached, and arrows do the rest; what is folded is not there, and what is disabled is no control yet
+			.filter((each) => each.checkVisibility() && !each.disabled && !each.closest('.blocks') && !(each.type === 'radio' && (groups.has(each.name) || !groups.add(each.name))));
 		controls.forEach((each, i) => {
 			each.dataset.control = each.type === 'radio' ? each.name : i;
 		});
@@ -328,6 +329,7 @@ test('Compare: the counts are those of the engine\'s own test', async () => {
 	const table = async () => Object.fromEntries(await page.locator('tr[data-system]').evaluateAll((rows) => rows.map((row) => [
 		row.dataset.system, [...row.querySelectorAll('td')].slice(0, 3).map((cell) => Number(cell.textContent)),
 	])));
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
 	await page.getByLabel('Beside').selectOption('exact');
 	await page.getByRole('button', { name: 'From the start' }).click();
 	for (const frame of counts.frames) {
@@ -463,6 +465,7 @@ test('Inspect: no column of its table is cut off', async () => {
 
 test('Compare: the verdicts are in sight while every slider moves', async () => {
 	const { page, said } = await shared('compare');
+	await page.getByRole('radio', { name: 'Two agents' }).check();
 	let moved = 0;
 	for (const agent of ['Agent A', 'Agent B']) {
 		await page.getByText(agent).click();
@@ -484,6 +487,7 @@ test('Compare: the verdicts are in sight while every slider moves', async () => 
 
 test('Compare: of the exact system the triangles are drawn', async () => {
 	const { page } = await shared('compare');
+	await page.getByRole('radio', { name: 'Two agents' }).check();
 	await page.locator('.verdict', { hasText: 'Exact' }).click();
 	const { drawn, edges } = await page.evaluate(() => {
 		const { agents, models, stage } = globalThis.playground;
@@ -503,12 +507,11 @@ test('Compare: of the exact system the triangles are drawn', async () => {
 });
 
 test('a near miss that stands still is coloured as the chosen system sees it, and tests are counted', async () => {
-	const { page, context, said } = await open(site, 'play');
-	await page.getByLabel('Program', { exact: true }).selectOption('wing');
+	const { page, context, said } = await open(site, 'play/wing');
 	await page.getByRole('button', { name: 'Step', exact: true }).click();
 	const seen = () => page.evaluate(() => {
 		const { world, panel: { figures } } = globalThis.playground;
-		return { isRed: world.agents.find(({ breed }) => breed === 'turtles').color === 0xe5484d, tests: Number(figures.tests.textContent) };
+		return { isRed: world.agents.find(({ breed }) => breed === 'dragons').color === 0xe5484d, tests: Number(figures.tests.textContent) };
 	});
 	for (const [system, isRed] of [['hierarchies', false], ['tightest fits', true], ['exact', false], ['unit spheres', true]]) {
 		await page.getByLabel('Collision system').selectOption(system);
@@ -554,8 +557,9 @@ test('forced colours leave what is chosen, wrong and meant to be seen', { skip: 
 	}, [selector, pseudo]);
 	assert.notEqual((await style('.bar a[aria-current]')).outlineStyle, 'none', 'the view that is shown');
 	assert.equal((await style('.bar a:not([aria-current])')).outlineStyle, 'none');
-	assert.notEqual((await style('.verdict.wrong')).borderStyle, (await style('.verdict:not(.wrong)')).borderStyle, 'a verdict that is wrong');
-	const dots = await Promise.all(['right', 'wrong', 'missed', 'none'].map(async (name) => (await style(`.legend .${name}`, '::before')).backgroundColor));
+	assert.notEqual((await style('.verdict.differs')).borderStyle, (await style('.verdict:not(.differs)')).borderStyle, 'a verdict that is wrong');
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
+	const dots = await Promise.all(['hit', 'wrong', 'missed', 'none'].map(async (name) => (await style(`.legend .${name}`, '::before')).backgroundColor));
 	assert.equal(new Set(dots).size, 4, 'the legend has the colours of the picture');
 	await context.close();
 });

@@ -36,7 +36,9 @@ package starlogo.queries
         /** A row that does not count; or -1. */
         public var skipped:int = -1;
 
-        private var _seen:SeenAgents;
+        /** By row: what decides between rows that are equally far, the less first. */
+        public var ranks:Vector.<int>;
+
         private var _order:KeyOrder = new KeyOrder();
 
         // When so many are there the nearest of them are kept.
@@ -45,7 +47,7 @@ package starlogo.queries
         /** @param seen the agents whose rows these are */
         public function FoundRows(seen:SeenAgents)
         {
-            _seen = seen;
+            ranks = seen.ranks;
         }
 
         /**
@@ -72,23 +74,9 @@ package starlogo.queries
             return row != skipped && (test == null || test.accepts(row));
         }
 
-        /**
-         * Takes a row that is not beyond the limit.
-         *
-         * @return the limit from now on
-         */
-        public function add(row:int, square:Number):Number
+        /** Takes a row that is not beyond the limit, which may become less by that. */
+        public function add(row:int, square:Number):void
         {
-            if (most == 1)
-            {
-                if (count == 0 || square < limit || isBefore(row, rows[0]))
-                {
-                    rows[0] = row;
-                    squares[0] = limit = square;
-                    count = 1;
-                }
-                return limit;
-            }
             rows[count] = row;
             squares[count] = square;
             count++;
@@ -96,23 +84,17 @@ package starlogo.queries
             {
                 sort();
             }
-            return limit;
         }
 
         /** Puts the rows in the order of their distances, those that are equally far in the order of the list; more than are wanted are left out. */
         public function sort():void
         {
-            _order.sort(rows, squares, count, _seen.ranks);
+            _order.sort(rows, squares, count, ranks);
             if (count > most)
             {
                 count = most;
                 limit = most > 0 ? squares[most - 1] : 0;
             }
-        }
-
-        private function isBefore(row:int, other:int):Boolean
-        {
-            return _seen.ranks[row] < _seen.ranks[other];
         }
     }
 }

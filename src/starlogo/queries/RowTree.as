@@ -47,7 +47,7 @@ package starlogo.queries
         /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        /** By slot: the box of the row, if it has a size wider by more than rounding comes to. */
+        /** By slot: the box of the row, wider by more than rounding comes to. Not for places. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around those of its rows. */
@@ -123,6 +123,16 @@ package starlogo.queries
             return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
         }
 
+        /** The squared distance of a row's middle from a place. */
+        public function squareTo(row:int, x:Number, y:Number, z:Number):Number
+        {
+            var slot:int = _slots[row];
+            var toX:Number = this.x[slot] - x;
+            var toY:Number = this.y[slot] - y;
+            var toZ:Number = this.z[slot] - z;
+            return toX * toX + toY * toY + toZ * toZ;
+        }
+
         /** How many rows are below a node. */
         public function countIn(node:int):int
         {
@@ -149,9 +159,11 @@ package starlogo.queries
             y[slot] = _y[row];
             z[slot] = _z[row];
             boundRow(slot);
-            for (var node:int = leafOf(row); node > 0; node >>= 1)
+            var node:int = leafOf(row);
+            // a box that has not grown is in boxes that do not grow either
+            while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
-                widen(PER_BOX * node, rowBoxes, PER_BOX * slot);
+                node >>= 1;
             }
         }
 
@@ -176,7 +188,7 @@ package starlogo.queries
         // Has each node divide its rows in two along the longest side of its part of space, which is written where its box will be.
         private function divideAll():void
         {
-            boundMiddles();
+            boundMiddles(PER_BOX, 0, count);
             var boxes:Vector.<Number> = nodeBoxes;
             var width:int = 1;
             for (var node:int = 1; node < firstLeaf; node++)
@@ -204,15 +216,15 @@ package starlogo.queries
             }
         }
 
-        // Writes the box around all middles as the root's.
-        private function boundMiddles():void
+        // Makes a node's box that around the middles in some slots.
+        private function boundMiddles(box:int, first:int, end:int):void
         {
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
                 var least:Number = Infinity;
                 var greatest:Number = -Infinity;
-                for (var slot:int = 0; slot < count; slot++)
+                for (var slot:int = first; slot < end; slot++)
                 {
                     var key:Number = keys[slot];
                     if (key < least)
@@ -224,8 +236,8 @@ package starlogo.queries
                         greatest = key;
                     }
                 }
-                nodeBoxes[PER_BOX + axis] = least;
-                nodeBoxes[PER_BOX + 3 + axis] = greatest;
+                nodeBoxes[box + axis] = least;
+                nodeBoxes[box + 3 + axis] = greatest;
             }
         }
 
@@ -310,24 +322,32 @@ package starlogo.queries
 
         private function boundAll():void
         {
+            for (var slot:int = 0; slot < count; slot++)
+            {
+                _slots[rows[slot]] = slot;
+            }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
+                var leaf:int = node - firstLeaf;
+                if (leaf >= 0 && _halfX == null)
+                {
+                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
+                    continue;
+                }
                 for (var side:int = 0; side < 3; side++)
                 {
                     nodeBoxes[box + side] = Infinity;
                     nodeBoxes[box + 3 + side] = -Infinity;
                 }
-                if (node < firstLeaf)
+                if (leaf < 0)
                 {
                     widen(box, nodeBoxes, 2 * box);
                     widen(box, nodeBoxes, 2 * box + PER_BOX);
                     continue;
                 }
-                var end:int = starts[node + 1 - firstLeaf];
-                for (var slot:int = starts[node - firstLeaf]; slot < end; slot++)
+                for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
                 {
-                    _slots[rows[slot]] = slot;
                     boundRow(slot);
                     widen(box, rowBoxes, PER_BOX * slot);
                 }
@@ -366,23 +386,27 @@ package starlogo.queries
                 + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         }
 
-        // Makes a node's box contain another.
-        private function widen(box:int, others:Vector.<Number>, other:int):void
+        // Makes a node's box contain another; returns whether it has grown.
+        private function widen(box:int, others:Vector.<Number>, other:int):Boolean
         {
             var boxes:Vector.<Number> = nodeBoxes;
+            var hasGrown:Boolean = false;
             for (var side:int = 0; side < 3; side++)
             {
                 var least:Number = others[int(other + side)];
                 if (least < boxes[int(box + side)])
                 {
                     boxes[int(box + side)] = least;
+                    hasGrown = true;
                 }
                 var greatest:Number = others[int(other + 3 + side)];
                 if (greatest > boxes[int(box + 3 + side)])
                 {
                     boxes[int(box + 3 + side)] = greatest;
+                    hasGrown = true;
                 }
             }
+            return hasGrown;
         }
     }
 }

@@ -369,7 +369,7 @@ package starlogo.search
             {
                 return true;
             }
-            reach = reach * Tolerances.TOUCHING + (table.margins[a] + table.margins[b]);
+            reach = reach * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
             return squared <= reach * reach;
         }
 
@@ -381,7 +381,7 @@ package starlogo.search
             _points.y = extents.y[a] - extents.y[b] + motion.startY;
             _points.z = extents.z[a] - extents.z[b] + motion.startZ;
             // the motion's own rounding too
-            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.margins[a] + table.margins[b])
+            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b))
                 + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _points.findTime(motion);
             // rounding can miss a touch at the end of the motion

@@ -128,7 +128,7 @@ package starlogo.search
             var half:Number = Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b]));
             half = Math.max(half, _moved.largestHalf);
             // two points have none: then it is how far apart they may be and still touch
-            var rounding:Number = table.margins[a] + table.margins[b];
+            var rounding:Number = table.marginOf(a) + table.marginOf(b);
             _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
         }
 

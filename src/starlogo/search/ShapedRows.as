@@ -36,13 +36,11 @@ package starlogo.search
         engine var forms:Vector.<int> = new Vector.<int>();
         internal var depths:Vector.<int> = new Vector.<int>();
 
-        // By row: where the agent is, and the agent's revision that this is of; the agent's part of the gap across which shapes touch
-        // (Tolerances.PLACES); the extents of its shape.
+        // By row: where the agent is, and the agent's revision that this is of; the extents of its shape.
         engine var x:Vector.<Number> = new Vector.<Number>();
         engine var y:Vector.<Number> = new Vector.<Number>();
         engine var z:Vector.<Number> = new Vector.<Number>();
         engine var revisions:Vector.<int> = new Vector.<int>();
-        engine var margins:Vector.<Number> = new Vector.<Number>();
         engine var extents:Extents = new Extents();
 
         // By row: the agent's revisions that its extents and its shape are of.
@@ -128,6 +126,12 @@ package starlogo.search
             return scratch;
         }
 
+        /** A row's part of the gap across which shapes touch. */
+        public function marginOf(row:int):Number
+        {
+            return Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
+        }
+
         /** The structure of a row in the world, wider by the margin within which shapes touch. */
         public function structureOf(row:int):BoundingStructure
         {
@@ -141,7 +145,7 @@ package starlogo.search
         /** Makes a box along the world's axes that of a row's extents, wider by more than rounding comes to. */
         internal function readExtents(row:int, box:Box):void
         {
-            var margin:Number = Tolerances.EXTENTS_GAPS * margins[row];
+            var margin:Number = Tolerances.EXTENTS_GAPS * marginOf(row);
             box.center.x = extents.x[row];
             box.center.y = extents.y[row];
             box.center.z = extents.z[row];
@@ -169,7 +173,7 @@ package starlogo.search
         {
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
-            var margin:Number = margins[row];
+            var margin:Number = marginOf(row);
             if (shape.form == BoundingStructure.SPHERE)
             {
                 // other structures are compared with it by tests that grant this, other spheres are not
@@ -196,7 +200,7 @@ package starlogo.search
             }
             shapes.length = boxes.length = _placed.length = outer.length = length;
             x.length = y.length = z.length = length;
-            margins.length = offsetX.length = offsetY.length = offsetZ.length = sizes.length = length;
+            offsetX.length = offsetY.length = offsetZ.length = sizes.length = length;
             revisions.length = extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
             forms.length = depths.length = length;
             extents.grow(length);
@@ -222,7 +226,6 @@ package starlogo.search
             extents.x[row] = x[row] + offsetX[row];
             extents.y[row] = y[row] + offsetY[row];
             extents.z[row] = z[row] + offsetZ[row];
-            margins[row] = Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
         }
 
         // Finds the shapes of the agents that have changed, all before any row changes, and then their extents.

@@ -41,6 +41,13 @@ const FOUND = {
 	["walk",12,0,2,-1,0.5,0.25,0,true],
 	["move",74,0.5,-1.444852106506005,0.5,false],
 	["ask",59,1,0.774140085093677,42.24711997434497]],
+	"a point that the surface of a tile stops touches it": [["add",-1,0.5,-0.6073800544254482,1],
+	["trait",96,"shape","point"],
+	["tiles",0,0,0,1,292],
+	["add",0.3656179748941213,-1.9849652203265578,0.5374787171604112,1.1577773109078409],
+	["move",0,1,3,-1.0049797266992966e-11,true],
+	["system",2,true,8],
+	["go",0,-1.9366247893776745,-1.5007132303435355,0.47915317642036825,false]],
 };
 
 for (const [name, calls] of Object.entries(FOUND)) test(name, () => assert.equal(problemOf(calls), null));

@@ -42,7 +42,10 @@ package starlogo.queries
         /** When they meet, as a part of the motion. */
         public var time:Number = 0;
 
-        /** How. */
+        /** When the row, as large as it is, touches what was found. */
+        public var wholeTime:Number = 0;
+
+        /** How they meet. */
         public var contact:ContactPoint = new ContactPoint();
 
         /** What it has touched, met or not: the first of these rows. */
@@ -69,9 +72,6 @@ package starlogo.queries
         private var _motion:RelativeMotion = new RelativeMotion();
         private var _tried:ContactPoint = new ContactPoint();
         private var _triedOther:ContactPoint = new ContactPoint();
-
-        // When it touches it as large as it is.
-        private var _wholeTime:Number = 0;
 
         /** @param pairs decide what touches */
         public function NarrowSweep(pairs:RowPairs)
@@ -131,6 +131,19 @@ package starlogo.queries
             _separation.find(_table, _row, other, _motion, out);
         }
 
+        /** Finds when the row, as large as it is, first touches another on its way: <code>wholeTime</code>. */
+        public function findWhole(other:int, at:Vector3D, motion:Vector3D):void
+        {
+            sweepWhole(other, at, motion);
+            wholeTime = _motion.time;
+        }
+
+        /** Half of the gap across which the last two that were asked about still touch at a place, unless they are spheres or points. */
+        public function gapAt(at:Vector3D):Number
+        {
+            return Tolerances.SURFACES / 4 * extent + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+        }
+
         /**
          * Finds when the row meets another on its way: <code>time</code> and <code>contact</code>.
          *
@@ -139,9 +152,7 @@ package starlogo.queries
          */
         public function find(other:int, at:Vector3D, motion:Vector3D, latest:Number):Boolean
         {
-            measure(other);
-            _moving.put(at.x + motion.x, at.y + motion.y, at.z + motion.z, 0);
-            sweep(other, motion, _tried);
+            sweepWhole(other, at, motion);
             var whole:Number = _motion.time;
             if (!(whole < latest))
             {
@@ -166,7 +177,7 @@ package starlogo.queries
                 return false;
             }
             var extents:Extents = _table.extents;
-            _wholeTime = whole;
+            wholeTime = whole;
             if (second > first)
             {
                 time = second;
@@ -195,11 +206,11 @@ package starlogo.queries
          * @param along how far the motion goes along the contact's normal, less than 0
          * @param touch has that normal
          */
-        public function wholeTime(along:Number, touch:ContactPoint):Number
+        public function timeOfTouch(along:Number, touch:ContactPoint):Number
         {
             var deeper:Number = _loss * (touch.normalX * (touch.x - _middleX) + touch.normalY * (touch.y - _middleY) + touch.normalZ * (touch.z - _middleZ));
             var earlier:Number = deeper / along;
-            return _wholeTime > time + earlier / 2 ? _wholeTime : time + earlier;
+            return wholeTime > time + earlier / 2 ? wholeTime : time + earlier;
         }
 
         /** Finds the larger extent of the row and another, and how wide a hair is between them. */
@@ -215,6 +226,13 @@ package starlogo.queries
         {
             _motion.endAfter(motion.x, motion.y, motion.z);
             _pairs.findImpact(_table, _row, other, _motion, out);
+        }
+
+        private function sweepWhole(other:int, at:Vector3D, motion:Vector3D):void
+        {
+            measure(other);
+            _moving.put(at.x + motion.x, at.y + motion.y, at.z + motion.z, 0);
+            sweep(other, motion, _tried);
         }
 
         private function narrowOther(other:int):void

@@ -21,6 +21,9 @@ package starlogo.intersection.sweep
         private var _y:Number = 0;
         private var _z:Number = 1;
 
+        // How close they touch.
+        private var _near:Number = 0;
+
         /** No triangles yet. */
         public function TriangleSweep()
         {
@@ -60,7 +63,9 @@ package starlogo.intersection.sweep
             _depth = Infinity;
             _x = _y = 0;
             _z = 1;
+            _near = tolerance;
             tolerance = 0;
+            this.motion = motion;
             var x:Number = motion.time * motion.x;
             var y:Number = motion.time * motion.y;
             var z:Number = motion.time * motion.z;
@@ -97,6 +102,12 @@ package starlogo.intersection.sweep
             // false for NaN
             if (depth < _depth - Tolerances.ROUNDING * reach / length)
             {
+                var speed:Number = motion.x * x + motion.y * y + motion.z * z;
+                if (speed != 0 && motion.time > 0 && Math.abs(at) < _near * length)
+                {
+                    // rounding decides on which side a triangle in the other's plane is; but it touches from the side that it comes from
+                    at = -speed;
+                }
                 var side:Number = at > 0 ? -1 : 1;
                 _depth = depth;
                 _x = side * x / length;

@@ -16,7 +16,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 /** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
 const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
-	"RayHit", "Sphere", "TextEvent", "Vector3D",
+	"RayHit", "SearchCounts", "Sphere", "TextEvent", "Vector3D",
 ]);
 
 /** Types of whose null the engine says itself what is wrong. */

@@ -1,12 +1,13 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
-	AgentChoice,
 	AgentFilter,
+	AgentPredicate,
 	AgentQueries,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
+	BaseCollider,
 	BinCollider,
 	BlockError,
 	BoundingStructure,
@@ -27,13 +28,11 @@ import {
 	Collision,
 	CollisionBlocks,
 	CollisionLines,
-	CollisionObserver,
 	CollisionRecorder,
 	CollisionStatistics,
 	CollisionSystem,
 	CombinationCollider,
 	Contact,
-	ContactSystem,
 	ConvexHull,
 	CookedModel,
 	Cylinder,
@@ -75,10 +74,9 @@ import {
 	ObjModel,
 	OrientedBoxFitter,
 	Placement,
-	PreciseCollider,
+	TreeCollider,
 	RayHit,
 	RitterSphereFitter,
-	SelectiveCollisionSystem,
 	ShapeChoice,
 	SharedFitStorage,
 	Slices,
@@ -136,8 +134,8 @@ export function play(bearText: string): number {
 	];
 	let calls = 0;
 	for (const system of systems) {
-		const recorder: SelectiveCollisionSystem = new CollisionRecorder(system);
-		const observer: CollisionObserver = new CollisionRecorder(recorder);
+		const recorder: BaseCollider = new CollisionRecorder(system);
+		const observer: BaseCollider = new CollisionRecorder(recorder);
 		const collision = new Collision(observer);
 		collision.onCollision("bears", Collision.ANY_BREED, (collider: Agent, collidee: Agent) => {
 			calls++;
@@ -155,7 +153,7 @@ export function play(bearText: string): number {
 	ask(greatLand, [bear, ball]);
 	const collider: Collider = new Collider(new Bubbles(greatLand));
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
-	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
+	const precise: TreeCollider = new HierarchicalCollider(greatLand);
 	precise.exact = true;
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
 	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
@@ -168,7 +166,7 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const queries = new AgentQueries(collision);
 	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
 	filter.accepts = (agent: Agent) => agent.size < 1;
-	const choice: AgentChoice = filter;
+	const choice: AgentPredicate = filter;
 	collision.filter = choice;
 	queries.update(agents);
 	queries.moved(agents[1]);
@@ -233,11 +231,11 @@ function passThrough(greatLand: GreatLand): void {
 	ball.moveTo(10, 0, 0);
 	collision.update([bear, ball]);
 	collision.update([bear, ball]);
-	const contacts: ContactSystem = system;
+	const contacts: BaseCollider = system;
 	ball.moveTo(0, 0, 0);
 	log.push(touch, String(contacts.contactOf(ball, bear).depth > 0));
 	const filter: AgentFilter = AgentFilter.ofBreeds("bears");
-	const choice: AgentChoice = filter;
+	const choice: AgentPredicate = filter;
 	collision.filter = choice;
 	const queries = new AgentQueries(system);
 	queries.update([bear, ball]);

@@ -12,6 +12,7 @@ package starlogo.agents
 
         private static var sNumbers:Object = {};
         private static var sNames:Vector.<String> = new Vector.<String>();
+        private static var sLast:int = 0;
 
         /** Has only static members. */
         public function Breeds()
@@ -27,13 +28,17 @@ package starlogo.agents
         /** The number of a name, from 0 on. A new name gets the next one. */
         public static function numberOf(name:String):int
         {
-            var key:String = PREFIX + name;
-            if (!(key in sNumbers))
+            // mostly the breed that was asked for last
+            if (sNames.length == 0 || sNames[sLast] != name)
             {
-                sNumbers[key] = sNames.length;
-                sNames.push(name);
+                var key:String = PREFIX + name;
+                if (!(key in sNumbers))
+                {
+                    sNumbers[key] = sNames.push(name) - 1;
+                }
+                sLast = sNumbers[key];
             }
-            return sNumbers[key];
+            return sLast;
         }
 
         /** The name that has a number. */

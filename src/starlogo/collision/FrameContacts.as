@@ -10,7 +10,7 @@ package starlogo.collision
     internal final class FrameContacts implements ContactSource
     {
         /** The collision system that has found the pairs. */
-        public var system:CollisionSystem = null;
+        public var system:BaseCollider = null;
 
         // By the numbers of the pairs; there may be more entries than the frame has pairs.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
@@ -19,7 +19,7 @@ package starlogo.collision
         // The contact that handlers get.
         private var _given:Contact = new Contact();
 
-        // What handlers get that may not look at it.
+        // The contact that handlers get which need not look at it.
         private var _whenAsked:ContactWhenAsked = new ContactWhenAsked();
 
         /** No contacts yet. */
@@ -30,10 +30,6 @@ package starlogo.collision
         /** @inheritDoc */
         public function beginFrame(pairCount:int):void
         {
-            if (_areKnown.length < pairCount)
-            {
-                _areKnown.length = pairCount;
-            }
             for (var i:int = 0; i < pairCount; i++)
             {
                 _areKnown[i] = false;
@@ -47,7 +43,7 @@ package starlogo.collision
             {
                 _contacts.push(new Contact());
             }
-            _contacts[pair].readFrom(system, first, second);
+            _contacts[pair] = system.contactOf(first, second, _contacts[pair]);
             _areKnown[pair] = true;
         }
 

@@ -2,12 +2,13 @@ package starlogo.diagnostics
 {
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
-    import starlogo.collision.BreedInterests;
-    import starlogo.collision.CollisionObserver;
+    import starlogo.collision.BaseCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
-    import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.search.BreedInterests;
+    import starlogo.search.FoundPairs;
 
     use namespace engine;
 
@@ -27,9 +28,9 @@ package starlogo.diagnostics
      * <p>A frame is a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers count only in the former. The cost is
      * in proportion to the collisions: some ten-thousandths of a millisecond for each.</p>
      */
-    public final class CollisionRecorder implements CollisionObserver
+    public final class CollisionRecorder extends BaseCollider
     {
-        private var _collisionSystem:CollisionSystem;
+        private var _system:BaseCollider;
         private var _frames:int = 0;
         private var _all:Tally = new Tally();
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
@@ -45,17 +46,12 @@ package starlogo.diagnostics
          */
         public function CollisionRecorder(collisionSystem:CollisionSystem)
         {
+            super(collisionSystem);
             if (collisionSystem == null)
             {
                 throw new ArgumentError("collisionSystem must not be null");
             }
-            _collisionSystem = collisionSystem;
-        }
-
-        /** @inheritDoc */
-        public function get collisionSystem():CollisionSystem
-        {
-            return _collisionSystem;
+            _system = BaseCollider.of(collisionSystem);
         }
 
         /** How many frames were recorded. */
@@ -83,57 +79,47 @@ package starlogo.diagnostics
         }
 
         /** @inheritDoc */
-        public function get statistics():CollisionStatistics
-        {
-            return _collisionSystem.statistics;
-        }
-
-        /** @inheritDoc */
-        public function areColliding(a:Agent, b:Agent):Boolean
-        {
-            return _collisionSystem.areColliding(a, b);
-        }
-
-        /** @inheritDoc */
-        public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+        override public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
             var start:Number = getTimer();
-            out = _collisionSystem.findCollisions(agents, out);
-            record(out, out.length, getTimer() - start);
-            return out;
-        }
-
-        /**
-         * @inheritDoc
-         *
-         * <p>With a system that is not selective, all pairs are found.</p>
-         */
-        public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
-        {
-            var start:Number = getTimer();
-            out = BreedInterests.findIn(_collisionSystem, agents, interests, out);
-            record(out, out.length, getTimer() - start);
+            out = _system.findCollisions(agents, out);
+            countPairs(out, getTimer() - start);
             return out;
         }
 
         /** @inheritDoc */
-        public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
         {
-            var contact:Contact = out || new Contact();
-            contact.readFrom(_collisionSystem, collider, collidee);
-            return contact;
+            var start:Number = getTimer();
+            out = _system.findCollisionsAmong(agents, interests, out);
+            countPairs(out, getTimer() - start);
+            return out;
         }
 
-        /** @inheritDoc */
-        public function onPairs(pairs:Vector.<Agent>, length:int):void
+        /** @private */
+        override engine function get collider():Collider
         {
-            record(pairs, length, _collisionSystem.statistics.findMs);
+            return _system.collider;
         }
 
-        /** @inheritDoc */
-        public function onFrame(statistics:CollisionStatistics):void
+        /** @private */
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        {
+            var start:Number = getTimer();
+            _system.findPairs(agents, interests, takePart, out);
+            _findTimes.add(getTimer() - start);
+            for (var i:int = 0; i < out.count; i++)
+            {
+                countPair(agents[out.indices[2 * i]], agents[out.indices[2 * i + 1]]);
+            }
+            endFrame(out.count);
+        }
+
+        /** @private */
+        override engine function onFrame(statistics:CollisionStatistics):void
         {
             _frameTimes.add(statistics.frameMs);
+            _system.onFrame(statistics);
         }
 
         /** Forgets all frames. */
@@ -181,25 +167,33 @@ package starlogo.diagnostics
             return JSON.stringify(toObject(), null, 2);
         }
 
-        private function record(pairs:Vector.<Agent>, length:int, milliseconds:Number):void
+        private function countPairs(pairs:Vector.<Agent>, milliseconds:Number):void
         {
             _findTimes.add(milliseconds);
-            for (var i:int = 0; i < length; i += 2)
+            for (var i:int = 0; i < pairs.length; i += 2)
             {
-                var breed:String = pairs[i].breed;
-                var otherBreed:String = pairs[i + 1].breed;
-                var tally:Tally = _lastPair;
-                // mostly the same pair of breeds as the one before
-                if (tally == null || tally.breed != breed || tally.otherBreed != otherBreed)
-                {
-                    tally = _lastPair = pairOf(breed, otherBreed);
-                }
-                tally.inFrame++;
+                countPair(pairs[i], pairs[i + 1]);
             }
+            endFrame(pairs.length >> 1);
+        }
+
+        private function countPair(a:Agent, b:Agent):void
+        {
+            var tally:Tally = _lastPair;
+            // mostly the same pair of breeds as the one before
+            if (tally == null || tally.breed != a.breed || tally.otherBreed != b.breed)
+            {
+                tally = _lastPair = pairOf(a.breed, b.breed);
+            }
+            tally.inFrame++;
+        }
+
+        private function endFrame(collisions:int):void
+        {
             _frames++;
-            _all.inFrame = length >> 1;
+            _all.inFrame = collisions;
             _all.endFrame();
-            for (i = 0; i < _pairs.length; i++)
+            for (var i:int = 0; i < _pairs.length; i++)
             {
                 _pairs[i].endFrame();
             }

@@ -35,14 +35,12 @@ package starlogo.search
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _indices:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds of interest, or null for all; the pairs that were found, as agents, or as members' numbers
-        // where these are needed; where an agent sweeps, with their times. The agents of a pair are in the order of the list.
-        private var _breeds:BreedPairs;
-        private var _out:Vector.<Agent>;
-        private var _withNumbers:Boolean;
+        // The search under way: the pairs of breeds of interest, or null for all; what takes the pairs, as indices or, if it is not null, as agents;
+        // where an agent sweeps, their times.
+        private var _interests:BreedInterests;
+        private var _out:FoundPairs;
+        private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
-        private var _found:Vector.<int> = new Vector.<int>();
-        private var _pairCount:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
         private var _order:TimeOrder = new TimeOrder();
 
@@ -56,12 +54,6 @@ package starlogo.search
             _shapes = new ModelShapes(choice);
             _table = new AgentTable(_shapes, _bins);
             _motions = new Motions(pairs);
-        }
-
-        /** What the last search did. */
-        public function get counts():SearchCounts
-        {
-            return _pairs.counts;
         }
 
         /** Whether two agents touch where they are now, as CollisionSystem says. */
@@ -78,29 +70,45 @@ package starlogo.search
          * Finds the pairs that touch and whose breeds are of interest.
          *
          * @param agents the list
-         * @param breeds the pairs of breeds; null for all
-         * @param out takes the agents of the pairs, in the order that FoundPairs tells
+         * @param interests the pairs of breeds; null for all
+         * @param takePart which agents do, by their indices in the list; null for all
+         * @param out takes the pairs; of each, the agent that is first in the list comes first
+         * @param counts takes what the search did
+         * @param outAgents takes the pairs as agents; then the indices are not to be used. Null for indices
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
-        public function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):void
+        public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
+                outAgents:Vector.<Agent> = null):void
         {
-            search(agents, breeds, null, out, false);
-            if (out.length > 2 * _pairCount)
+            _table.read(agents);
+            _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
+            _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
+            if (_isSwept)
             {
-                out.length = 2 * _pairCount;
+                _motions.find(_table, _bins);
             }
-        }
-
-        /**
-         * As find, with the indices of the agents in the list.
-         *
-         * @param takePart which agents do, by their indices in the list; null for all
-         */
-        public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
-        {
-            search(agents, breeds, takePart, out.agents, true);
-            writeIndices(out.places);
-            out.end(2 * _pairCount);
+            chooseMembers(interests, takePart);
+            _interests = interests == null || interests.areAll ? null : interests;
+            _out = out;
+            _outAgents = _isSwept ? null : outAgents;
+            _skippedPairs = out.count = 0;
+            _pairs.resetCounts();
+            _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _memberRows, _memberCount, this);
+            _out = null;
+            if (_isSwept)
+            {
+                _order.sort(_times, out.indices, out.count);
+            }
+            if (_memberRows !== _table.rows && _outAgents == null)
+            {
+                writeIndices(out);
+            }
+            if (outAgents != null && _isSwept)
+            {
+                out.write(agents, outAgents);
+            }
+            _outAgents = null;
+            report(agents.length, out.count, counts);
         }
 
         /** Whether the last search has seen just these agents, in this order. */
@@ -170,9 +178,9 @@ package starlogo.search
         /** @inheritDoc */
         override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
-            if (_breeds != null)
+            if (_interests != null)
             {
-                var kept:int = _breeds.keepOfInterest(_bins, slot, others, count);
+                var kept:int = _interests.keepOfInterest(_bins, slot, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
@@ -188,101 +196,61 @@ package starlogo.search
             {
                 count = _pairs.keepTouching(_table, _bins, slot, others, count);
             }
-            if (_isSwept || _withNumbers)
+            if (_outAgents == null)
             {
-                putMembers(slot, others, count);
+                putIndices(slot, others, count);
             }
-            if (!_isSwept)
+            else
             {
                 putAgents(slot, others, count);
             }
-            _pairCount += count;
+            _out.count += count;
         }
 
-        // The pairs of a member and others, as numbers of members.
-        private function putMembers(slot:int, others:Vector.<int>, count:int):void
+        // The pairs of a member and others.
+        private function putIndices(slot:int, others:Vector.<int>, count:int):void
         {
-            var pairs:Vector.<int> = _found;
+            var pairs:Vector.<int> = _out.indices;
             var memberAt:Vector.<int> = _bins.memberAt;
             var member:int = memberAt[slot];
-            var at:int = 2 * _pairCount;
+            var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = memberAt[others[i]];
-                if (member < other)
-                {
-                    pairs[at] = member;
-                    pairs[at + 1] = other;
-                }
-                else
-                {
-                    pairs[at] = other;
-                    pairs[at + 1] = member;
-                }
-                at += 2;
+                var isFirst:Boolean = member < other;
+                pairs[at] = isFirst ? member : other;
+                at++;
+                pairs[at] = isFirst ? other : member;
+                at++;
             }
         }
 
-        // The same pairs as agents.
         private function putAgents(slot:int, others:Vector.<int>, count:int):void
         {
-            var out:Vector.<Agent> = _out;
+            var pairs:Vector.<Agent> = _outAgents;
             var listed:Vector.<Agent> = _table.agents;
             var memberAt:Vector.<int> = _bins.memberAt;
             var rowAt:Vector.<int> = _bins.rowAt;
             var member:int = memberAt[slot];
             var agent:Agent = listed[rowAt[slot]];
-            var at:int = 2 * _pairCount;
+            var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = others[i];
-                if (member < memberAt[other])
-                {
-                    out[at] = agent;
-                    out[at + 1] = listed[rowAt[other]];
-                }
-                else
-                {
-                    out[at] = listed[rowAt[other]];
-                    out[at + 1] = agent;
-                }
-                at += 2;
+                var other:Agent = listed[rowAt[others[i]]];
+                var isFirst:Boolean = member < memberAt[others[i]];
+                pairs[at] = isFirst ? agent : other;
+                at++;
+                pairs[at] = isFirst ? other : agent;
+                at++;
             }
-        }
-
-        private function search(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:Vector.<Agent>,
-                withNumbers:Boolean):void
-        {
-            _table.read(agents);
-            _out = out;
-            _withNumbers = withNumbers;
-            _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
-            _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
-            if (_isSwept)
-            {
-                _motions.find(_table, _bins);
-            }
-            chooseMembers(breeds, takePart);
-            _breeds = breeds == null || breeds.areAll ? null : breeds;
-            _pairCount = _skippedPairs = 0;
-            _pairs.resetCounts();
-            _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _memberRows, _memberCount, this);
-            if (_isSwept)
-            {
-                _order.sort(_times, _found, _pairCount);
-                writeAgents(out);
-            }
-            _out = null;
-            _pairs.finishCounts();
-            report(agents.length);
         }
 
         // Mostly all agents take part.
-        private function chooseMembers(breeds:BreedPairs, takePart:Vector.<Boolean>):void
+        private function chooseMembers(interests:BreedInterests, takePart:Vector.<Boolean>):void
         {
             _memberRows = _table.rows;
             _memberCount = _table.count;
-            var outsiders:int = breeds == null ? 0 : breeds.read(_table);
+            var outsiders:int = interests == null ? 0 : interests.read(_table);
             if (_table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
@@ -292,7 +260,7 @@ package starlogo.search
             for (var i:int = 0; i < _table.count; i++)
             {
                 var row:int = _table.rows[i];
-                if (_table.shapes[row] != null && (outsiders == 0 || breeds.hasBreedOf(row)) && (takePart == null || takePart[i]))
+                if (_table.shapes[row] != null && (outsiders == 0 || interests.hasBreedOf(row)) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
                     _indices[_memberCount] = i;
@@ -317,7 +285,7 @@ package starlogo.search
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _times[_pairCount + kept] = time;
+                    _times[_out.count + kept] = time;
                     kept++;
                 }
             }
@@ -335,43 +303,24 @@ package starlogo.search
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
-        private function writeAgents(out:Vector.<Agent>):void
+        // From the numbers of members to the indices of their agents in the list.
+        private function writeIndices(out:FoundPairs):void
         {
-            var listed:Vector.<Agent> = _table.agents;
-            var members:Vector.<int> = _memberRows;
-            var pairs:Vector.<int> = _found;
-            var length:int = 2 * _pairCount;
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = 0; i < 2 * out.count; i++)
             {
-                out[i] = listed[members[pairs[i]]];
+                out.indices[i] = _indices[out.indices[i]];
             }
         }
 
-        private function writeIndices(indices:Vector.<int>):void
+        private function report(agentCount:int, pairCount:int, counts:SearchCounts):void
         {
-            var pairs:Vector.<int> = _found;
-            var hasAll:Boolean = _memberRows === _table.rows;
-            var length:int = 2 * _pairCount;
-            for (var i:int = 0; i < length; i++)
-            {
-                var member:int = pairs[i];
-                if (!hasAll)
-                {
-                    member = _indices[member];
-                }
-                indices[i] = member;
-            }
-        }
-
-        private function report(agentCount:int):void
-        {
-            var did:SearchCounts = _pairs.counts;
-            did.agents = agentCount;
-            did.agentsSkipped = agentCount - _memberCount - _table.loadingCount;
-            did.agentsLoading = _table.loadingCount;
-            did.binEntries = _bins.entryCount;
-            did.candidatePairs = _bins.pairCount - _skippedPairs;
-            did.collisions = _pairCount;
+            _pairs.writeCounts(counts);
+            counts.agents = agentCount;
+            counts.agentsSkipped = agentCount - _memberCount - _table.loadingCount;
+            counts.agentsLoading = _table.loadingCount;
+            counts.binEntries = _bins.entryCount;
+            counts.candidatePairs = _bins.pairCount - _skippedPairs;
+            counts.collisions = pairCount;
         }
     }
 }

@@ -25,11 +25,11 @@ package starlogo.search
      */
     public final class RowPairs
     {
-        /** Takes the numbers of tests of the search under way. */
-        public var counts:SearchCounts = new SearchCounts();
+        /** How many pairs were tested along their motions since <code>resetCounts()</code>. */
+        public var sweptPairs:int = 0;
 
-        /** Answers for pairs of structures that are not both spheres. */
-        public var structures:StructurePairs;
+        /** Answers for pairs of structures that are not both spheres; counts the tests of those too. */
+        public var structures:StructurePairs = new StructurePairs();
 
         /** Answers for pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairs = null;
@@ -46,7 +46,6 @@ package starlogo.search
          */
         public function RowPairs(choice:ShapeChoice)
         {
-            structures = new StructurePairs(counts);
             choice.prepare(this);
         }
 
@@ -69,7 +68,7 @@ package starlogo.search
             var radius:Number = radii[slot];
             var slack:Number = bins.slack;
             var kept:int = 0;
-            counts.tests[0] += count;
+            structures.tests[0] += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -176,8 +175,8 @@ package starlogo.search
                 others[kept] = other;
                 kept++;
             }
-            counts.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
-            counts.tests[0] += sphereTests;
+            structures.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
+            structures.tests[0] += sphereTests;
             return kept;
         }
 
@@ -192,7 +191,7 @@ package starlogo.search
             }
             if ((formA | formB) == BoundingStructure.SPHERE)
             {
-                counts.tests[0]++;
+                structures.tests[0]++;
                 return areSpheresTouching(table, a, b);
             }
             return structures.areTouching(table, a, b);
@@ -294,19 +293,22 @@ package starlogo.search
         /** Begins to count the tests of a search. */
         public function resetCounts():void
         {
-            counts.reset();
+            sweptPairs = 0;
+            structures.resetCounts();
             if (trees != null)
             {
                 trees.resetCounts();
             }
         }
 
-        /** Completes the counts of a search. */
-        public function finishCounts():void
+        /** Writes how many tests were made since <code>resetCounts()</code>. */
+        public function writeCounts(out:SearchCounts):void
         {
+            out.sweptPairs = sweptPairs;
+            structures.writeCounts(out);
             if (trees != null)
             {
-                trees.finishCounts();
+                trees.writeCounts(out);
             }
         }
 
@@ -375,7 +377,7 @@ package starlogo.search
 
         private function findTimeOfSpheres(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            counts.tests[0]++;
+            structures.tests[0]++;
             var extents:Extents = table.extents;
             _points.x = extents.x[a] - extents.x[b] + motion.startX;
             _points.y = extents.y[a] - extents.y[b] + motion.startY;

@@ -25,19 +25,16 @@ package starlogo.search
         /** Whether triangles decide, and no depth limit applies. */
         public var exact:Boolean = false;
 
-        private var _counts:SearchCounts;
+        private var _tests:int = 0;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
         private var _turned:RelativeMotion = new RelativeMotion();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
-        /**
-         * @param counts takes the numbers of tests
-         */
-        public function TreePairs(counts:SearchCounts)
+        /** With the settings that colliders begin with. */
+        public function TreePairs()
         {
-            _counts = counts;
             _swept = new SweptHierarchyTraversal(_traversal);
         }
 
@@ -61,7 +58,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                _counts.hierarchyTests++;
+                _tests++;
                 var other:SolidHierarchy = shapes[otherRow].hierarchy;
                 var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
                 var otherDepth:int = depthOf(table, otherRow);
@@ -98,7 +95,7 @@ package starlogo.search
             {
                 return areTouching(table, b, a, byLeaves);
             }
-            _counts.hierarchyTests++;
+            _tests++;
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
             var placementA:Placement = table.placementOf(a, _placementA);
@@ -121,7 +118,7 @@ package starlogo.search
                 motion.time = _turned.time;
                 return;
             }
-            _counts.hierarchyTests++;
+            _tests++;
             setSweptPair(table, a, b, false);
             _swept.findTime(motion);
         }
@@ -154,7 +151,7 @@ package starlogo.search
                 }
                 return;
             }
-            _counts.hierarchyTests++;
+            _tests++;
             setSweptPair(table, a, b, byLeaves);
             _swept.findImpact(motion, out);
         }
@@ -179,15 +176,17 @@ package starlogo.search
         /** Begins to count the tests of a search. */
         public function resetCounts():void
         {
+            _tests = 0;
             _swept.resetCounts();
             _traversal.resetCounts();
         }
 
-        /** Completes the counts of a search. */
-        public function finishCounts():void
+        /** Writes how many tests were made since <code>resetCounts()</code>. */
+        public function writeCounts(out:SearchCounts):void
         {
-            _counts.nodeVisits = _traversal.nodeVisits + _swept.nodeVisits;
-            _counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
+            out.hierarchyTests = _tests;
+            out.nodeVisits = _traversal.nodeVisits + _swept.nodeVisits;
+            out.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
         // The first is a tree; where both are, leaves may decide in place of triangles.

@@ -45,13 +45,11 @@ package starlogo.queries
         public function AgentQueries(collisionOrSystem:Object)
         {
             _seen = new SeenAgents(collisionOrSystem);
-            var filters:FilteredRows = new FilteredRows(_seen);
-            var answers:Answers = new Answers(_seen);
-            _places = new PlaceQuestions(_seen, filters, answers);
-            _touches = new TouchQuestions(_seen, filters, answers);
+            _places = new PlaceQuestions(_seen);
+            _touches = new TouchQuestions(_seen);
             _distances = new DistanceQuestions(_seen);
-            _rays = new RayQuestions(_seen, filters, answers);
-            _moves = new MoveQuestions(_seen, filters, answers);
+            _rays = new RayQuestions(_seen);
+            _moves = new MoveQuestions(_seen);
         }
 
         /**

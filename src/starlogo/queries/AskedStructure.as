@@ -1,11 +1,7 @@
 package starlogo.queries
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.engine;
-    import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.intersects;
@@ -41,6 +37,7 @@ package starlogo.queries
         /** Half its length along z. */
         public var halfZ:Number = 0;
 
+        // The middle, then half the lengths.
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // By kind: as wide as it is for touching; with its middle at the origin of a space that is placed where it is.
@@ -71,20 +68,21 @@ package starlogo.queries
             {
                 throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
             }
-            var extents:Vector.<Number> = _extents;
-            structure.extentsInto(extents);
+            structure.turnedExtentsInto(_toWorld, _extents);
             for (var i:int = 0; i < 6; i++)
             {
-                if (!isFinite(extents[i]))
+                if (!isFinite(_extents[i]))
                 {
                     throw new RangeError("a structure must be finite: " + structure);
                 }
             }
-            halfX = (extents[1] - extents[0]) / 2;
-            halfY = (extents[3] - extents[2]) / 2;
-            halfZ = (extents[5] - extents[4]) / 2;
+            x = _extents[0];
+            y = _extents[1];
+            z = _extents[2];
+            halfX = _extents[3];
+            halfY = _extents[4];
+            halfZ = _extents[5];
             _kind = structure.kind;
-            findMiddle(structure);
             _placement.x = x;
             _placement.y = y;
             _placement.z = z;
@@ -106,30 +104,6 @@ package starlogo.queries
             }
             return _traversal.structureOverlaps(shape.hierarchy, table.placementOf(row, _rowPlacement), trees.depthOf(table, row),
                     _centred[_kind], _placement, trees.exact);
-        }
-
-        private function findMiddle(structure:BoundingStructure):void
-        {
-            var middle:Vector3D;
-            if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                var capsule:Capsule = Capsule(structure);
-                x = (capsule.start.x + capsule.end.x) / 2;
-                y = (capsule.start.y + capsule.end.y) / 2;
-                z = (capsule.start.z + capsule.end.z) / 2;
-                return;
-            }
-            if (structure.kind == BoundingStructure.SPHERE)
-            {
-                middle = Sphere(structure).center;
-            }
-            else
-            {
-                middle = Box(structure).center;
-            }
-            x = middle.x;
-            y = middle.y;
-            z = middle.z;
         }
     }
 }

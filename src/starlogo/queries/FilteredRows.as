@@ -42,12 +42,12 @@ package starlogo.queries
         /**
          * Makes a filter ready; the one before is not any more.
          *
-         * @param filter null for all agents
+         * @param filter not null
          * @return this test; null if all rows count
          */
         public function of(filter:AgentFilter):RowTest
         {
-            if (filter == null || (filter.breeds == null && filter.exceptBreeds == null && filter.except == null))
+            if (filter.breeds == null && filter.exceptBreeds == null && filter.except == null)
             {
                 return null;
             }

@@ -15,8 +15,6 @@ package starlogo.queries
     public final class MoveQuestions
     {
         private var _seen:SeenAgents;
-        private var _filters:FilteredRows;
-        private var _answers:Answers;
         private var _mover:Mover = null;
 
         // What is near the way, with a squared distance of 0, and of these the agents that count.
@@ -24,16 +22,10 @@ package starlogo.queries
         private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /**
-         * @param seen the agents that are asked about
-         * @param filters applies filters to them
-         * @param answers asks the rest of the filters
-         */
-        public function MoveQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
+        /** @param seen the agents that are asked about */
+        public function MoveQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _filters = filters;
-            _answers = answers;
             _found = new FoundRows(seen);
         }
 
@@ -94,7 +86,7 @@ package starlogo.queries
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
-            _found.begin(FoundRows.ALL, Infinity, _seen.rowOf(agent), _filters.of(filter));
+            _found.begin(FoundRows.ALL, Infinity, _seen.rowOf(agent), filter);
             if (table.shapes[row] != null)
             {
                 _seen.beginWay(_search, row);
@@ -115,7 +107,7 @@ package starlogo.queries
                 }
             }
             table.endGuests();
-            _answers.list(_found, filter, _agents);
+            _found.list(_agents);
         }
     }
 }

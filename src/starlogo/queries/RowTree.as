@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import starlogo.broadphase.Extents;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -58,13 +59,11 @@ package starlogo.queries
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
 
-        // By row, given: the middle of its box, and half the lengths; these are null for places.
+        // By row, given: the middle of its box; and half the lengths, null for places.
         private var _x:Vector.<Number>;
         private var _y:Vector.<Number>;
         private var _z:Vector.<Number>;
-        private var _halfX:Vector.<Number>;
-        private var _halfY:Vector.<Number>;
-        private var _halfZ:Vector.<Number>;
+        private var _sizes:Extents;
 
         /** An empty tree. */
         public function RowTree()
@@ -77,14 +76,11 @@ package starlogo.queries
          * @param rows those that count
          * @param count how many of them
          * @param x by row: the middle of its box
-         * @param y likewise
-         * @param z likewise
-         * @param halfX by row: half the length of its box along x; null if the rows are places
-         * @param halfY likewise
-         * @param halfZ likewise
+         * @param y by row: the middle of its box
+         * @param z by row: the middle of its box
+         * @param sizes has half the lengths of the boxes; null if the rows are places
          */
-        public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, halfX:Vector.<Number> = null,
-                halfY:Vector.<Number> = null, halfZ:Vector.<Number> = null):void
+        public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, sizes:Extents = null):void
         {
             isStale = false;
             _moves = 0;
@@ -92,9 +88,7 @@ package starlogo.queries
             _x = x;
             _y = y;
             _z = z;
-            _halfX = halfX;
-            _halfY = halfY;
-            _halfZ = halfZ;
+            _sizes = sizes;
             firstLeaf = 1;
             while (firstLeaf * LEAF_SIZE < count)
             {
@@ -330,7 +324,7 @@ package starlogo.queries
             {
                 var box:int = PER_BOX * node;
                 var leaf:int = node - firstLeaf;
-                if (leaf >= 0 && _halfX == null)
+                if (leaf >= 0 && _sizes == null)
                 {
                     boundMiddles(box, starts[leaf], starts[leaf + 1]);
                     continue;
@@ -359,12 +353,12 @@ package starlogo.queries
             var reachX:Number = 0;
             var reachY:Number = 0;
             var reachZ:Number = 0;
-            if (_halfX != null)
+            if (_sizes != null)
             {
                 var row:int = rows[slot];
-                reachX = _halfX[row];
-                reachY = _halfY[row];
-                reachZ = _halfZ[row];
+                reachX = _sizes.halfX[row];
+                reachY = _sizes.halfY[row];
+                reachZ = _sizes.halfZ[row];
                 var slack:Number = slackOf(x[slot], y[slot], z[slot], reachX, reachY, reachZ);
                 reachX += slack;
                 reachY += slack;

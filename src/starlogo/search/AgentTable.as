@@ -19,9 +19,8 @@ package starlogo.search
      */
     public final class AgentTable extends ShapedRows
     {
-        // The rows of the agents, in the order of the list, and how many of the agents have a model that is loading.
+        // The rows of the agents, in the order of the list.
         engine var rows:Vector.<int>;
-        engine var loadingCount:int = 0;
 
         // By row: where the agent was in the search before.
         internal var lastX:Vector.<Number> = new Vector.<Number>();
@@ -97,7 +96,6 @@ package starlogo.search
             }
             findShapes();
             takePositions();
-            countLoading();
             if (_freedList != listNumber)
             {
                 freeRows();
@@ -359,19 +357,6 @@ package starlogo.search
             {
                 lastX.length = lastY.length = lastZ.length = _nextX.length = _nextY.length = _nextZ.length = length;
                 _lastRevisions.length = _nextRevisions.length = length;
-            }
-        }
-
-        // A row whose model is loading changes in every search.
-        private function countLoading():void
-        {
-            loadingCount = 0;
-            for (var i:int = 0; i < changedCount; i++)
-            {
-                if (shapes[changed[i]] == null)
-                {
-                    loadingCount++;
-                }
             }
         }
     }

@@ -42,7 +42,7 @@ package starlogo.search
         private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
-        private var _order:TimeOrder = new TimeOrder();
+        private var _order:KeyOrder = new KeyOrder();
 
         /**
          * @param choice finds the shapes of agents
@@ -97,7 +97,7 @@ package starlogo.search
             _out = null;
             if (_isSwept)
             {
-                _order.sort(_times, out.indices, out.count);
+                _order.sortPairs(out.indices, _times, out.count);
             }
             if (_memberRows !== _table.rows && _outAgents == null)
             {

@@ -183,13 +183,12 @@ package starlogo.search
         /** Whether two rows touch. */
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var formA:int = table.forms[a];
-            var formB:int = table.forms[b];
-            if (formA == ModelShape.TREE || formB == ModelShape.TREE)
+            var forms:int = table.forms[a] | table.forms[b];
+            if (forms >= ModelShape.TREE)
             {
                 return trees.areTouching(table, a, b);
             }
-            if ((formA | formB) == BoundingStructure.SPHERE)
+            if (forms == BoundingStructure.SPHERE)
             {
                 structures.tests[0]++;
                 return areSpheresTouching(table, a, b);
@@ -204,13 +203,11 @@ package starlogo.search
          */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            var formA:int = table.forms[a];
-            var formB:int = table.forms[b];
-            if (formA == ModelShape.TREE || formB == ModelShape.TREE)
+            if (isOneTree(table, a, b))
             {
                 trees.findTime(table, a, b, motion);
             }
-            else if ((formA | formB) == BoundingStructure.SPHERE)
+            else if (areSpheres(table, a, b))
             {
                 findTimeOfSpheres(table, a, b, motion);
             }
@@ -356,7 +353,7 @@ package starlogo.search
         /** Whether at least one of two rows is a tree. */
         public static function isOneTree(table:AgentTable, a:int, b:int):Boolean
         {
-            return table.forms[a] == ModelShape.TREE || table.forms[b] == ModelShape.TREE;
+            return (table.forms[a] | table.forms[b]) >= ModelShape.TREE;
         }
 
         private static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean

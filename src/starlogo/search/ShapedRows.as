@@ -67,6 +67,9 @@ package starlogo.search
         // By kind: a structure that no row has at present, or null.
         private var _spares:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
+        // How many rows have a model that is loading, of those that were read last.
+        engine var loadingCount:int = 0;
+
         // Rows whose extents have to be computed again, and the new shapes of those whose shape has changed.
         protected var changed:Vector.<int> = new Vector.<int>();
         protected var changedCount:int = 0;
@@ -243,6 +246,7 @@ package starlogo.search
                     _changedShapes[i] = modelShapes.shapeOf(agents[row]);
                 }
             }
+            loadingCount = 0;
             for (i = 0; i < changedCount; i++)
             {
                 row = changed[i];
@@ -251,7 +255,12 @@ package starlogo.search
                     setShape(row, _changedShapes[i]);
                     _changedShapes[i] = null;
                 }
-                if (shapes[row] != null)
+                if (shapes[row] == null)
+                {
+                    // a row whose model is loading changes in every search
+                    loadingCount++;
+                }
+                else
                 {
                     findExtents(row);
                 }

@@ -28,6 +28,9 @@ package starlogo.search
         private var _tests:int = 0;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
+
+        // The motion under way: that which was given, or the other way round.
+        private var _motion:RelativeMotion;
         private var _turned:RelativeMotion = new RelativeMotion();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
@@ -111,49 +114,34 @@ package starlogo.search
         /** As RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            if (RowPairs.isSecondFirst(table, a, b))
-            {
-                _turned.turn(motion);
-                findTime(table, b, a, _turned);
-                motion.time = _turned.time;
-                return;
-            }
             _tests++;
-            setSweptPair(table, a, b, false);
-            _swept.findTime(motion);
+            setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), false);
+            _swept.findTime(_motion);
+            motion.time = _motion.time;
         }
 
         /** As RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (table.forms[a] != ModelShape.TREE)
+            setSweptPair(table, a, b, motion, table.forms[a] != ModelShape.TREE, false);
+            _swept.findContact(_motion, out);
+            if (_motion !== motion)
             {
-                _turned.turn(motion);
-                findContact(table, b, a, _turned, out);
                 out.turn(motion);
-                return;
             }
-            setSweptPair(table, a, b, false);
-            _swept.findContact(motion, out);
         }
 
         /** As RowPairs.findImpact; <code>byLeaves</code> as in areTouching. */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint, byLeaves:Boolean = false):void
         {
-            if (RowPairs.isSecondFirst(table, a, b))
-            {
-                _turned.turn(motion);
-                findImpact(table, b, a, _turned, out, byLeaves);
-                motion.time = _turned.time;
-                if (motion.time != RelativeMotion.NEVER)
-                {
-                    out.turn(motion);
-                }
-                return;
-            }
             _tests++;
-            setSweptPair(table, a, b, byLeaves);
-            _swept.findImpact(motion, out);
+            setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), byLeaves);
+            _swept.findImpact(_motion, out);
+            motion.time = _motion.time;
+            if (_motion !== motion && motion.time != RelativeMotion.NEVER)
+            {
+                out.turn(motion);
+            }
         }
 
         /** As RowPairs.findOuterContact. */
@@ -189,10 +177,17 @@ package starlogo.search
             out.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The first is a tree; where both are, leaves may decide in place of triangles.
-        private function setSweptPair(table:AgentTable, a:int, b:int, byLeaves:Boolean):void
+        // Takes two rows in this order or the other, the first being a tree, and their motion. Where both are trees, leaves may decide in place of triangles.
+        private function setSweptPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean, byLeaves:Boolean):void
         {
+            if (isTurned)
+            {
+                _turned.turn(motion);
+                setSweptPair(table, b, a, _turned, false, byLeaves);
+                return;
+            }
             var shapeB:ModelShape = table.shapes[b];
+            _motion = motion;
             _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy,
                     shapeB.structure, table.placementOf(b, _placementB), depthOf(table, b), exact && !(byLeaves && shapeB.hierarchy != null));
         }

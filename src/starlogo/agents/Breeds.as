@@ -7,11 +7,10 @@ package starlogo.agents
      */
     public final class Breeds
     {
-        // Stands before every key, because a breed may be called "hasOwnProperty" or "__proto__".
-        private static const PREFIX:String = ":";
-
-        private static var sNumbers:Object = {};
         private static var sNames:Vector.<String> = new Vector.<String>();
+
+        // The numbers in the order of the names: so a name is found without a text that is made for a key. The last that was asked for.
+        private static var sOrder:Vector.<int> = new Vector.<int>();
         private static var sLast:int = 0;
 
         /** Has only static members. */
@@ -28,15 +27,27 @@ package starlogo.agents
         /** The number of a name, from 0 on. A new name gets the next one. */
         public static function numberOf(name:String):int
         {
-            // mostly the breed that was asked for last
             if (sNames.length == 0 || sNames[sLast] != name)
             {
-                var key:String = PREFIX + name;
-                if (!(key in sNumbers))
+                var low:int = 0;
+                var high:int = sOrder.length;
+                while (low < high)
                 {
-                    sNumbers[key] = sNames.push(name) - 1;
+                    var middle:int = (low + high) >> 1;
+                    if (sNames[sOrder[middle]] < name)
+                    {
+                        low = middle + 1;
+                    }
+                    else
+                    {
+                        high = middle;
+                    }
                 }
-                sLast = sNumbers[key];
+                if (low == sOrder.length || sNames[sOrder[low]] != name)
+                {
+                    sOrder.splice(low, 0, sNames.push(name) - 1);
+                }
+                sLast = sOrder[low];
             }
             return sLast;
         }

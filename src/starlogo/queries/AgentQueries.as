@@ -340,8 +340,8 @@ package starlogo.queries
          *
          * @param agent moves; its model may be loading, and touches nothing then
          * @param dx how far along x, in patches
-         * @param dy likewise
-         * @param dz likewise
+         * @param dy how far along y
+         * @param dz how far along z
          * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
          * @param contact takes how the two touch, its time being the part; only its time, 1, is set where the way is free. Or null
          * @return the part of the way that is free, from 0 to 1
@@ -362,8 +362,8 @@ package starlogo.queries
          *
          * @param agent moves
          * @param dx how far along x, in patches
-         * @param dy likewise
-         * @param dz likewise
+         * @param dy how far along y
+         * @param dz how far along z
          * @param filter which agents count; null for all
          * @return the length of its way, bends included, as a part of the length of the motion, from 0 to 1
          * @throws ArgumentError as moveUntilTouch does

@@ -23,11 +23,6 @@ package starlogo.queries
         // By the number of a breed: the last question that marked it, or 0.
         private var _marks:Vector.<int> = new Vector.<int>();
 
-        // The names that filters had, in their order, and their numbers: to look a name up makes a text for its key.
-        private var _names:Vector.<String> = new Vector.<String>();
-        private var _numbers:Vector.<int> = new Vector.<int>();
-        private var _nameCount:int = 0;
-
         // The number of the question, from 1 on; whether it marks the breeds that count, or those that do not.
         private var _question:int = 0;
         private var _marksChosen:Boolean = false;
@@ -54,7 +49,6 @@ package starlogo.queries
             _agents = _seen.table.agents;
             _question++;
             _excepts = filter.except != null;
-            _nameCount = 0;
             _marksChosen = filter.breeds != null;
             if (_marksChosen)
             {
@@ -97,7 +91,7 @@ package starlogo.queries
             {
                 if (names[i] != null)
                 {
-                    var number:int = numberOf(names[i]);
+                    var number:int = Breeds.numberOf(names[i]);
                     makeRoom();
                     _marks[number] = by;
                 }
@@ -110,18 +104,6 @@ package starlogo.queries
             {
                 _marks.length = Breeds.count;
             }
-        }
-
-        private function numberOf(name:String):int
-        {
-            var at:int = _nameCount;
-            _nameCount++;
-            if (at == _names.length || _names[at] != name)
-            {
-                _names[at] = name;
-                _numbers[at] = Breeds.numberOf(name);
-            }
-            return _numbers[at];
         }
     }
 }

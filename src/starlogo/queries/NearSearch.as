@@ -30,9 +30,9 @@ package starlogo.queries
          * Finds rows.
          *
          * @param tree of places
-         * @param x of the place that they are near to
-         * @param y likewise
-         * @param z likewise
+         * @param x the place that they are near to
+         * @param y the place that they are near to
+         * @param z the place that they are near to
          * @param found says which are wanted, and takes them, in no order
          */
         public function find(tree:RowTree, x:Number, y:Number, z:Number, found:FoundRows):void

@@ -193,11 +193,7 @@ package starlogo.queries
                 }
                 var box:int = PER_BOX * node;
                 var axis:int = longestSide(box);
-                var keys:Vector.<Number> = x;
-                if (axis > 0)
-                {
-                    keys = axis == 1 ? y : z;
-                }
+                var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
                 var nth:int = node - width;
                 var middle:int = (2 * nth + 1) * count / (2 * width);
                 select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);

@@ -4,6 +4,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
+    import starlogo.search.RowList;
 
     use namespace engine;
 
@@ -60,7 +61,7 @@ package starlogo.queries
         private function findTouching(agent:Agent, filter:AgentFilter, most:int):void
         {
             var row:int = _seen.rowOfNow(agent);
-            _found.begin(most, Infinity, _seen.rowOf(agent), filter);
+            _found.begin(most, Infinity, row < RowList.GUESTS ? _seen.rowOf(agent) : row, filter);
             if (_seen.table.shapes[row] != null)
             {
                 _seen.beginWay(_search, row);

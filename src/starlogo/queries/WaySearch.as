@@ -14,10 +14,12 @@ package starlogo.queries
         private var _tree:RowTree;
         private var _moves:Boolean = false;
 
-        // By axis: the box where the way begins, the way, and the box around all of it.
+        // By axis, where the box moves: the box where the way begins, and the way.
         private var _least:Vector.<Number> = new Vector.<Number>(3, true);
         private var _greatest:Vector.<Number> = new Vector.<Number>(3, true);
         private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+
+        // The box around all of the way.
         private var _minX:Number = 0;
         private var _minY:Number = 0;
         private var _minZ:Number = 0;
@@ -48,11 +50,11 @@ package starlogo.queries
          *
          * @param tree has the rows
          * @param x its middle
-         * @param y likewise
-         * @param z likewise
+         * @param y its middle
+         * @param z its middle
          * @param halfX half its length along x
-         * @param halfY likewise
-         * @param halfZ likewise
+         * @param halfY half its length along y
+         * @param halfZ half its length along z
          */
         public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
         {
@@ -60,12 +62,12 @@ package starlogo.queries
             _tree = tree;
             _moves = false;
             limit = 1;
-            _minX = _least[0] = x - halfX - slack;
-            _minY = _least[1] = y - halfY - slack;
-            _minZ = _least[2] = z - halfZ - slack;
-            _maxX = _greatest[0] = x + halfX + slack;
-            _maxY = _greatest[1] = y + halfY + slack;
-            _maxZ = _greatest[2] = z + halfZ + slack;
+            _minX = x - halfX - slack;
+            _minY = y - halfY - slack;
+            _minZ = z - halfZ - slack;
+            _maxX = x + halfX + slack;
+            _maxY = y + halfY + slack;
+            _maxZ = z + halfZ + slack;
             _next = _end = 0;
             _nodes[0] = 1;
             _entries[0] = 0;
@@ -86,9 +88,9 @@ package starlogo.queries
         /**
          * Has the box move.
          *
-         * @param dx the way
-         * @param dy likewise
-         * @param dz likewise
+         * @param dx the way along x
+         * @param dy the way along y
+         * @param dz the way along z
          * @param limit how much of it counts, as a multiple of it
          */
         public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
@@ -98,6 +100,12 @@ package starlogo.queries
             _along[0] = dx;
             _along[1] = dy;
             _along[2] = dz;
+            _least[0] = _minX;
+            _least[1] = _minY;
+            _least[2] = _minZ;
+            _greatest[0] = _maxX;
+            _greatest[1] = _maxY;
+            _greatest[2] = _maxZ;
             _minX = dx < 0 ? _minX + limit * dx : _minX;
             _minY = dy < 0 ? _minY + limit * dy : _minY;
             _minZ = dz < 0 ? _minZ + limit * dz : _minZ;

@@ -218,6 +218,8 @@ package starlogo.diagnostics
 /** How often two breeds have collided, or all breeds. */
 final class Tally
 {
+    private static const EXACT:int = 16;
+
     /** The name of one breed, or null. */
     public var breed:String;
 
@@ -230,8 +232,11 @@ final class Tally
     /** The collisions in all frames before it. */
     public var collisions:Number = 0;
 
-    // of the frames in which there were any
-    private var _histogram:Histogram = new Histogram();
+    private var _most:int = 0;
+
+    // How many frames had any; how many had so many: exact up to 16, then in classes whose widths double.
+    private var _counted:int = 0;
+    private var _histogram:Vector.<int> = new Vector.<int>();
 
     /** No collisions yet. */
     public function Tally(breed:String = null, otherBreed:String = null)
@@ -243,12 +248,24 @@ final class Tally
     /** Counts the frame under way. */
     public function endFrame():void
     {
-        if (inFrame > 0)
+        if (inFrame == 0)
         {
-            _histogram.add(inFrame);
-            collisions += inFrame;
-            inFrame = 0;
+            return;
         }
+        var index:int = Math.min(inFrame, EXACT);
+        for (var number:int = inFrame; number > EXACT; number >>= 1)
+        {
+            index++;
+        }
+        while (_histogram.length <= index)
+        {
+            _histogram.push(0);
+        }
+        _histogram[index]++;
+        _counted++;
+        _most = Math.max(_most, inFrame);
+        collisions += inFrame;
+        inFrame = 0;
     }
 
     /** Adds its numbers, of so many frames, to an object for JSON, which it returns. */
@@ -256,66 +273,16 @@ final class Tally
     {
         record.collisions = collisions;
         record.mean = frames == 0 ? 0 : collisions / frames;
-        record.most = _histogram.most;
-        record.histogram = _histogram.toArray(frames);
+        record.most = _most;
+        record.histogram = frames > _counted ? [ {collisions : 0, frames: frames - _counted}]: [];
+        for (var i:int = 1; i < _histogram.length; i++)
+        {
+            if (_histogram[i] > 0)
+            {
+                // 17 to 33 halve once to 16 or less, then 34 to 67, and so on
+                record.histogram.push({collisions: i <= EXACT ? i : ((EXACT + 1) << (i - EXACT)) >> 1, frames: _histogram[i]});
+            }
+        }
         return record;
-    }
-}
-
-/** In how many frames there were so many collisions: exact up to 16, then in classes whose widths double. */
-final class Histogram
-{
-    private static const EXACT:int = 16;
-
-    /** The most of any frame. */
-    public var most:int = 0;
-
-    private var _frames:Vector.<int> = new Vector.<int>();
-    private var _added:int = 0;
-
-    /** Nothing yet. */
-    public function Histogram()
-    {
-    }
-
-    /** Counts a frame with a number of collisions. */
-    public function add(number:int):void
-    {
-        most = Math.max(most, number);
-        var index:int = number;
-        if (number > EXACT)
-        {
-            for (index = EXACT; number > EXACT; number >>= 1)
-            {
-                index++;
-            }
-        }
-        while (_frames.length <= index)
-        {
-            _frames.push(0);
-        }
-        _frames[index]++;
-        _added++;
-    }
-
-    /** The classes that have frames, of so many frames in all: those that were not added had no collisions. */
-    public function toArray(frames:int):Array
-    {
-        var classes:Array = [];
-        for (var i:int = 0; i < _frames.length; i++)
-        {
-            var count:int = i == 0 ? _frames[i] + frames - _added : _frames[i];
-            if (count > 0)
-            {
-                classes.push({collisions: i <= EXACT ? i : leastOf(i), frames: count});
-            }
-        }
-        return classes;
-    }
-
-    private static function leastOf(index:int):int
-    {
-        // 17 to 33 halve once to 16 or less, then 34 to 67, and so on
-        return ((EXACT + 1) << (index - EXACT)) >> 1;
     }
 }

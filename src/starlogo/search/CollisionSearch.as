@@ -21,10 +21,12 @@ package starlogo.search
      */
     public final class CollisionSearch extends PairSink
     {
+        /** The agents of the last search. */
+        public var table:AgentTable;
+
         private var _pairs:RowPairs;
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
-        private var _table:AgentTable;
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
@@ -52,7 +54,7 @@ package starlogo.search
         {
             _pairs = pairs;
             _shapes = new ModelShapes(choice);
-            _table = new AgentTable(_shapes, _bins);
+            table = new AgentTable(_shapes, _bins);
             _motions = new Motions(pairs);
         }
 
@@ -60,9 +62,9 @@ package starlogo.search
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             readGuests(a, b);
-            var shapes:Vector.<ModelShape> = _table.shapes;
-            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(_table, 0, 1);
-            _table.endGuests();
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(table, 0, 1);
+            table.endGuests();
             return areTouching;
         }
 
@@ -80,12 +82,12 @@ package starlogo.search
         public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
                 outAgents:Vector.<Agent> = null):void
         {
-            _table.read(agents);
+            table.read(agents);
             _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
             _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
             if (_isSwept)
             {
-                _motions.find(_table, _bins);
+                _motions.find(table, _bins);
             }
             chooseMembers(interests, takePart);
             _interests = interests == null || interests.areAll ? null : interests;
@@ -93,13 +95,13 @@ package starlogo.search
             _outAgents = _isSwept ? null : outAgents;
             _skippedPairs = out.count = 0;
             _pairs.resetCounts();
-            _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _memberRows, _memberCount, this);
+            _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
             _out = null;
             if (_isSwept)
             {
                 _order.sortPairs(out.indices, _times, out.count);
             }
-            if (_memberRows !== _table.rows && _outAgents == null)
+            if (_memberRows !== table.rows && _outAgents == null)
             {
                 writeIndices(out);
             }
@@ -111,35 +113,11 @@ package starlogo.search
             report(agents.length, out.count, counts);
         }
 
-        /** Whether the last search has seen just these agents, in this order. */
-        public function isListed(agents:Vector.<Agent>):Boolean
-        {
-            return _table.isListed(agents);
-        }
-
-        /** As AgentTable.check. */
-        public function check(agents:Vector.<Agent>):void
-        {
-            _table.check(agents);
-        }
-
-        /** As AgentTable.writePositions. */
-        public function writePositions(bytes:ByteArray, keepsMotions:Boolean):Vector.<int>
-        {
-            return _table.writePositions(bytes, keepsMotions);
-        }
-
         /** As AgentTable.restorePositions. */
         public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {
-            _table.restorePositions(agents, bytes);
+            table.restorePositions(agents, bytes);
             _isSwept = false;
-        }
-
-        /** The row of an agent that was in the last search, or -1. */
-        public function rowOf(agent:Agent):int
-        {
-            return _table.rowOf(agent);
         }
 
         /**
@@ -151,28 +129,28 @@ package starlogo.search
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
-            var rowA:int = _table.rowOf(a);
-            var rowB:int = _table.rowOf(b);
-            if (rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null)
+            var rowA:int = table.rowOf(a);
+            var rowB:int = table.rowOf(b);
+            if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
-                return _motions.findContact(_table, rowA, rowB, _isSwept, out);
+                return _motions.findContact(table, rowA, rowB, _isSwept, out);
             }
             readGuests(a, b);
-            var loading:Agent = _table.shapes[0] == null ? a : b;
-            if (_table.shapes[0] == null || _table.shapes[1] == null)
+            var loading:Agent = table.shapes[0] == null ? a : b;
+            if (table.shapes[0] == null || table.shapes[1] == null)
             {
-                _table.endGuests();
+                table.endGuests();
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            var time:Number = _motions.findContact(_table, 0, 1, false, out);
-            _table.endGuests();
+            var time:Number = _motions.findContact(table, 0, 1, false, out);
+            table.endGuests();
             return time;
         }
 
         private function readGuests(a:Agent, b:Agent):void
         {
-            _table.readGuest(0, a);
-            _table.readGuest(1, b);
+            table.readGuest(0, a);
+            table.readGuest(1, b);
         }
 
         /** @inheritDoc */
@@ -190,11 +168,11 @@ package starlogo.search
             }
             else if (_areSpheres)
             {
-                count = _pairs.keepTouchingSpheres(_table, _bins, slot, others, count);
+                count = _pairs.keepTouchingSpheres(table, _bins, slot, others, count);
             }
             else
             {
-                count = _pairs.keepTouching(_table, _bins, slot, others, count);
+                count = _pairs.keepTouching(table, _bins, slot, others, count);
             }
             if (_outAgents == null)
             {
@@ -228,7 +206,7 @@ package starlogo.search
         private function putAgents(slot:int, others:Vector.<int>, count:int):void
         {
             var pairs:Vector.<Agent> = _outAgents;
-            var listed:Vector.<Agent> = _table.agents;
+            var listed:Vector.<Agent> = table.agents;
             var memberAt:Vector.<int> = _bins.memberAt;
             var rowAt:Vector.<int> = _bins.rowAt;
             var member:int = memberAt[slot];
@@ -248,19 +226,19 @@ package starlogo.search
         // Mostly all agents take part.
         private function chooseMembers(interests:BreedInterests, takePart:Vector.<Boolean>):void
         {
-            _memberRows = _table.rows;
-            _memberCount = _table.count;
-            var outsiders:int = interests == null ? 0 : interests.read(_table);
-            if (_table.loadingCount == 0 && takePart == null && outsiders == 0)
+            _memberRows = table.rows;
+            _memberCount = table.count;
+            var outsiders:int = interests == null ? 0 : interests.read(table);
+            if (table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
             }
             _memberRows = _someRows;
             _memberCount = 0;
-            for (var i:int = 0; i < _table.count; i++)
+            for (var i:int = 0; i < table.count; i++)
             {
-                var row:int = _table.rows[i];
-                if (_table.shapes[row] != null && (outsiders == 0 || interests.hasBreedOf(row)) && (takePart == null || takePart[i]))
+                var row:int = table.rows[i];
+                if (table.shapes[row] != null && (outsiders == 0 || interests.hasBreedOf(row)) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
                     _indices[_memberCount] = i;
@@ -296,10 +274,10 @@ package starlogo.search
         {
             if (_motions.isSweeping[a] || _motions.isSweeping[b])
             {
-                _motions.findTime(_table, _bins, a, b);
+                _motions.findTime(table, _bins, a, b);
                 return _motions.foundTime;
             }
-            var areTouching:Boolean = RowPairs.areNear(_table.extents, _bins, a, b) && _pairs.areTouching(_table, a, b);
+            var areTouching:Boolean = RowPairs.areNear(table.extents, _bins, a, b) && _pairs.areTouching(table, a, b);
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
@@ -316,8 +294,8 @@ package starlogo.search
         {
             _pairs.writeCounts(counts);
             counts.agents = agentCount;
-            counts.agentsSkipped = agentCount - _memberCount - _table.loadingCount;
-            counts.agentsLoading = _table.loadingCount;
+            counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
+            counts.agentsLoading = table.loadingCount;
             counts.binEntries = _bins.entryCount;
             counts.candidatePairs = _bins.pairCount - _skippedPairs;
             counts.collisions = pairCount;

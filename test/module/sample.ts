@@ -1,6 +1,7 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
+	AgentBody,
 	AgentFilter,
 	AgentPredicate,
 	AgentQueries,
@@ -74,9 +75,9 @@ import {
 	ObjModel,
 	OrientedBoxFitter,
 	Placement,
-	TreeCollider,
 	RayHit,
 	RitterSphereFitter,
+	SearchCounts,
 	ShapeChoice,
 	SharedFitStorage,
 	Slices,
@@ -93,6 +94,7 @@ import {
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
+	TreeCollider,
 	TurnedBoxFitter,
 	Vector3D,
 	Wireframes,
@@ -125,7 +127,8 @@ export function play(bearText: string): number {
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
 	ball.size = 0.2;
-	ball.heading = 30;
+	const body: AgentBody = ball;
+	body.heading = 30;
 	const systems: CollisionSystem[] = [
 		new BinCollider(greatLand),
 		new TightestFitCollider(greatLand),
@@ -144,7 +147,8 @@ export function play(bearText: string): number {
 		ball.moveTo(0.4, 0, 0.5);
 		collision.update([bear, ball]);
 		const statistics: CollisionStatistics = collision.statistics;
-		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
+		const counts: SearchCounts = statistics;
+		log.push(`${statistics.agents} agents, ${counts.collisions} collisions`);
 		const times: FrameTimes = (observer as CollisionRecorder).frameTimes;
 		if (times.frames !== 1 || collision.lastAgents.length !== 2) log.push("not measured");
 	}

@@ -33,7 +33,7 @@ export class ContactWhenAsked {
 		}
 	}
 
-	/** The contact of a pair, as ContactSource.contactOf computes it; after the frame it stays what it was when it was looked at. */
+	/** The contact of a pair, as FrameContacts.contactOf computes it; after the frame it stays what it was when it was looked at. */
 	of(source, pair, first, second, isBack) {
 		this.#ask = { source, pair, first, second, isBack };
 		return this.#contact;

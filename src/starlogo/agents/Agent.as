@@ -44,7 +44,7 @@ package starlogo.agents
         /** @private The number of the breed's name. */
         engine var breedNumber:int;
 
-        /** @private In place of a kind of structure: the tightest, of whatever kind. */
+        /** @private For <code>structureKind</code>: the tightest structure, of whatever kind. */
         engine static const ANY_KIND:int = -1;
 
         private static var sCreated:int = 0;

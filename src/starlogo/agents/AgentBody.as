@@ -25,8 +25,8 @@ package starlogo.agents
 
         /**
          * @private The agent's place in the world; its rotation may be stale, see <code>worldPlacement</code>. Its
-         * <code>extentsRevision</code> counts every change that decides more than where the agent is, those of the shape and
-         * of how it collides included.
+         * <code>extentsRevision</code> counts every change of its turn, its size, its shape and how it collides: all that
+         * changes its extents.
          */
         engine var placement:Placement = new Placement();
 
@@ -183,14 +183,14 @@ package starlogo.agents
                 requireCoordinate("y", y);
                 requireCoordinate("z", z);
             }
-            var place:Placement = placement;
-            if (x == place.x && y == place.y && z == place.z)
+            var at:Placement = placement;
+            if (x == at.x && y == at.y && z == at.z)
             {
                 return;
             }
-            place.x = x;
-            place.y = y;
-            place.z = z;
+            at.x = x;
+            at.y = y;
+            at.z = z;
             revision++;
         }
 

@@ -263,7 +263,7 @@ package starlogo.collision
         /**
          * What the next frame depends on besides the agents and the handlers: where the last frame saw the agents of its list, and which touch.
          * <code>restore()</code> makes it the last frame again, in this Collision or in another with the same handlers and a collision system of
-         * the same kind. Agents are told by their places in <code>lastAgents</code>: a copy of that has to be kept, and the agents' traits.
+         * the same kind. The bytes name agents by their indices in <code>lastAgents</code>: keep a copy of that, and the agents' traits.
          *
          * @return the bytes, about 29 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is none of the engine's, or has searched

@@ -1,7 +1,6 @@
 package starlogo.collision
 {
     import starlogo.agents.Agent;
-    import starlogo.handlers.ContactSource;
 
     /**
      * A Contact that is computed when it is looked at. ActionScript's handlers say what they take, so that nothing is handed to others; the ES
@@ -16,8 +15,8 @@ package starlogo.collision
         {
         }
 
-        /** The contact of a pair, as ContactSource.contactOf computes it; null for none. */
-        public function of(source:ContactSource, pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
+        /** The contact of a pair, as FrameContacts.contactOf computes it; null for none. */
+        public function of(source:FrameContacts, pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
         {
             return null;
         }

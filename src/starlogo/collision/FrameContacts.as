@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.ContactSource;
 
     use namespace engine;
@@ -19,7 +20,7 @@ package starlogo.collision
         // The contact that handlers get.
         private var _given:Contact = new Contact();
 
-        // The contact that handlers get which need not look at it.
+        // For handlers that need not look at it.
         private var _whenAsked:ContactWhenAsked = new ContactWhenAsked();
 
         /** No contacts yet. */
@@ -43,35 +44,33 @@ package starlogo.collision
             {
                 _contacts.push(new Contact());
             }
-            _contacts[pair] = system.contactOf(first, second, _contacts[pair]);
-            _areKnown[pair] = true;
-        }
-
-        /** @inheritDoc */
-        public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
-        {
             if (!_areKnown[pair])
             {
-                // its breeds have changed since the frame began
-                find(pair, first, second);
+                system.contactOf(first, second, _contacts[pair]);
+                _areKnown[pair] = true;
             }
-            var known:Contact = _contacts[pair];
-            var given:Contact = _given;
-            given.time = known.time;
-            given.depth = known.depth;
-            given.point.copyFrom(known.point);
-            given.normal.copyFrom(known.normal);
-            if (isBack)
-            {
-                given.normal.negate();
-            }
-            return given;
         }
 
         /** @inheritDoc */
-        public function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
+        public function contactFor(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):Object
         {
-            return _whenAsked.of(this, pair, first, second, isBack);
+            return handler.takesContact ? contactOf(pair, first, second, isBack) : _whenAsked.of(this, pair, first, second, isBack);
+        }
+
+        /** The contact of a pair, for ContactWhenAsked too. */
+        public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
+        {
+            find(pair, first, second);
+            var known:Contact = _contacts[pair];
+            _given.time = known.time;
+            _given.depth = known.depth;
+            _given.point.copyFrom(known.point);
+            _given.normal.copyFrom(known.normal);
+            if (isBack)
+            {
+                _given.normal.negate();
+            }
+            return _given;
         }
     }
 }

@@ -14,7 +14,7 @@ package starlogo.collision
      */
     public final class SnapshotAgents
     {
-        // As many as leave a whole number that a Number holds exactly.
+        // So few that an origin is a whole number that a Number holds exactly.
         private static const COUNTS:int = 4096;
 
         // The bytes of the origin, and of how many agents there were.

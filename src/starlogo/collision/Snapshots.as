@@ -6,8 +6,8 @@ package starlogo.collision
     import flash.utils.Endian;
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
-    import starlogo.handlers.ContactPair;
-    import starlogo.handlers.ContactTracker;
+    import starlogo.handlers.Touch;
+    import starlogo.handlers.TouchTracker;
     import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
 
@@ -27,7 +27,7 @@ package starlogo.collision
         private static const BYTES_PER_AGENT:int = 25;
 
         // Takes which pairs touch when a snapshot is read; empty in between.
-        private var _read:ContactTracker = new ContactTracker();
+        private var _read:TouchTracker = new TouchTracker();
         private var _who:SnapshotAgents = new SnapshotAgents();
 
         /** No snapshot has been taken yet. */
@@ -44,7 +44,7 @@ package starlogo.collision
          * @param keepsMotions whether agents have the motions from there that they had
          * @throws IllegalOperationError if the collision system has searched another list
          */
-        public function write(tracker:ContactTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean):ByteArray
+        public function write(tracker:TouchTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean):ByteArray
         {
             if (search != null && !search.table.isListed(agents))
             {
@@ -69,25 +69,23 @@ package starlogo.collision
         }
 
         /**
-         * Makes the positions of a snapshot those of the last search.
+         * Goes back to a snapshot: the last search then is the one before it was taken.
          *
          * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
          * @return what knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:ContactTracker):ContactTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker):TouchTracker
         {
-            var position:uint = bytes.position;
-            var endian:String = bytes.endian;
-            var found:ContactTracker = _read;
-            bytes.position = 0;
-            bytes.endian = Endian.LITTLE_ENDIAN;
+            var copy:ByteArray = newBytes();
+            copy.writeBytes(bytes);
+            var found:TouchTracker = _read;
             try
             {
                 search.table.check(agents);
-                check(readAll(bytes, agents, found), agents);
-                bytes.position = AGENTS_AT;
-                search.restorePositions(agents, bytes);
+                check(readAll(copy, agents, found), agents);
+                copy.position = AGENTS_AT;
+                search.restorePositions(agents, copy);
                 _read = tracker;
             }
             catch (error:EOFError)
@@ -97,19 +95,17 @@ package starlogo.collision
             finally
             {
                 _read.clear();
-                bytes.position = position;
-                bytes.endian = endian;
             }
             return found;
         }
 
-        private static function writePairs(bytes:ByteArray, tracker:ContactTracker, table:AgentTable, indices:Vector.<int>):void
+        private static function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable, indices:Vector.<int>):void
         {
             var breeds:Vector.<int> = new Vector.<int>();
             var pairs:ByteArray = newBytes();
             for (var i:int = 0; i < tracker.count; i++)
             {
-                var pair:ContactPair = tracker.pairAt(i);
+                var pair:Touch = tracker.pairAt(i);
                 pairs.writeInt(indices[table.rowOf(pair.first)]);
                 pairs.writeInt(indices[table.rowOf(pair.second)]);
                 pairs.writeInt(indexIn(breeds, pair.firstBreed));
@@ -129,8 +125,9 @@ package starlogo.collision
         }
 
         // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
-        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:ContactTracker):Boolean
+        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
         {
+            bytes.position = 0;
             var count:int = bytes.readUnsignedInt() == MARK ? bytes.readInt() : -1;
             if (count < 0 || count > (bytes.length - AGENTS_AT) / BYTES_PER_AGENT)
             {
@@ -156,7 +153,7 @@ package starlogo.collision
             return true;
         }
 
-        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:ContactTracker):Boolean
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
         {
             var breeds:Vector.<int> = new Vector.<int>();
             for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
@@ -168,20 +165,22 @@ package starlogo.collision
                 }
                 breeds.push(Breeds.numberOf(name));
             }
-            for (left = bytes.readUnsignedInt(); left > 0; left--)
+            var pairs:uint = bytes.readUnsignedInt();
+            for (left = pairs; left > 0; left--)
             {
                 var first:uint = bytes.readUnsignedInt();
                 var second:uint = bytes.readUnsignedInt();
                 var firstBreed:uint = bytes.readUnsignedInt();
                 var secondBreed:uint = bytes.readUnsignedInt();
                 var flag:int = bytes.readUnsignedByte();
-                if (first >= agents.length || second >= agents.length || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length
-                        || flag > 1 || !tracker.resume(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1))
+                if (first >= agents.length || second >= agents.length || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
                 {
                     return false;
                 }
+                tracker.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
             }
-            return true;
+            // each once
+            return tracker.count == pairs;
         }
 
         private static function check(isSnapshot:Boolean, agents:Vector.<Agent>):void

@@ -7,13 +7,13 @@ package starlogo.handlers
      */
     public final class CollisionHandler
     {
-        /** Called in the first frame of a contact. */
+        /** Called in the first frame of a touch. */
         public static const START:int = 0;
 
-        /** Called in every frame of a contact, after those of its start. */
+        /** Called in every frame of a touch; in its first frame, after the handlers for starts. */
         public static const COLLISION:int = 1;
 
-        /** Called in the first frame without the contact. */
+        /** Called in the first frame in which the two do not touch any more. */
         public static const END:int = 2;
 
         /** When it is called: one of the constants. */

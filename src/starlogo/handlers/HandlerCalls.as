@@ -7,7 +7,7 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Calls the handlers of a frame: those of touches that have ended, then those of the pairs. When one throws, it goes on with the next.
+     * Calls the handlers of a frame: first for touches that have ended, then for the pairs. When a handler throws, the next one is called.
      *
      * @private
      */
@@ -20,20 +20,20 @@ package starlogo.handlers
         public var count:int = 0;
 
         /** Which pairs touch, of breeds with handlers for starts or ends. */
-        public var tracker:ContactTracker = new ContactTracker();
+        public var tracker:TouchTracker = new TouchTracker();
 
         private var _contacts:ContactSource;
         private var _table:HandlerTable = null;
         private var _errors:Vector.<Error> = null;
 
-        // The list that was searched; the same list, which handlers change; whether every agent that was asked about was in its place.
+        // The list that was searched; the same list, which handlers change; whether every agent that was asked about was where it was.
         private var _listed:Vector.<Agent> = null;
         private var _agents:Vector.<Agent> = null;
         private var _areInPlace:Boolean;
         private var _list:AgentList = new AgentList();
 
         // For each pair: its touch, or null.
-        private var _touches:Vector.<ContactPair> = new Vector.<ContactPair>();
+        private var _touches:Vector.<Touch> = new Vector.<Touch>();
 
         // Whose turn it is: ended touches have the numbers below 0, pairs the others. The two agents, where they were in the list, and the touch if it
         // begins in this turn.
@@ -42,7 +42,7 @@ package starlogo.handlers
         private var _secondAt:int;
         private var _first:Agent;
         private var _second:Agent;
-        private var _starting:ContactPair;
+        private var _starting:Touch;
 
         // The handlers of this turn, how many of them are called, and the next one. While a handler runs this is the one after it.
         private var _handlers:PairHandlers;
@@ -148,18 +148,13 @@ package starlogo.handlers
                         continue;
                     }
                     count++;
-                    var toCall:Function = handler.handler;
-                    if (handler.mayTakeContact)
+                    if (_call > forwardCount)
                     {
-                        callWithContact(handler, _call > forwardCount);
-                    }
-                    else if (_call > forwardCount)
-                    {
-                        toCall(second, first);
+                        call(handler, second, first);
                     }
                     else
                     {
-                        toCall(first, second);
+                        call(handler, first, second);
                     }
                 }
                 if (_starting != null && (_call > forwardCount || _call == _callCount))
@@ -187,8 +182,8 @@ package starlogo.handlers
             }
         }
 
-        // The handlers are those of the breeds that the two agents had when the touch began.
-        private function beginEnd(touch:ContactPair):void
+        // The handlers belong to the breeds that the two agents had when the touch began.
+        private function beginEnd(touch:Touch):void
         {
             _first = touch.first;
             _second = touch.second;
@@ -201,13 +196,13 @@ package starlogo.handlers
             }
         }
 
-        // If the touch begins now, the handlers are those of a start. It does not begin if an agent has left the list.
+        // If the touch begins now, the handlers for starts are called too. It does not begin if an agent has left the list.
         private function findTouch():void
         {
-            var touch:ContactPair = _touches[_turn];
+            var touch:Touch = _touches[_turn];
             if (touch == null && areListed())
             {
-                touch = _touches[_turn] = tracker.start(_first, _second);
+                touch = _touches[_turn] = tracker.start(_first, _second, _first.breedNumber, _second.breedNumber);
             }
             if (touch == null)
             {
@@ -221,23 +216,23 @@ package starlogo.handlers
             }
         }
 
-        // Ended touches have no contact.
-        private function callWithContact(handler:CollisionHandler, isBack:Boolean):void
+        private function call(handler:CollisionHandler, collider:Agent, collidee:Agent):void
         {
-            var contact:Object = null;
-            if (_turn >= 0)
-            {
-                contact = handler.takesContact ? _contacts.contactOf(_turn, _first, _second, isBack)
-                    : _contacts.contactWhenAsked(_turn, _first, _second, isBack);
-            }
+            // not as a method of the handler
             var toCall:Function = handler.handler;
+            var contact:Object = null;
+            // an ended touch has no contact
+            if (handler.mayTakeContact && _turn >= 0)
+            {
+                contact = _contacts.contactFor(handler, _turn, _first, _second, collider === _second);
+            }
             if (handler.takesContact || contact != null)
             {
-                toCall(isBack ? _second : _first, isBack ? _first : _second, contact);
+                toCall(collider, collidee, contact);
             }
             else
             {
-                toCall(isBack ? _second : _first, isBack ? _first : _second);
+                toCall(collider, collidee);
             }
         }
 
@@ -250,7 +245,7 @@ package starlogo.handlers
             _second = _listed[_secondAt];
         }
 
-        // Whether both agents are in the list. Mostly they are in their places. Once one is not, AgentList is asked for the rest of the frame.
+        // Whether both agents are in the list. Mostly they are where they were. Once one is not, AgentList is asked for the rest of the frame.
         private function areListed():Boolean
         {
             var agents:Vector.<Agent> = _agents;

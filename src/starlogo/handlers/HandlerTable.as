@@ -15,7 +15,7 @@ package starlogo.handlers
         /** The pairs of breeds that have handlers. */
         public var interests:BreedInterests = new BreedInterests();
 
-        /** Whether no handler asks for contacts, or when touches begin or end. */
+        /** Whether no handler takes contacts, and none is for starts or ends of touches. */
         public var isPlain:Boolean = true;
 
         // In the order of their kinds; handlers of one kind in the order in which they were added.

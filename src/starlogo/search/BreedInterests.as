@@ -13,7 +13,7 @@ package starlogo.search
      */
     public final class BreedInterests
     {
-        /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
+        /** Stands for any breed, where a breed's name is wanted. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = "*";
 
         /** @private Whether a pair of breeds is of interest, at the number of one breed times breedCount plus the number of the other. */

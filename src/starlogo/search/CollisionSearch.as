@@ -257,7 +257,7 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var otherRow:int = _bins.rowAt[other];
-                // the motion is that of the agent that is first in the list
+                // the time is of the motion of the agent that is first in the list
                 var isFirst:Boolean = member < _bins.memberAt[other];
                 var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
                 if (time != RelativeMotion.NEVER)

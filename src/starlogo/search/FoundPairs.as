@@ -12,7 +12,7 @@ package starlogo.search
         /** How many pairs there are. */
         public var count:int = 0;
 
-        /** The indices: a0, b0, a1, b1, ... What comes after those of all pairs is left from other searches. */
+        /** The indices: a0, b0, a1, b1, ... Indices after the last pair are left from other searches. */
         public var indices:Vector.<int> = new Vector.<int>();
 
         // By the ids of the agents of a list.
@@ -23,7 +23,7 @@ package starlogo.search
         {
         }
 
-        /** Takes pairs of agents: a0, b0, a1, b1, ... It leaves out those of which one is not in the list. */
+        /** Takes pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
         public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
         {
             _byId.clear();

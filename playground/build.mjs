@@ -21,11 +21,11 @@ const readable = path.join(engine, exports["./readable"].default);
 const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(readable));
 
 const STYLE = 'style:"display: none;"';
-const WARNING = /[\w$]+\("Blockly\.Workspace\.getAllVariables","v12","v13","[^"]+"\);/;
+const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[^"]+"\);/g;
 
 /**
  * Blockly sets one style as an attribute, which the page's policy forbids: as an attribute of SVG it does the same. And it warns on
- * the console of a method of its own that it still calls.
+ * the console of methods of its own that it still calls.
  */
 const tameBlockly = {
 	name: "tame-blockly",
@@ -34,8 +34,8 @@ const tameBlockly = {
 		onResolve({ filter: /^blockly$/ }, ({ kind, resolveDir }) => resolve("blockly/core", { kind, resolveDir }));
 		onLoad({ filter: /blockly_compressed\.js$/ }, ({ path: file }) => {
 			const text = readFileSync(file, "utf8");
-			if (!text.includes(STYLE) || !WARNING.test(text)) throw new Error(`${file} is not as it was: look whether it needs taming`);
-			return { contents: text.replaceAll(STYLE, 'display:"none"').replace(WARNING, ""), loader: "js" };
+			if (!text.includes(STYLE) || text.search(WARNINGS) < 0) throw new Error(`${file} is not as it was: look whether it needs taming`);
+			return { contents: text.replaceAll(STYLE, 'display:"none"').replace(WARNINGS, ""), loader: "js" };
 		});
 	},
 };

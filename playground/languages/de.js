@@ -137,7 +137,7 @@ export const texts = {
 	},
 	measure: {
 		title: "Wie lange die Kollisionen eines Bildes dauern",
-		how: "Agenten aus sechs Modellen laufen über einen Boden, der mit ihrer Zahl wächst, damit sich überall gleich viele berühren. Jede Zeit ist die mittlere aus einigen Bildern. Ein System, das länger als 150 ms braucht, wird nicht nach mehr Agenten gefragt.",
+		how: "Agenten aus sechs Modellen laufen über einen Boden, der mit ihrer Zahl wächst, damit sich überall gleich viele berühren. Jede Zeit ist die mittlere aus mehreren, jede aus so vielen Bildern, wie die Uhr des Browsers unterscheiden kann. Ein System, das länger als 150 ms braucht, wird nicht nach mehr Agenten gefragt.",
 		start: "Messen", stop: "Stopp", running: "Es wird gemessen. Der Rechner sollte sonst nichts zu tun haben.", done: "Gemessen.", stopped: "Angehalten.",
 		most: "Agenten bis", machine: "Name dieses Rechners", thisMachine: "Dieser Rechner",
 		keep: "Behalten", kept: "Dieser Browser behält es.", notKept: "Dieser Browser behält nichts: Sein Speicher ist voll oder gesperrt. Lade es herunter.",
@@ -152,6 +152,7 @@ export const texts = {
 		pageOf: (number) => `Seite zum Drucken von Lektion ${number}`, openOf: (number) => `Lektion ${number} öffnen`,
 		all: "Alle Lektionen", print: "Drucken", of: (number, all, minutes) => `Lektion ${number} von ${all}, ${minutes} Minuten`,
 		aim: "Was gelernt wird", told: "Was die Lektion sagt", ask: "Zum Reden", solution: "Eine Lösung",
+		picture: (title) => `So beginnt „${title}“`, program: (title) => `Die Blöcke von „${title}“, wie sie gegeben sind`, given: "Die gegebenen Blöcke",
 		list: {
 			blocks: { aim: "Ein Skript läuft für jeden Agenten, viele Male in der Sekunde. Die Reihenfolge der Blöcke ist die Reihenfolge dessen, was geschieht.", ask: "Das Skript hat keine Schleife, und doch laufen die Schildkröten immer weiter. Warum?", solution: "Setze „vorwärts“ unter „drehe“ in das Skript „in jedem Bild, für alle Schildkröten“." },
 			helmet: { aim: "Ein Computer testet einfache Formen statt der Modelle. Darum kann er eine Berührung verpassen.", ask: "Wo sieht sonst noch jemand nur ungefähr hin, um schneller zu sein?", solution: "Wähle über der Welt „Engste Hüllen“, „Hierarchien“ oder „Exakt“ und drücke „Schritt“." },
@@ -172,7 +173,7 @@ export const texts = {
 		blocks: "Das Programm",
 		blocksKeys: "Seine Blöcke: Pfeiltasten gehen von einem zum nächsten und hinein, Eingabe ändert, Entf löscht, M verschiebt",
 		tabs: { game: "Welt", program: "Blöcke" },
-		run: "Start", stop: "Stopp", step: "Schritt", reset: "Zurück", again: "Noch einmal",
+		run: "Start", stop: "Stopp", step: "Schritt", reset: "Von vorn", again: "Noch einmal",
 		system: "Kollisionssystem",
 		beside: "Und daneben",
 		alone: "kein anderes",
@@ -215,6 +216,7 @@ export const texts = {
 		stale: "Du hast das Programm geändert. Es läuft weiter wie bisher, bis es neu beginnt.",
 		startAnew: "Neu beginnen",
 		keyName: (does) => does.charAt(0).toUpperCase() + does.slice(1),
+		keyWays: { up: "hoch", down: "runter", left: "nach links", right: "nach rechts" },
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "Leertaste" },
 		figures: "Zahlen",
 		panel: { fps: "Bilder je Sekunde", ms: "ms Kollisionserkennung", agents: "Agenten", pairs: "nahe Paare", tests: "Tests", collisions: "berühren sich", meetings: "Treffen bisher" },

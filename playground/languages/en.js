@@ -140,7 +140,7 @@ export const texts = {
 	},
 	measure: {
 		title: "How long a frame's collisions take",
-		how: "Agents of six models walk over a ground that grows with their number, so that as many of them touch everywhere. Each time is the middle one of some frames. A system that takes longer than 150 ms is not asked about more agents.",
+		how: "Agents of six models walk over a ground that grows with their number, so that as many of them touch everywhere. Each time is the middle one of several, each of as many frames as the browser’s clock can tell apart. A system that takes longer than 150 ms is not asked about more agents.",
 		start: "Measure", stop: "Stop", running: "Measuring. The machine should have nothing else to do.", done: "Measured.", stopped: "Stopped.",
 		most: "Agents up to", machine: "Name of this machine", thisMachine: "This machine",
 		keep: "Keep", kept: "This browser keeps it.", notKept: "This browser keeps nothing: its storage is full or refused. Download it.",
@@ -155,6 +155,7 @@ export const texts = {
 		pageOf: (number) => `Page to print of lesson ${number}`, openOf: (number) => `Open lesson ${number}`,
 		all: "All lessons", print: "Print", of: (number, all, minutes) => `Lesson ${number} of ${all}, ${minutes} minutes`,
 		aim: "What pupils learn", told: "What the lesson says", ask: "To talk about", solution: "A solution",
+		picture: (title) => `How “${title}” begins`, program: (title) => `The blocks of “${title}” as they are given`, given: "The blocks that are given",
 		list: {
 			blocks: { aim: "A script runs for each agent, many times a second. The order of blocks is the order of what happens.", ask: "The script has no loop, and yet the turtles keep walking. Why?", solution: "Put “forward” below “turn” in the script “every frame, each of turtles”." },
 			helmet: { aim: "A computer tests simple shapes in place of models, so it can miss a touch.", ask: "Where else does somebody look only roughly, to be quicker?", solution: "Choose “Tightest fits”, “Hierarchies” or “Exact” above the world, and press Step." },
@@ -218,6 +219,7 @@ export const texts = {
 		stale: "You have changed the program. It goes on as it was until it starts anew.",
 		startAnew: "Start anew",
 		keyName: (does) => does.charAt(0).toUpperCase() + does.slice(1),
+		keyWays: { up: "up", down: "down", left: "left", right: "right" },
 		keysOf: { up: "↑", down: "↓", left: "←", right: "→", space: "space" },
 		figures: "Numbers",
 		panel: { fps: "frames a second", ms: "ms of collision detection", agents: "agents", pairs: "pairs near", tests: "tests", collisions: "touching", meetings: "meetings so far" },

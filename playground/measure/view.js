@@ -35,7 +35,7 @@ class MeasureView {
 		this.startButton = button(words.start, () => (this.#isRunning ? this.#stop(words.stopped) : this.run()), { class: "primary" });
 		this.status = h("p.status", { role: "status" });
 		this.others = h("select", { onchange: () => this.#choose(this.others.value) });
-		this.picture = h("div.chart");
+		this.picture = h("div.chart", { tabindex: "0", role: "group", "aria-label": words.chart });
 		this.table = h("div.table", { tabindex: "0", role: "region", "aria-label": words.table });
 		const most = choice(COUNTS.slice(2).map((count) => [String(count), String(count)]), String(FIRST_MOST), (count) => {
 			this.#most = Number(count);

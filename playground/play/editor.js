@@ -149,6 +149,45 @@ class Bin extends Blockly.DeleteArea {
 	}
 }
 
+/** Tells menus of what a program names. */
+function meetAll(program) {
+	JSON.stringify(program, (key, value) => {
+		meet(key, value);
+		return value;
+	});
+}
+
+/**
+ * Shows a program's blocks as a picture, in two columns.
+ *
+ * @param {HTMLElement} host as wide as the picture
+ * @param {object} program in Blockly's notation
+ * @param {number} highest how high the picture may be, in pixels
+ */
+export function showBlocks(host, program, highest) {
+	meetAll(program);
+	const workspace = adoptStyles(() => Blockly.inject(host, { theme: themes.light, renderer: "zelos", media: "media/", sounds: false, readOnly: true, trashcan: false, zoom: { minScale: 0.1 }, move: { scrollbars: false, drag: false, wheel: false } }));
+	Blockly.serialization.workspaces.load(program, workspace);
+	const blocks = workspace.getTopBlocks(true);
+	const heights = blocks.map((block) => block.getHeightWidth().height + MARGIN);
+	const half = heights.reduce((sum, height) => sum + height, 0) / 2;
+	const ends = [0, 0];
+	const widths = [0, 0];
+	blocks.forEach((block, i) => {
+		block.setCollapsed(false);
+		const column = ends[0] > 0 && ends[0] + heights[i] / 2 > half ? 1 : 0;
+		block.moveTo(new Blockly.utils.Coordinate(column === 0 ? 0 : widths[0] + 2 * MARGIN, ends[column]));
+		const { height, width } = block.getHeightWidth();
+		ends[column] += height + 2 * MARGIN;
+		widths[column] = Math.max(widths[column], width);
+	});
+	const scale = Math.min(SCALE, host.clientWidth / (widths[0] + widths[1] + 3 * MARGIN), highest / Math.max(...ends));
+	workspace.setScale(scale);
+	host.style.height = `${Math.ceil(Math.max(...ends) * scale)}px`;
+	Blockly.svgResize(workspace);
+	workspace.translate(0, 0);
+}
+
 let isKeyboardReady = false;
 
 export class Editor {
@@ -256,11 +295,7 @@ export class Editor {
 	}
 
 	#load(program, inOrder) {
-		// menus take what they know
-		JSON.stringify(program, (key, value) => {
-			meet(key, value);
-			return value;
-		});
+		meetAll(program);
 		Blockly.Events.disable();
 		try {
 			Blockly.serialization.workspaces.load(program, this.workspace);

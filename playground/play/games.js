@@ -109,13 +109,15 @@ const space = many(["shields"],
 
 const [PEARLS, MISSES] = [12, 3];
 const catching = many(["missed"],
-	timer(1.2, "turtles", hatch("pearls", "sphere", size(0.8), paint("me", colour("white")), go(numbers(-8, 8), 0, 9))),
-	each("pearls", up(-0.06), when(compare("LT", trait("z"), number(0)), step("missed", 1), when(compare("GTE", get("missed"), number(MISSES)), end("lost", words.catch.lost)), remove("me"))),
+	timer(1.2, "turtles", hatch("pearls", "sphere", size(0.8), paint("me", colour("white")), go(numbers(-7, 7), 0, 6.5))),
+	each("pearls", up(-0.05), when(compare("LT", trait("z"), number(0)), step("missed", 1), when(compare("GTE", get("missed"), number(MISSES)), end("lost", words.catch.lost)), remove("me"))),
 	touch("turtles", "pearls", remove("collidee"), change(1), when(compare("GTE", field("starlogo_score"), number(PEARLS)), end("won", words.catch.won))),
 	folded(start(
 		ground("sea"), goal(words.catch.goal), score(number(0)), set("missed", 0),
 		create(1, "turtles", "turtle", size(2.4), heading(0)),
-		create(9, "kelp", "kelp", scatter, go(numbers(-10, 10), numbers(3, 9), 0), size(1.3)),
+		create(12, "kelp", "kelp", scatter, go(numbers(-7, 7), numbers(2, 5), 0), size(2.6)),
+		// the view shows as far up as somebody is
+		create(1, "seagulls", "seagull", go(0, 4, 6.5), size(2)),
 	)),
 	folded(key("left", "held", "turtles", heading(180), move(0.16))),
 	folded(key("right", "held", "turtles", heading(0), move(0.16))),

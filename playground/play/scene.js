@@ -5,8 +5,9 @@ import { LINES, VERDICTS } from "../shared/colours.js";
 import { button, h } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
 import { Being } from "./being.js";
+import { Hiding } from "./hiding.js";
 import { nameOf } from "./panel.js";
-import { breedsOfKeys } from "./program.js";
+import { breedsThatKeysTurn } from "./program.js";
 import { HALF_WIDTH } from "./world.js";
 
 const words = texts.play;
@@ -21,6 +22,9 @@ const MOST_SAID = 40;
 const ABOVE = 0.35;
 /** How large the pictures of shapes are in menus. */
 const SMALL = [80, 60];
+/** What small pictures of games show that have agents all over the ground: the middle of it. */
+const NEAR = 0.6 * HALF_WIDTH;
+const MIDDLE = [-NEAR, -NEAR, 0, NEAR, NEAR, 2];
 
 export class Scene {
 	camera = "all";
@@ -63,15 +67,13 @@ export class Scene {
 	}
 
 	/**
-	 * Looks at a new program's game: over the shoulder of its main character, who alone of a breed has scripts for keys, or else at all of its agents, or all of the
-	 * ground if they are all over it.
+	 * Looks at a new program's game: over the shoulder of its main character, or else at all of its agents, or all of the ground if they are all over it.
 	 *
 	 * @returns {string} which camera that is
 	 */
 	lookAt(program) {
 		const { agents } = this.world;
-		const isAlone = (breed) => agents.filter((agent) => agent.breed === breed).length === 1;
-		this.#mainBreed = breedsOfKeys(program).find(isAlone) ?? null;
+		this.#mainBreed = mainBreedOf(program, agents);
 		this.camera = this.#mainBreed === null ? "all" : "follow";
 		this.stage.showAll(this.#partOf(agents));
 		return this.camera;
@@ -102,8 +104,10 @@ export class Scene {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
+		const main = this.camera === "all" ? null : this.chosen ?? this.main;
+		if (main) stage.follow(main, this.#height(main), this.camera === "eyes");
 		stage.setGround(world.ground);
-		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
+		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
 		stage.wireframe("structures", STRUCTURES).showLines(lines);
@@ -112,28 +116,44 @@ export class Scene {
 		const solids = (this.isSeen ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: VERDICTS[verdicts.get(agent) ?? "none"] }));
 		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: VERDICTS.hit })), solids);
 		stage.showSigns([...verdicts].map(([agent, kind]) => ({ kind, x: agent.x, y: agent.y, z: agent.z + this.#height(agent) + ABOVE })));
-		const main = this.chosen ?? this.main;
-		if (this.camera !== "all" && main) stage.follow(main, this.#height(main), this.camera === "eyes");
 		this.#show(again);
 		this.#inspect();
 		stage.draw();
 	}
 
-	/** A picture of other agents, which are shown until the game is drawn again. */
-	picture(agents, width, height, ground = "meadow") {
-		this.stage.setGround(ground);
-		this.stage.showAgents(agents, this.models);
+	/** A picture of how a program's game begins, which is shown until the game is drawn again. */
+	pictureOfGame(program, world, width, height) {
+		const breed = mainBreedOf(program, world.agents);
+		return this.#picture(world, width, height, world.agents.find((agent) => agent.breed === breed));
+	}
+
+	/** A picture of agents, from behind one of them or else of all. */
+	#picture(world, width, height, main) {
+		this.stage.setGround(world.ground);
 		this.stage.showMarks([], []);
 		this.stage.showSigns([]);
 		this.stage.clearLines("structures", "chosen");
-		return this.stage.picture(width, height, this.#partOf(agents));
+		return this.stage.picture(width, height, () => {
+			if (main) this.stage.follow(main, this.#height(main), false);
+			else this.stage.showAll(this.#partOf(world.agents) ?? MIDDLE);
+			this.stage.showAgents(this.#notHiding(main, world), this.models);
+		});
+	}
+
+	/** The agents without those between the eye and one that it follows, if it does. */
+	#notHiding(main, world) {
+		const { agents } = world;
+		if (!main || !this.stage.renderer) return agents;
+		this.hiding ??= new Hiding(this.world.greatLand);
+		const hiding = this.hiding.of(world, main, this.#height(main), this.stage.camera.position);
+		return hiding.size > 0 ? agents.filter((agent) => !hiding.has(agent)) : agents;
 	}
 
 	/** A picture of one agent of a shape, as an address; made once. */
 	pictureOf(shape) {
 		const model = this.models.get(shape);
 		if (model && !this.#pictures.has(model)) {
-			this.#pictures.set(model, this.picture([new Being(shape, shape)], ...SMALL));
+			this.#pictures.set(model, this.#picture({ agents: [new Being(shape, shape)], frame: 0, ground: "meadow" }, ...SMALL, null));
 			// what the game shows comes back after the last one
 			if (!this.#isPictured) queueMicrotask(() => {
 				this.#isPictured = false;
@@ -246,6 +266,9 @@ export class Scene {
 			}));
 	}
 }
+
+/** The breed of a game's main character, whom keys turn and who is alone in it; null if there is none. */
+const mainBreedOf = (program, agents) => breedsThatKeysTurn(program).find((breed) => agents.filter((agent) => agent.breed === breed).length === 1) ?? null;
 
 /** The structures of a tree that a test ends at. */
 function boundsAt(node, level, out = []) {

@@ -218,7 +218,7 @@ class PlayView {
 		} catch {
 			return null;
 		}
-		return this.scene.picture(world.agents, ...PICTURE, world.ground);
+		return this.scene.pictureOfGame(program, world, ...PICTURE);
 	}
 
 	/** Opens what an address names. */
@@ -401,7 +401,9 @@ class PlayView {
 		});
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? now : 0);
-		this.rewind.input.min = -world.history.length;
+		const { length } = world.history;
+		this.rewind.input.disabled = length === 0;
+		this.rewind.input.min = -Math.max(1, length);
 		this.rewind.set(-world.history.back);
 	}
 

@@ -3,8 +3,8 @@ import { CircleGeometry, MeshBasicMaterial, RingGeometry, Vector3 } from "three"
 import { INK, VERDICTS } from "./colours.js";
 import { Crowd } from "./marks.js";
 
-/** How large a sign is, as a share of how far it is. */
-const SIZE = 0.013;
+/** The radius of a sign, in pixels. */
+const RADIUS = 6;
 const BORDER = 1.35;
 
 export class Signs {
@@ -23,11 +23,17 @@ export class Signs {
 		this.#shown = signs;
 	}
 
-	/** Turns them to the eye, all as large wherever they are. */
-	face(camera) {
+	/**
+	 * Turns them to the eye, all as large wherever they are.
+	 *
+	 * @param {import("three").PerspectiveCamera} camera
+	 * @param {number} height of its picture, in pixels
+	 */
+	face(camera, height) {
+		const scale = (2 * RADIUS * Math.tan((camera.fov * Math.PI) / 360)) / height;
 		for (const { kind, x, y, z } of this.#shown) {
 			place.set(x, y, z);
-			const size = SIZE * camera.position.distanceTo(place);
+			const size = scale * camera.position.distanceTo(place);
 			this.grounds[kind].addAt(place, camera.quaternion, size, INK);
 			this.faces[kind].addAt(place, camera.quaternion, size, VERDICTS[kind]);
 		}

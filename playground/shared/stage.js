@@ -158,7 +158,7 @@ export class Stage {
 		if (!this.renderer) return;
 		cancelAnimationFrame(this.#wanted);
 		this.#wanted = 0;
-		this.signs.face(this.camera);
+		this.signs.face(this.camera, this.host.clientHeight);
 		this.renderer.render(this.scene, this.camera);
 		this.onDrawn?.();
 	}
@@ -336,13 +336,19 @@ export class Stage {
 		return caster;
 	}
 
-	/** A small picture of a part of the ground, or of all of it, as an address; null where nothing is drawn. The view stays as it is. */
-	picture(width, height, part) {
+	/**
+	 * A small picture, as an address; null where nothing is drawn. The view stays as it is.
+	 *
+	 * @param {number} width in pixels
+	 * @param {number} height in pixels
+	 * @param {() => void} look looks at what is to be seen
+	 */
+	picture(width, height, look) {
 		if (!this.renderer) return null;
 		const { camera, controls, home, renderer } = this;
 		const [position, target, isTouched, shown] = [camera.position.clone(), controls.target.clone(), this.#isTouched, home.part];
 		this.#resize(width, height, 1);
-		this.showAll(part);
+		look();
 		this.draw();
 		const canvas = h("canvas", { width, height });
 		canvas.getContext("2d").drawImage(renderer.domElement, 0, 0);

@@ -6,6 +6,8 @@ const words = texts.teach;
 /** The lessons in their order, and how many minutes a class needs for each. */
 const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 15, room: 15, near: 20, see: 20, hunt: 25 };
 const NAMES = Object.keys(MINUTES);
+/** How high the picture of a lesson's blocks may be, in pixels, so that all is on one sheet of paper. */
+const HIGHEST = 390;
 
 export async function createView(main, name) {
 	const view = new TeachView(main);
@@ -20,6 +22,7 @@ class TeachView {
 
 	/** Shows the page of a lesson, or of all of them. */
 	open(name) {
+		delete this.main.dataset.drawn;
 		if (name in MINUTES) this.#showLesson(name);
 		else this.#showAll();
 		this.main.scrollTop = 0;
@@ -43,13 +46,32 @@ class TeachView {
 		const address = new URL(location.href);
 		address.hash = `play/lesson-${name}`;
 		const part = (head, ...content) => [h("h3", {}, head), ...content.map((each) => h("p", {}, each))];
+		const picture = h("img.shown", { alt: words.picture(title), width: 800, height: 500 });
+		const blocks = h("div.shown-blocks", { role: "img", "aria-label": words.program(title), inert: true });
 		this.main.replaceChildren(h("section.sheet", { "aria-label": title },
 			h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" })),
 			h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
 			h("h2", {}, title),
 			h("p", {}, h("a.address", { href: address.href }, address.href)),
-			...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
+			picture, ...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
+			h("h3", {}, words.given), blocks,
 			...part(words.ask, ask), h("div.lines", { "aria-hidden": "true" }), ...part(words.solution, solution)));
+		this.#draw(name, picture, blocks);
+	}
+
+	/** Draws what comes late: the words can be read meanwhile. */
+	async #draw(name, picture, blocks) {
+		const [{ LESSONS }, { pictureOf }, messages] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js")]);
+		if (!picture.isConnected) return;
+		const { program } = LESSONS[name];
+		const address = await pictureOf(program, this.main);
+		if (address) picture.src = address;
+		else picture.remove();
+		await messages.loadMessages();
+		const { showBlocks } = await import("../play/editor.js");
+		if (!blocks.isConnected) return;
+		showBlocks(blocks, program, HIGHEST);
+		this.main.dataset.drawn = name;
 	}
 
 	close() {}

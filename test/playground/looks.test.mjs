@@ -73,11 +73,24 @@ test('Play: behind the main character, where keys move one; else all of it, no s
 	await use(page, 'paintball');
 	assert.equal(await camera.inputValue(), 'follow');
 	assert.ok(await pixels('bears') > 80, `the bear is ${await pixels('bears')} pixels high`);
-	for (const program of ['helmet', 'wing', 'wall', 'lesson-blocks', 'lesson-room']) {
+	// a wall at its back does not hide it: who clicks on it clicks on nobody else
+	await use(page, 'maze');
+	assert.equal(await camera.inputValue(), 'follow');
+	const clicked = await page.evaluate(() => {
+		const { world, stage } = globalThis.playground;
+		const { x, y } = world.agents.find(({ breed }) => breed === 'people');
+		const box = stage.host.getBoundingClientRect();
+		const at = stage.pixelOf(x, y, 0.6);
+		return stage.agentAt({ clientX: box.left + at.x, clientY: box.top + at.y })?.breed;
+	});
+	assert.equal(clicked, 'people');
+	for (const program of ['helmet', 'wing', 'wall', 'lesson-blocks', 'lesson-room', 'catch', 'pinball']) {
 		await use(page, program);
 		assert.equal(await camera.inputValue(), 'all', program);
 		assert.ok(await steepness(page) <= 40.01, `${program}: ${await steepness(page)} degrees`);
 	}
+	// keys that turn nobody say where to
+	assert.deepEqual(await page.locator('.pad .key').allTextContents(), ['←left', '→right']);
 	await use(page, 'helmet');
 	assert.ok(await pixels('firemen') > 100, `near misses fill the picture: ${await pixels('firemen')}`);
 	// the narrower the window, the more from above, and yet
@@ -278,6 +291,15 @@ test('for teachers: each lesson has a page that is printed on one sheet, its tim
 		}, sheet);
 		await page.waitForFunction((hash) => document.querySelector('.address')?.getAttribute('href').endsWith(hash), lesson);
 		assert.match(await page.textContent('.sheet .note'), /^Lesson \d+ of 10, \d+ minutes$/);
+		// with pictures of its world and its blocks
+		await page.waitForSelector(`[data-drawn="${sheet.split('/')[1]}"]`);
+		assert.ok(await page.evaluate(() => document.querySelector('.shown').naturalWidth) === 800);
+		const { blocks, isCut } = await page.evaluate(() => {
+			const { right, bottom } = document.querySelector('.shown-blocks').getBoundingClientRect();
+			const boxes = [...document.querySelectorAll('.shown-blocks .blocklyBlockCanvas .blocklyPath')].map((each) => each.getBoundingClientRect());
+			return { blocks: boxes.length, isCut: boxes.some((box) => box.right > right + 1 || box.bottom > bottom + 1) };
+		});
+		assert.ok(blocks > 3 && !isCut, `${sheet}: ${blocks} blocks`);
 		await page.emulateMedia({ media: 'print' });
 		// A4 at 96 pixels an inch, with margins of half an inch
 		await page.setViewportSize({ width: 698, height: 1026 });

@@ -12,6 +12,7 @@ import { build } from "esbuild";
 import { models } from "../assets/generator/models/index.mjs";
 import { palette } from "../assets/generator/palette.mjs";
 import { flatten } from "../assets/generator/scene.mjs";
+import { writeDocs } from "./docs.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
@@ -144,6 +145,7 @@ cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: tr
 mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
+writeDocs(path.join(here, ".."), path.join(out, "docs"));
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
 	const first = neededFor(`playground/${entry}`);

@@ -87,8 +87,6 @@ async function show() {
 		if (each === name) link.setAttribute("aria-current", "page");
 		else link.removeAttribute("aria-current");
 	}
-	// a narrow window has not all of them in sight
-	links.get(name).scrollIntoView({ block: "nearest", inline: "center" });
 	note.textContent = "";
 	document.title = texts.title(texts.views[name]);
 	shown?.view.close();

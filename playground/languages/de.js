@@ -199,6 +199,10 @@ export const texts = {
 			label: "Blöcke ändern", undo: "Rückgängig", redo: "Wiederholen", smaller: "Kleinere Blöcke", larger: "Größere Blöcke", bin: "Papierkorb",
 			howToDelete: "Ziehe einen Block auf den Papierkorb, um ihn zu löschen. Oder klicke zuerst auf den Block und dann auf den Papierkorb.",
 		},
+		javascript: {
+			title: "Dieses Programm als JavaScript", note: "Ein Modul auf dem npm-Paket starlogo-collision, das dasselbe Spiel spielt, ohne Bild. Wer eines will, zeichnet die Agenten.",
+			download: "Herunterladen", documentation: "Dokumentation (englisch)", examples: "Beispiele (englisch)",
+		},
 		ask: { take: "Gut", leave: "Abbrechen", letters: (count, most) => `${count} von ${most} Buchstaben` },
 		opened: (name) => `„${name}“ ist offen.`,
 		backTo: (name) => `Zurück zu „${name}“`,

@@ -202,6 +202,10 @@ export const texts = {
 			label: "Change the blocks", undo: "Undo", redo: "Redo", smaller: "Smaller blocks", larger: "Larger blocks", bin: "Trash can",
 			howToDelete: "Drag a block to the trash can to delete it. Or click on the block first and then on the trash can.",
 		},
+		javascript: {
+			title: "This program as JavaScript", note: "A module on the npm package starlogo-collision that plays the same game, without a picture. Whoever wants one draws its agents.",
+			download: "Download", documentation: "Documentation", examples: "Examples",
+		},
 		ask: { take: "OK", leave: "Cancel", letters: (count, most) => `${count} of ${most} letters` },
 		opened: (name) => `“${name}” is open.`,
 		backTo: (name) => `Back to “${name}”`,

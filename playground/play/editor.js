@@ -186,6 +186,9 @@ export function showBlocks(host, program, highest) {
 	host.style.height = `${Math.ceil(Math.max(...ends) * scale)}px`;
 	Blockly.svgResize(workspace);
 	workspace.translate(0, 0);
+	// the picture has a name of its own, and what Blockly measures words with is in no part of the page
+	for (const part of host.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label");
+	document.querySelector(".blocklyComputeCanvas")?.setAttribute("aria-hidden", "true");
 }
 
 let isKeyboardReady = false;

@@ -47,7 +47,7 @@ export class Programs {
 			h("div.tools", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept),
 			h("div.tools.files", {}, button(words.new, () => this.openNew()), button(words.save, () => this.#download()),
 				fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
-				button(words.share, () => this.share())));
+				button(words.share, () => this.share()), button("</>", () => this.#showJavascript(), { class: "code", "aria-label": words.javascript.title, title: words.javascript.title })));
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
@@ -375,6 +375,11 @@ export class Programs {
 
 	#download() {
 		download(JSON.stringify({ name: this.#title, ...this.program }, null, 1), "application/json", `${fileName(this.#title)}.json`);
+	}
+
+	async #showJavascript() {
+		const { showJavascript } = await import("./developer.js");
+		showJavascript(this.program, this.#title, fileName(this.#title), this.view.models);
 	}
 
 	async share() {

@@ -1,6 +1,6 @@
 /** How views look and what they say of what is seen: legends, cameras, colours, measures, files. Nothing is painted, as the processor would have to. */
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
@@ -322,4 +322,34 @@ test('what Inspect and Compare load is 245 KB at most, and one language', async 
 		const kilobytes = sizes.reduce((sum, size) => sum + size, 0) / 1024;
 		assert.ok(sizes.length >= 3 && kilobytes < 245, `${view}: ${kilobytes.toFixed(1)} KB in ${sizes.length} files`);
 	}
+});
+
+test('a program is shown as JavaScript, with the way to documentation and examples, whose links all lead somewhere', async () => {
+	const { page, said } = await shared('play');
+	await use(page, 'chase');
+	await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+	const dialog = page.getByRole('dialog', { name: 'This program as JavaScript' });
+	const shown = await dialog.locator('pre').textContent();
+	assert.match(shown, /^\/\/ “Chase”: [^]*import \{ Agent, [^]* \} from "starlogo-collision";[^]*everyFrame\("dragons", function\* \(me\) \{/);
+	assert.equal(await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click()), shown);
+	const folder = path.join(root, 'bin/playground');
+	const links = await dialog.locator('a').evaluateAll((all) => all.map((each) => each.getAttribute('href')));
+	assert.deepEqual(links, ['docs/index.html', 'docs/examples.html']);
+	await page.keyboard.press('Escape');
+	await dialog.waitFor({ state: 'detached' });
+	const html = (file) => readFileSync(path.join(folder, 'docs', file), 'utf8');
+	const files = readdirSync(path.join(folder, 'docs')).filter((file) => file.endsWith('.html'));
+	assert.ok(files.length > 25);
+	let count = 0;
+	for (const file of files) {
+		for (const [, address] of html(file).matchAll(/(?:href|src)="(?!https?:)([^"]*)"/g)) {
+			const [to, place] = address.split('#');
+			assert.ok(to === '' || existsSync(path.join(folder, 'docs', to)), `${file}: ${address}`);
+			assert.ok(!place || html(to || file).includes(`id="${decodeURIComponent(place)}"`), `${file}: ${address}`);
+			count++;
+		}
+	}
+	assert.ok(count > 200, `${count} links`);
+	assert.match(html('examples.html'), /import \{ Agent, .*starlogo-collision[^]*modelFromObject[^]*package/);
+	assert.deepEqual(said.splice(0), []);
 });

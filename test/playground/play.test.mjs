@@ -434,9 +434,12 @@ test('on a phone fingers scroll the page over the world, and Run is in sight bes
 	const client = await context.newCDPSession(page);
 	const touch = (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
 	const swipe = async (selector) => {
-		const box = await page.locator(selector).boundingBox();
-		const x = box.x + box.width / 2;
-		const y = box.y + box.height / 2;
+		// in its middle, or as near to that as there is no block, which the finger would move
+		const { x, y } = await page.evaluate((name) => {
+			const box = document.querySelector(name).getBoundingClientRect();
+			const places = Array.from({ length: 40 }, (_, i) => ({ x: box.left + (box.width * (10 + (i % 10))) / 20, y: box.top + box.height / 2 + 20 * Math.floor(i / 10) }));
+			return places.find((place) => !document.elementFromPoint(place.x, place.y)?.closest('.blocklyDraggable'));
+		}, selector);
 		await touch('touchStart', { x, y });
 		for (let i = 1; i <= 10; i++) {
 			await touch('touchMove', { x, y: y - 20 * i });

@@ -13,6 +13,8 @@ import { SIZES, begin, hold, open, ready, root } from './browser.mjs';
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
 const ADDRESSES = { play: 'play/paintball' };
+/** What else a view shows, by what is there then. */
+const MORE = { play: { '.gallery [data-drawn], .gallery[data-drawn]': 'play/all', '.lesson:visible': 'play/lesson-wing' }, teach: { '[data-drawn]': 'teach/see' } };
 const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
 const counts = JSON.parse(readFileSync(path.join(root, 'test/fixtures/playground/scattered.json'), 'utf8'));
 
@@ -67,6 +69,12 @@ for (const view of VIEWS) {
 				await page.waitForSelector('.lesson:visible');
 				await faultless(page, 'light');
 			});
+			await t.test('nor in its program as JavaScript', async () => {
+				await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+				await page.waitForSelector('dialog pre');
+				await faultless(page, 'light');
+				await page.keyboard.press('Escape');
+			});
 			await t.test('nor in two systems beside each other, with an agent that is looked at', async () => {
 				await page.getByLabel('And beside it').selectOption('exact');
 				await page.waitForSelector('.differences');
@@ -86,11 +94,30 @@ for (const view of VIEWS) {
 		await context.close();
 	});
 
-	test(`${view} on a phone`, async () => {
-		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, SIZES.phone);
+	test(`${view} on a phone, in German`, async () => {
+		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de' });
+		assert.equal(await page.getAttribute('html', 'lang'), 'de');
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 		await staysInPlace(page);
-		await faultless(page, 'light');
+		assert.ok(await page.evaluate(() => {
+			const { left, right } = document.querySelector('#views [aria-current]').getBoundingClientRect();
+			const nav = document.querySelector('#views').getBoundingClientRect();
+			return left >= nav.left - 1 && right <= nav.right + 1;
+		}), 'the name of the view is in sight');
+		for (const scheme of ['light', 'dark']) await faultless(page, scheme);
+		for (const [name, address] of Object.entries(MORE[view] ?? {})) {
+			await page.evaluate((hash) => {
+				location.hash = hash;
+			}, address);
+			await page.waitForSelector(name);
+			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, address);
+			for (const scheme of ['light', 'dark']) await faultless(page, scheme);
+		}
+		if (view === 'compare') {
+			await page.locator('.modes input').last().check();
+			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
+			await faultless(page, 'dark');
+		}
 		assert.deepEqual(said, []);
 		await context.close();
 	});
@@ -109,7 +136,8 @@ async function staysInPlace(page) {
 		new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
 		setTimeout(() => resolve(0), 300);
 	}));
-	// a time, which says nothing on a busy machine
+	// a time, which says nothing on a busy machine, where the first picture may be yet to come
+	await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length > 0);
 	const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
 	console.log(`first paint after ${Math.round(paint)} ms`);
 	assert.ok(jumps < 0.05, `what was there moved: ${jumps}`);

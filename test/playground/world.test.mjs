@@ -1,15 +1,18 @@
 /** The worlds that programs of the playground move, without a page. */
 import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 import { deflateRawSync } from 'node:zlib';
 import { models } from '../../assets/generator/models/index.mjs';
 import { palette } from '../../assets/generator/palette.mjs';
 import { flatten } from '../../assets/generator/scene.mjs';
+import { serve } from '../headless/server.mjs';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'playground/package.json'))('esbuild');
@@ -17,11 +20,12 @@ const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.d
 const FRAME_MS = 1000 / 60;
 let parts;
 let greatLand;
+const made = new Map();
 
 before(async () => {
 	const out = path.join(root, 'bin/generated/playground-world.mjs');
 	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	const names = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	// words come before what is made of them
 	const english = path.join(root, 'bin/generated/english.mjs');
 	const from = (file) => JSON.stringify(path.join(root, 'playground', file));
@@ -42,7 +46,8 @@ before(async () => {
 		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
 	}
 	for (const name of ['turtle', 'wall']) {
-		greatLand.addModel(parts[name]());
+		made.set(name, parts[name]());
+		greatLand.addModel(made.get(name));
 	}
 });
 
@@ -668,5 +673,98 @@ test('outlines stand out from ground and sky three to one, by day and at dusk', 
 			const [low, high] = [bright(colour), bright(ink)].sort((one, other) => one - other);
 			assert.ok((high + 0.05) / (low + 0.05) >= 3, `${name} ${colour.toString(16)}: ${(high + 0.05) / (low + 0.05)}`);
 		}
+	}
+});
+
+/** A program with all that blocks are: each in a place where it has a meaning. */
+const everything = () => {
+	const set = (id, VALUE) => ({ type: 'variables_set', fields: { VAR: { id } }, inputs: { VALUE } });
+	const get = (id) => value('variables_get', { VAR: { id } });
+	const op = (OP, A, B) => value('math_arithmetic', { OP }, { A, B });
+	const nearest = value('starlogo_nearest', { BREED: 'anyone' }, { DISTANCE: number(9) });
+	const paint = (WHO, COLOUR) => ({ type: 'starlogo_colour', fields: { WHO }, inputs: { COLOUR } });
+	const any = value('starlogo_any_colour');
+	const grow = (by) => ({ type: 'starlogo_size', inputs: { SIZE: by } });
+	return { system: 'combination', variables: [{ id: 'a', name: 'n' }, { id: 'b', name: 'my own' }], ...program(
+		start(
+			create(4, 'turtles', 'turtle', { type: 'starlogo_scatter' }, grow(number(2)), wait(0.5), create(2, 'balls', 'sphere', go(1, 2, 0), { type: 'starlogo_heading', inputs: { HEADING: value('math_random_int', {}, { FROM: number(1), TO: number(90) }) } })),
+			create(2, 'walls', 'wall', grow(number(5)), { type: 'starlogo_scatter' }),
+			create(1, 'bears', 'bear', grow(number(2))),
+			...[['starlogo_hierarchical', { WHO: 'bears', ON: 'on' }], ['starlogo_collide_as', { WHO: 'turtles', AS: 'sphere' }], ['starlogo_sweep', { WHO: 'balls', ON: 'on' }], ['starlogo_show', { WHO: 'bears', ON: 'on' }]].map(([type, fields]) => ({ type, fields })),
+			{ type: 'starlogo_depth', fields: { WHO: 'bears' }, inputs: { DEPTH: number(3) } },
+			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
+		),
+		each('balls', forward(0.1), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: op('MINUS', get('a'), number(-1)) } }, {
+			type: 'controls_if', extraState: { elseIfCount: 1, hasElse: true }, inputs: {
+				IF0: value('logic_operation', { OP: 'AND' }, { A: value('starlogo_touching', { BREED: 'walls' }), B: value('logic_negate', {}, { BOOL: value('logic_boolean', { BOOL: 'FALSE' }) }) }), DO0: { block: paint('me', any) },
+				IF1: value('logic_compare', { OP: 'GT' }, { A: value('starlogo_count', { BREED: 'balls' }, { DISTANCE: number(3) }), B: number(2) }), DO1: { block: { type: 'starlogo_up', inputs: { STEPS: number(0.01) } } },
+				ELSE: { block: paint('turtles', any) },
+			},
+		}),
+		{ type: 'starlogo_timer', fields: { BREED: 'turtles' }, inputs: { SECONDS: number(0.7), ...inside({ type: 'starlogo_hatch', fields: { BREED: 'balls', SHAPE: 'sphere' }, inputs: inside(forward(1)) },
+			{ type: 'starlogo_face', inputs: { AGENT: nearest } }, { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'walls' }, inputs: { STEPS: number(0.4) } }) } },
+		{ type: 'starlogo_key', fields: { KEY: 'up', MODE: 'held', BREED: 'bears' }, inputs: inside({ type: 'starlogo_until', fields: { HOW: 'moveUntilTouch', BREED: 'anyone' }, inputs: { STEPS: number(0.15) } }) },
+		{ type: 'starlogo_click', fields: { BREED: 'anyone' }, inputs: inside(grow(number(3))) },
+		{ type: 'starlogo_touch_start', fields: { BREED: 'balls', OTHER: 'turtles' }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(1) } }, wait(0.2), { type: 'starlogo_bounce' }, { type: 'math_change', fields: { VAR: { id: 'a' } }, inputs: { DELTA: number(0.5) } }) },
+		{ type: 'starlogo_touch_end', fields: { BREED: 'balls', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_become', fields: { WHO: 'me', BREED: 'old' } }, paint('me', value('starlogo_colour_of', { WHO: 'collidee' }))) },
+		{ type: 'starlogo_collision', fields: { BREED: 'turtles', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_back' }, { type: 'starlogo_ask', inputs: { AGENT: nearest, ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'right' }, inputs: { DEGREES: number(7) } }) } }) },
+		each('old', { type: 'controls_repeat_ext', inputs: { TIMES: op('DIVIDE', number(5), number(2)), ...inside(forward(0.02)) } }, { type: 'controls_whileUntil', fields: { MODE: 'UNTIL' }, inputs: { BOOL: value('logic_compare', { OP: 'LTE' }, { A: value('starlogo_trait', { TRAIT: 'heading' }), B: number(0) }), ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'right' }, inputs: { DEGREES: number(40) } }) } },
+			{ type: 'controls_ifelse', inputs: { IF0: value('starlogo_can_see', {}, { AGENT: nearest }), DO0: { block: paint('me', value('starlogo_pick', { COLOUR: 'red' })) }, ELSE: { block: paint('me', any) } } },
+			{ type: 'starlogo_say', inputs: { TEXT: value('starlogo_distance', {}, { AGENT: nearest }) } }),
+		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(2), ...inside({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }, { type: 'starlogo_score_set', inputs: { SCORE: value('math_modulo', {}, { DIVIDEND: value('starlogo_clock'), DIVISOR: number(3) }) } }) } },
+		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(4), ...inside({ type: 'starlogo_delete', fields: { WHO: 'old' } }, { type: 'starlogo_end', fields: { HOW: 'won', TEXT: 'x' } }) } },
+		each('bears', { type: 'controls_if', inputs: { IF0: value('starlogo_key_down', { KEY: 'space' }), DO0: { block: forward(0.05) } } },
+			{ type: 'starlogo_score_change', inputs: { SCORE: value('starlogo_number_of', { BREED: 'balls' }, { COLOUR: value('starlogo_pick', { COLOUR: 'own' }) }) } },
+			{ type: 'controls_if', inputs: { IF0: value('logic_compare', { OP: 'GT' }, { A: value('starlogo_mouse', { MOUSE: 'x' }), B: number(2) }), DO0: { block: forward(-0.05) } } },
+			{ type: 'starlogo_ask', inputs: { AGENT: value('starlogo_agent', { WHO: 'me' }), ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: value('starlogo_score') } }) } }, { type: 'starlogo_say', inputs: { TEXT: value('text', { TEXT: 'Hi' }) } }),
+	) };
+};
+
+test('a program as JavaScript is a module on the package that plays the same game', async () => {
+	const assets = await serve(null, { '/assets': path.join(root, 'assets') });
+	const folder = path.join(root, 'bin/generated/javascript');
+	mkdirSync(folder, { recursive: true });
+	const engine = pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href;
+	const written = (name, state) => {
+		const file = path.join(folder, `${name}.mjs`);
+		const text = parts.javascriptOf(state, name, made);
+		writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(engine)).replace('"assets/"', JSON.stringify(`${assets.url}assets/`)));
+		return { file, text };
+	};
+	const all = { everything: everything(), ...parts.GAMES, ...Object.fromEntries(Object.entries(parts.LESSONS).map(([name, { program: state }]) => [`lesson-${name}`, state])) };
+	const types = new Set(JSON.stringify(all.everything).match(/"type":"\w+"/g).map((each) => each.slice(8, -1)));
+	assert.deepEqual(parts.DEFINITIONS.map(({ type }) => type).filter((type) => !types.has(type) && type !== 'math_number'), [], 'every block is tried');
+	const seen = ({ agents, score, frame, ended }) => [frame, score ?? 0, ended?.how, ...agents.map(({ breed, x, y, z, heading, size, color }) => [breed, x, y, z, heading, size, color].join(' '))].join('\n');
+	const keys = ['up', 'left', 'space', 'right', 'down'];
+	try {
+		for (const [name, state] of Object.entries(all)) {
+			const { file } = written(name, state);
+			// the same without the ten seconds that it plays by itself
+			writeFileSync(file, readFileSync(file, 'utf8').replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, ''));
+			const world = played(state, 0);
+			const module = await import(pathToFileURL(file).href);
+			let moved = 0;
+			for (let frame = 0; frame < 300; frame++) {
+				if (frame % 25 === 0) {
+					const key = keys[(frame / 25) % keys.length];
+					for (const each of keys) [world, module].forEach((game) => game.release(each));
+					[world, module].forEach((game) => game.press(key));
+				}
+				if (frame === 40) [world, module].forEach((game) => game.click(game.agents[0]));
+				if (frame === 60 && module.mouse) [world, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
+				const places = () => world.agents.map(({ x, y, z }) => `${x} ${y} ${z}`).join();
+				const before = places();
+				world.step();
+				module.step();
+				moved += places() === before ? 0 : 1;
+				assert.equal(seen({ ...module.game, agents: module.agents }), seen(world), `${name}, frame ${frame + 1}`);
+			}
+			if (name in parts.GAMES || name === 'everything') assert.ok(moved > 30, `${name}: ${moved} frames in which somebody moved`);
+		}
+		// as its user runs it
+		const { stdout } = await promisify(execFile)(process.execPath, [written('chase', parts.GAMES.chase).file]);
+		assert.match(stdout, /^\d+ agents after \d+ frames/);
+	} finally {
+		assets.close();
 	}
 });

@@ -29,6 +29,9 @@ package starlogo.search
         private static const IMPROVEMENTS:int = 2;
         private static const GAIN:Number = 0.95;
 
+        // Two normals whose sum is shorter have no direction between them.
+        private static const NEARLY_OPPOSITE:Number = 0.1;
+
         // How narrow the interval is that the way out ends in before it is swept, as a share of the larger extent.
         private static const NARROW:Number = 1 / 16;
 
@@ -159,6 +162,10 @@ package starlogo.search
                 _left.pointAgainst(motion);
                 isDeep = isDeepAlong(_left);
             }
+            if (isDeep && findCorner(out))
+            {
+                isDeep = isDeepAlong(_left);
+            }
             if (isDeep)
             {
                 findDirectionByLeaves(out);
@@ -186,6 +193,17 @@ package starlogo.search
             _exit = out.depth;
             makeSure();
             out.depth = _exit;
+        }
+
+        // Where the two touch two sides of a corner that are hardly deep, the way out is between both: takes the normal between a contact's and that of what
+        // still touches a short way along the direction. Returns whether there is one.
+        private function findCorner(contact:ContactPoint):Boolean
+        {
+            RelativeMotion.NONE.time = 0;
+            _pairs.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+            _left.setNormal(_left.normalX + contact.normalX, _left.normalY + contact.normalY, _left.normalZ + contact.normalZ);
+            _left.normalise();
+            return _left.length > NEARLY_OPPOSITE;
         }
 
         // Whether the two still touch a short way along a contact's normal.

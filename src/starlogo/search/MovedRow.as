@@ -21,7 +21,7 @@ package starlogo.search
         private var _table:AgentTable;
         private var _row:int;
 
-        // The row as it was taken: AgentTable.sizing has the order of what makes its size.
+        // The row as it was taken.
         private var _revision:int;
         private var _x:Number = 0;
         private var _y:Number = 0;
@@ -111,15 +111,12 @@ package starlogo.search
             {
                 return;
             }
-            for (var i:int = 0; i < _sizing.length; i++)
+            if (!_isCopied)
             {
-                if (!_isCopied)
-                {
-                    _sizing[i] = _table.sizing[i][_row];
-                }
-                _table.sizing[i][_row] = (1 - share) * _sizing[i];
+                _table.readSizing(_row, _sizing);
+                _isCopied = true;
             }
-            _isCopied = true;
+            _table.writeSizing(_row, _sizing, 1 - share);
             _share = share;
         }
     }

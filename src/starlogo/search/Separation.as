@@ -99,7 +99,8 @@ package starlogo.search
             }
             begin(table, a, b, motion);
             _distance = 0;
-            if (touch())
+            // only those that come may have been stopped just before they touch
+            if (!isComing(motion) || touch())
             {
                 findLeast(motion, out);
             }
@@ -162,7 +163,7 @@ package starlogo.search
                 _left.pointAgainst(motion);
                 isDeep = isDeepAlong(_left);
             }
-            if (isDeep && findCorner(out))
+            if (isDeep && out.depth < SHALLOW * _extent && findCorner(out))
             {
                 isDeep = isDeepAlong(_left);
             }

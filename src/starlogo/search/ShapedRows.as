@@ -54,9 +54,6 @@ package starlogo.search
         private var _rotations:Vector.<Number> = new Vector.<Number>();
         internal var sizes:Vector.<Number> = new Vector.<Number>();
 
-        // The columns of what grows with a row: from the position to the middle of the extents, half of these, the radius around them, the size.
-        internal var sizing:Vector.<Vector.<Number>>;
-
         // By row: its structure in the world, for which revision that was placed, and what is tried before it, or null. Of the structures the boxes
         // that decide alone are listed a second time, typed, else null: that spares the most frequent costly test its casts.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
@@ -92,7 +89,6 @@ package starlogo.search
         {
             this.agents = agents;
             modelShapes = shapes;
-            sizing = new <Vector.<Number>>[offsetX, offsetY, offsetZ, extents.halfX, extents.halfY, extents.halfZ, extents.radius, sizes];
         }
 
         /** Whether a row is as its agent is now. */
@@ -155,6 +151,32 @@ package starlogo.search
             box.halfX = extents.halfX[row] * Tolerances.OUTER + margin;
             box.halfY = extents.halfY[row] * Tolerances.OUTER + margin;
             box.halfZ = extents.halfZ[row] * Tolerances.OUTER + margin;
+        }
+
+        /** Copies what grows with a row into a list of eight. */
+        internal function readSizing(row:int, out:Vector.<Number>):void
+        {
+            out[0] = offsetX[row];
+            out[1] = offsetY[row];
+            out[2] = offsetZ[row];
+            out[3] = extents.halfX[row];
+            out[4] = extents.halfY[row];
+            out[5] = extents.halfZ[row];
+            out[6] = extents.radius[row];
+            out[7] = sizes[row];
+        }
+
+        /** Makes what grows with a row what such a list has, times a factor. */
+        internal function writeSizing(row:int, from:Vector.<Number>, factor:Number):void
+        {
+            offsetX[row] = factor * from[0];
+            offsetY[row] = factor * from[1];
+            offsetZ[row] = factor * from[2];
+            extents.halfX[row] = factor * from[3];
+            extents.halfY[row] = factor * from[4];
+            extents.halfZ[row] = factor * from[5];
+            extents.radius[row] = factor * from[6];
+            sizes[row] = factor * from[7];
         }
 
         /** A row is somewhere else, where x, y, z have been set to, so that questions can be asked about it there, until <code>putBack()</code>. */

@@ -19,26 +19,8 @@ package starlogo.queries
      */
     public final class AskedStructure
     {
-        /** Its middle. */
-        public var x:Number = 0;
-
-        /** @copy #x */
-        public var y:Number = 0;
-
-        /** @copy #x */
-        public var z:Number = 0;
-
-        /** Half its length along x. */
-        public var halfX:Number = 0;
-
-        /** Half its length along y. */
-        public var halfY:Number = 0;
-
-        /** Half its length along z. */
-        public var halfZ:Number = 0;
-
-        // The middle, then half the lengths.
-        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        /** The middle, then half the lengths along the axes. */
+        public var extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // By kind: as wide as it is for touching; with its middle at the origin of a space that is placed where it is.
         private var _inWorld:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
@@ -68,24 +50,18 @@ package starlogo.queries
             {
                 throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
             }
-            structure.turnedExtentsInto(_toWorld, _extents);
+            structure.turnedExtentsInto(_toWorld, extents);
             for (var i:int = 0; i < 6; i++)
             {
-                if (!isFinite(_extents[i]))
+                if (!isFinite(extents[i]))
                 {
                     throw new RangeError("a structure must be finite: " + structure);
                 }
             }
-            x = _extents[0];
-            y = _extents[1];
-            z = _extents[2];
-            halfX = _extents[3];
-            halfY = _extents[4];
-            halfZ = _extents[5];
             _kind = structure.kind;
-            _placement.x = x;
-            _placement.y = y;
-            _placement.z = z;
+            var x:Number = _placement.x = extents[0];
+            var y:Number = _placement.y = extents[1];
+            var z:Number = _placement.z = extents[2];
             _toCentre.x = -x;
             _toCentre.y = -y;
             _toCentre.z = -z;

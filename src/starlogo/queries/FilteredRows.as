@@ -78,9 +78,12 @@ package starlogo.queries
         /** @inheritDoc */
         override public function accepts(row:int):Boolean
         {
-            if (_excepts && _excepted[row] == _question)
+            if (_excepts)
             {
-                return false;
+                if (_excepted[row] == _question)
+                {
+                    return false;
+                }
             }
             return _marks[_agents[row].breedNumber] == _question ? _marksChosen : !_marksChosen;
         }

@@ -222,9 +222,16 @@ package starlogo.queries
                     continue;
                 }
                 var row:int = rows[slot];
-                if (row == skipped || (test != null && !test.accepts(row)))
+                if (row == skipped)
                 {
                     continue;
+                }
+                if (test != null)
+                {
+                    if (!test.accepts(row))
+                    {
+                        continue;
+                    }
                 }
                 if (most == 1)
                 {

@@ -50,11 +50,11 @@ package starlogo.queries
         /** As AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            var of:AskedStructure = _structure;
-            of.setTo(structure);
+            _structure.setTo(structure);
+            var of:Vector.<Number> = _structure.extents;
             _found.begin(FoundRows.ALL, Infinity, -1, filter);
-            _search.begin(_seen.findExtents(), of.x, of.y, of.z, of.halfX, of.halfY, of.halfZ);
-            collect(-1, of.x, of.y, of.z);
+            _search.begin(_seen.findExtents(), of[0], of[1], of[2], of[3], of[4], of[5]);
+            collect(-1, of[0], of[1], of[2]);
             return _found.list(out);
         }
 

@@ -42,7 +42,6 @@ package starlogo.search
         private static const MOST_STEPS:int = 60;
 
         private var _pairs:RowPairs;
-        private var _middle:OverlapMiddle = new OverlapMiddle();
         private var _moved:MovedRow = new MovedRow();
 
         // The pair under way, where its first row is when they touch, and their larger extent.
@@ -94,7 +93,7 @@ package starlogo.search
         {
             if (_pairs.hasExactContact(table, a, b))
             {
-                _middle.setAlong(table, a, b, out);
+                OverlapMiddle.setAlong(table, a, b, out);
                 return;
             }
             begin(table, a, b, motion);
@@ -110,9 +109,9 @@ package starlogo.search
             }
             _distance = 0;
             displace();
-            _middle.setAlong(table, a, b, out);
-            _middle.keepWithin(table.extents, a, out);
-            _middle.keepWithin(table.extents, b, out);
+            OverlapMiddle.setAlong(table, a, b, out);
+            OverlapMiddle.keepWithin(table.extents, a, out);
+            OverlapMiddle.keepWithin(table.extents, b, out);
             _moved.giveBack();
             _table = null;
         }

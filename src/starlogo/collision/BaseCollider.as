@@ -63,11 +63,11 @@ package starlogo.collision
          *
          * @param agents the agents of the game
          * @param interests the pairs of breeds; null for all
-         * @param out where to put the pairs; overwritten
+         * @param out where to put the pairs; overwritten, and made if null
          * @return out, as from findCollisions
          * @throws ArgumentError as findCollisions does
          */
-        public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
+        public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
             return findCollisions(agents, out);
         }

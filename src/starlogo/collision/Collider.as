@@ -34,7 +34,9 @@ package starlogo.collision
         /** @private Decides which of them touch, for questions too. */
         engine var pairs:RowPairs;
 
-        private var _search:CollisionSearch;
+        /** @private The search that the collider makes. */
+        engine var search:CollisionSearch;
+
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _found:FoundPairs = new FoundPairs();
         private var _contactPoint:ContactPoint = new ContactPoint();
@@ -48,7 +50,7 @@ package starlogo.collision
         {
             super();
             pairs = new RowPairs(choice);
-            _search = new CollisionSearch(choice, pairs);
+            search = new CollisionSearch(choice, pairs);
             this.choice = choice;
         }
 
@@ -62,23 +64,29 @@ package starlogo.collision
         override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return _search.areColliding(a, b);
+            return search.areColliding(a, b);
         }
 
         /** @inheritDoc */
         override public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return find(agents, null, out || new Vector.<Agent>());
+            return findCollisionsAmong(agents, null, out);
         }
 
         /** @inheritDoc */
-        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
+        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            if (out == null)
+            if (agents == null)
             {
-                throw new ArgumentError("out must not be null");
+                throw new ArgumentError("agents must not be null");
             }
-            return find(agents, interests, out);
+            var pairs:Vector.<Agent> = out || new Vector.<Agent>();
+            measure(agents, interests, null, _found, pairs);
+            if (pairs.length > 2 * _found.count)
+            {
+                pairs.length = 2 * _found.count;
+            }
+            return pairs;
         }
 
         /**
@@ -95,7 +103,7 @@ package starlogo.collision
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
             var contactPoint:ContactPoint = _contactPoint;
-            contact.time = _search.findContact(collider, collidee, contactPoint);
+            contact.time = search.findContact(collider, collidee, contactPoint);
             contact.depth = contactPoint.depth;
             contact.normal.setTo(contactPoint.normalX, contactPoint.normalY, contactPoint.normalZ);
             contact.point.setTo(contactPoint.x, contactPoint.y, contactPoint.z);
@@ -120,30 +128,10 @@ package starlogo.collision
             return system is BaseCollider ? BaseCollider(system).collider : null;
         }
 
-        /** The search that the collider makes. */
-        internal function get search():CollisionSearch
-        {
-            return _search;
-        }
-
-        private function find(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
-        {
-            if (agents == null)
-            {
-                throw new ArgumentError("agents must not be null");
-            }
-            measure(agents, interests, null, _found, out);
-            if (out.length > 2 * _found.count)
-            {
-                out.length = 2 * _found.count;
-            }
-            return out;
-        }
-
         private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, outAgents:Vector.<Agent>):void
         {
             var start:Number = getTimer();
-            _search.find(agents, interests, takePart, out, _statistics, outAgents);
+            search.find(agents, interests, takePart, out, _statistics, outAgents);
             _statistics.handlerCalls = _statistics.frameMs = 0;
             _statistics.findMs = getTimer() - start;
         }

@@ -20,9 +20,6 @@ package starlogo.collision
         // The contact that handlers get.
         private var _given:Contact = new Contact();
 
-        // For handlers that need not look at it.
-        private var _whenAsked:ContactWhenAsked = new ContactWhenAsked();
-
         /** No contacts yet. */
         public function FrameContacts()
         {
@@ -54,10 +51,10 @@ package starlogo.collision
         /** @inheritDoc */
         public function contactFor(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):Object
         {
-            return handler.takesContact ? contactOf(pair, first, second, isBack) : _whenAsked.of(this, pair, first, second, isBack);
+            return handler.takesContact ? contactOf(pair, first, second, isBack) : contactWhenAsked(this, pair, first, second, isBack);
         }
 
-        /** The contact of a pair, for ContactWhenAsked too. */
+        /** The contact of a pair, for <code>contactWhenAsked()</code> too. */
         public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
         {
             find(pair, first, second);

@@ -88,7 +88,7 @@ package starlogo.diagnostics
         }
 
         /** @inheritDoc */
-        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
+        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
             var start:Number = getTimer();
             out = _system.findCollisionsAmong(agents, interests, out);

@@ -47,10 +47,9 @@ export const ALLOWED = {
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
-	'starlogo.collision.Collision.applyFilter': { count: 1, why: 'what a finally throws again' },
 	'starlogo.queries.FoundRows.keepAccepted': { count: 1, why: 'what a finally throws again' },
 	'starlogo.queries.DistanceQuestions.findRows': { count: 2, why: 'the text of an error' },
-	'starlogo.handlers.HandlerCalls.callThrough': { count: 2, why: 'what a handler threw' },
+	'starlogo.handlers.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
 };
 
 const FEWEST_FUNCTIONS = 150;

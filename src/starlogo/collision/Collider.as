@@ -80,13 +80,13 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var pairs:Vector.<Agent> = out || new Vector.<Agent>();
-            measure(agents, interests, null, _found, pairs);
-            if (pairs.length > 2 * _found.count)
+            var found:Vector.<Agent> = out || new Vector.<Agent>();
+            measure(agents, interests, null, _found, found);
+            if (found.length > 2 * _found.count)
             {
-                pairs.length = 2 * _found.count;
+                found.length = 2 * _found.count;
             }
-            return pairs;
+            return found;
         }
 
         /**

@@ -113,10 +113,10 @@ package starlogo.collision
                 pairs.writeBoolean(pair.isBothWays);
             }
             bytes.writeInt(breeds.length);
-            for each (var breed:int in breeds)
+            for (i = 0; i < breeds.length; i++)
             {
                 var name:ByteArray = newBytes();
-                name.writeUTFBytes(Breeds.nameOf(breed));
+                name.writeUTFBytes(Breeds.nameOf(breeds[i]));
                 bytes.writeInt(name.length);
                 bytes.writeBytes(name);
             }

@@ -48,7 +48,6 @@ export const ALLOWED = {
 	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
 	'starlogo.queries.FoundRows.keepAccepted': { count: 1, why: 'what a finally throws again' },
-	'starlogo.queries.DistanceQuestions.findRows': { count: 2, why: 'the text of an error' },
 	'starlogo.handlers.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
 };
 

@@ -219,6 +219,8 @@ export class Editor {
 				zoom: { controls: false, wheel: false, pinch: true, startScale: SCALE, scaleSpeed: ZOOM, minScale: SMALLEST, maxScale: LARGEST }, move: { scrollbars: true, drag: true, wheel: true },
 			});
 			this.keyboard = new KeyboardNavigation(workspace);
+			// Blockly leaves them out where the drawer is above
+			if (narrow) workspace.getToolbox().getToolboxItems().forEach((item, i) => item.getDiv().querySelector("[role=presentation]").classList.add(...TOOLBOX.contents[i].cssconfig.icon.split(" ")));
 			return workspace;
 		});
 		// a block comes out of the drawer whichever way it is pulled; the drawer is scrolled beside its blocks, and by the wheel

@@ -28,6 +28,8 @@ export class Stage {
 	#wanted = 0;
 	#grid = null;
 	#isTouched = false;
+	#width = 1;
+	#height = 1;
 	#land = "meadow";
 
 	/**
@@ -143,6 +145,8 @@ export class Stage {
 	#resize(width, height, ratio = Math.min(devicePixelRatio, isDrawnSlowly() ? 1 : 2)) {
 		this.renderer.setPixelRatio(ratio);
 		this.renderer.setSize(width, height);
+		// to ask the host in every frame would lay out the page in every frame
+		[this.#width, this.#height] = [width, height];
 		this.camera.aspect = width / height;
 		this.camera.fov = this.land || width < height ? 55 : 40;
 		this.camera.updateProjectionMatrix();
@@ -158,7 +162,7 @@ export class Stage {
 		if (!this.renderer) return;
 		cancelAnimationFrame(this.#wanted);
 		this.#wanted = 0;
-		this.signs.face(this.camera, this.host.clientHeight);
+		this.signs.face(this.camera, this.#height);
 		this.renderer.render(this.scene, this.camera);
 		this.onDrawn?.();
 	}
@@ -201,8 +205,7 @@ export class Stage {
 	/** Where a place is drawn, in pixels from the host's corner, and whether it is in sight. */
 	pixelOf(x, y, z) {
 		const { x: across, y: up, z: depth } = this.#seen([x, y, z]);
-		const { clientWidth, clientHeight } = this.host;
-		return { x: ((across + 1) / 2) * clientWidth, y: ((1 - up) / 2) * clientHeight, isSeen: depth < 1 && Math.abs(across) < 1 && Math.abs(up) < 1.05 };
+		return { x: ((across + 1) / 2) * this.#width, y: ((1 - up) / 2) * this.#height, isSeen: depth < 1 && Math.abs(across) < 1 && Math.abs(up) < 1.05 };
 	}
 
 	/** Looks over an agent's shoulder, or through its eyes. */

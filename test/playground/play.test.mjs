@@ -516,6 +516,27 @@ test('a crowd in ever new colours is drawn at once', async () => {
 	await openProgram(page, program(
 		start({ ...create('turtles', 'turtle'), inputs: { COUNT: number(300), DO: { block: { type: 'starlogo_scatter' } } } }),
 		each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.05) }, next: { block: { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: number(2) } } } })));
+	// nothing asks for sizes between frames, for which the browser would lay out the page at once: not even who says something
+	if (isChromium) {
+		await page.evaluate(() => {
+			const { world } = globalThis.playground;
+			for (const agent of world.agents.slice(0, 5)) agent.said = { text: 'Hi', until: Infinity };
+		});
+		const client = await context.newCDPSession(page);
+		await client.send('Performance.enable');
+		const layouts = async () => (await client.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'LayoutCount').value;
+		const before = await layouts();
+		await page.evaluate(() => {
+			const { playground } = globalThis;
+			for (let i = 0; i < 30; i++) {
+				playground.world.step();
+				playground.panel.count();
+				playground.draw(1);
+			}
+		});
+		const count = await layouts() - before;
+		assert.ok(count < 5, `the page was laid out ${count} times in 30 frames that nobody saw`);
+	}
 	const [frame, drawing] = await page.evaluate(() => {
 		const { playground } = globalThis;
 		const { world, panel, stage } = playground;

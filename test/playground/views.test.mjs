@@ -118,6 +118,9 @@ for (const view of VIEWS) {
 			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 			await faultless(page, 'dark');
 		}
+		await page.setViewportSize({ width: 1366, height: 768 });
+		await page.waitForTimeout(100);
+		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, 'and on a laptop');
 		assert.deepEqual(said, []);
 		await context.close();
 	});

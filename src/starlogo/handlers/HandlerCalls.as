@@ -148,13 +148,19 @@ package starlogo.handlers
                         continue;
                     }
                     count++;
-                    if (_call > forwardCount)
+                    // not as a method of the handler
+                    var toCall:Function = handler.handler;
+                    if (handler.mayTakeContact)
                     {
-                        call(handler, second, first);
+                        callWithContact(handler, _call > forwardCount);
+                    }
+                    else if (_call > forwardCount)
+                    {
+                        toCall(second, first);
                     }
                     else
                     {
-                        call(handler, first, second);
+                        toCall(first, second);
                     }
                 }
                 if (_starting != null && (_call > forwardCount || _call == _callCount))
@@ -216,16 +222,13 @@ package starlogo.handlers
             }
         }
 
-        private function call(handler:CollisionHandler, collider:Agent, collidee:Agent):void
+        // An ended touch has no contact.
+        private function callWithContact(handler:CollisionHandler, isBack:Boolean):void
         {
-            // not as a method of the handler
             var toCall:Function = handler.handler;
-            var contact:Object = null;
-            // an ended touch has no contact
-            if (handler.mayTakeContact && _turn >= 0)
-            {
-                contact = _contacts.contactFor(handler, _turn, _first, _second, collider === _second);
-            }
+            var collider:Agent = isBack ? _second : _first;
+            var collidee:Agent = isBack ? _first : _second;
+            var contact:Object = _turn < 0 ? null : _contacts.contactFor(handler, _turn, _first, _second, isBack);
             if (handler.takesContact || contact != null)
             {
                 toCall(collider, collidee, contact);

@@ -79,18 +79,23 @@ package starlogo.collision
         {
             var copy:ByteArray = newBytes();
             copy.writeBytes(bytes);
+            copy.position = 0;
+            if (copy.length < AGENTS_AT || copy.readUnsignedInt() != MARK)
+            {
+                throw new ArgumentError("bytes are no snapshot: they do not begin as one");
+            }
             var found:TouchTracker = _read;
             try
             {
                 search.table.check(agents);
-                check(readAll(copy, agents, found), agents);
+                check(readAll(copy, agents, found));
                 copy.position = AGENTS_AT;
                 search.restorePositions(agents, copy);
                 _read = tracker;
             }
             catch (error:EOFError)
             {
-                check(false, agents);
+                check(false);
             }
             finally
             {
@@ -127,8 +132,7 @@ package starlogo.collision
         // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
         private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
         {
-            bytes.position = 0;
-            var count:int = bytes.readUnsignedInt() == MARK ? bytes.readInt() : -1;
+            var count:int = bytes.readInt();
             if (count < 0 || count > (bytes.length - AGENTS_AT) / BYTES_PER_AGENT)
             {
                 return false;
@@ -183,11 +187,11 @@ package starlogo.collision
             return tracker.count == pairs;
         }
 
-        private static function check(isSnapshot:Boolean, agents:Vector.<Agent>):void
+        private static function check(isSnapshot:Boolean):void
         {
             if (!isSnapshot)
             {
-                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents");
+                throw new ArgumentError("bytes are no snapshot any more: they begin as one, but something in them was changed or cut off");
             }
         }
 

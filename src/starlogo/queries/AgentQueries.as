@@ -352,7 +352,8 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            return _moves.move(agent, dx, dy, dz, filter, contact, false);
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.move(agent, filter, contact, false);
         }
 
         /**
@@ -373,7 +374,8 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            return _moves.move(agent, dx, dy, dz, filter, null, true);
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.move(agent, filter, null, true);
         }
 
         private static function requirePoint(point:Vector3D):void

@@ -40,9 +40,6 @@ package starlogo.queries
         // No row that does not meet another is so many hairs deep in it.
         private static const MOST_HAIRS:Number = 20;
 
-        // A time after the end of a motion.
-        private static const AFTER:Number = 1 + 1e-15;
-
         /** Decides what touches. */
         public var pairs:RowPairs;
 
@@ -85,12 +82,13 @@ package starlogo.queries
          * @param table has the row
          * @param row moves
          * @param others of the same table, as agents
+         * @param motion how far it is to go
          * @param slides whether it goes on along what it meets
          */
-        public function move(table:AgentTable, row:int, others:Vector.<Agent>, dx:Number, dy:Number, dz:Number, slides:Boolean):void
+        public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, slides:Boolean):void
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
-            _rest.begin(dx, dy, dz);
+            _rest.begin(motion);
             _hasContact = _isCareful = false;
             _contact.setNormal(0, 0, 0);
             part = 1;
@@ -210,7 +208,8 @@ package starlogo.queries
                 _lift.setTo(-_sweep.hair * _contact.normalX, -_sweep.hair * _contact.normalY, -_sweep.hair * _contact.normalZ);
                 _contact.push(at, _sweep.hair / 2);
                 _before.copyFrom(at);
-                _sweep.findWhole(_first, at, _lift);
+                _sweep.aim(at, _lift);
+                _sweep.findWhole(_first);
                 _contact.push(at, -_sweep.wholeTime * _sweep.hair);
                 if (_sweep.wholeTime > 1 || !stepIntoTouch())
                 {
@@ -325,26 +324,24 @@ package starlogo.queries
         private function findFirst():Boolean
         {
             var motion:Vector3D = _rest.motion;
-            var latest:Number = AFTER;
-            _sweep.touchedCount = 0;
+            _sweep.aim(at, motion);
             for (var i:int = 0; i < _count; i++)
             {
-                if (_sweep.find(_others[i], at, motion, latest))
+                if (_sweep.find(_others[i]))
                 {
                     _first = _others[i];
-                    latest = _sweep.time;
-                    _contact.copyFrom(_sweep.contact);
                 }
             }
-            if (latest == AFTER)
+            if (_sweep.time > 1)
             {
                 return false;
             }
+            _contact.copyFrom(_sweep.contact);
             _sweep.measure(_first);
             _along = _contact.along(motion);
             if (_along >= 0 || _isCareful)
             {
-                turnAgainst(latest + NEXT * _sweep.extent / motion.length);
+                turnAgainst(_sweep.time + NEXT * _sweep.extent / motion.length);
             }
             return true;
         }

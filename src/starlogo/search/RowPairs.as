@@ -246,7 +246,7 @@ package starlogo.search
          * When and how two rows touch for the first time that do not touch at the beginning.
          *
          * @param motion as in findTime; but what rounding hides at its end may be left out
-         * @param out takes how, as in findContact
+         * @param out takes how, as in findContact; null if only the time is wanted
          */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -256,7 +256,7 @@ package starlogo.search
                 return;
             }
             findTime(table, a, b, motion);
-            if (motion.time != RelativeMotion.NEVER)
+            if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 findContact(table, a, b, motion, out);
             }

@@ -1,6 +1,7 @@
 // This file is long because all its steps share where the two are, what is tried, and what was found.
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -52,6 +53,7 @@ package starlogo.search
         private var _y:Number = 0;
         private var _z:Number = 0;
         private var _extent:Number = 0;
+        private var _place:Vector3D = new Vector3D();
 
         // The direction that is tried; how far along it they touch, how far they do not, and where in between they part.
         private var _alongX:Number = 0;
@@ -380,7 +382,8 @@ package starlogo.search
 
         private function displace():void
         {
-            _moved.put(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ, 0);
+            _place.setTo(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ);
+            _moved.put(_place, 0);
         }
     }
 }

@@ -138,7 +138,7 @@ package starlogo.search
             setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), byLeaves);
             _swept.findImpact(_motion, out);
             motion.time = _motion.time;
-            if (_motion !== motion && motion.time != RelativeMotion.NEVER)
+            if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
             {
                 out.turn(motion);
             }

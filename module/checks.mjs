@@ -16,7 +16,7 @@ const COMPACT = new Set(["flash.geom.Matrix3D"]);
 /** Classes whose fields are written in the engine's own loops, or by it alone: they are what they are. */
 const PLAIN = new Set([
 	"AxialStructure", "BoundingStructure", "Box", "CollisionStatistics", "Contact", "ErrorEvent", "HierarchyNode", "Matrix3D", "Placement", "ProgressEvent",
-	"RayHit", "Sphere", "TextEvent", "Vector3D",
+	"RayHit", "SearchCounts", "Sphere", "TextEvent", "Vector3D",
 ]);
 
 /** Types of whose null the engine says itself what is wrong. */
@@ -76,7 +76,7 @@ export class Checks {
 		const { name } = parameter;
 		// a setter's documentation is its getter's
 		const getter = given.kind === "set" ? type.members.find((each) => each.kind === "get" && each.name === given.name) : null;
-		const member = { ...given, doc: `${given.doc}\n${getter?.doc ?? ""}` };
+		const member = { ...given, doc: `${this.#docOf(type, given)}\n${getter?.doc ?? ""}` };
 		const isNullable = mayBeNull(parameter, member, type);
 		const isStatic = member.isStatic || member.kind === "function";
 		// before super() there is no this
@@ -106,6 +106,14 @@ export class Checks {
 				return test ? [`if (${unlessNull}!${test}) ${refuse(JSON.stringify(article(parameter.type)))}`] : [];
 			}
 		}
+	}
+
+	// What an override takes, its base says.
+	#docOf(type, member) {
+		if (!/@inheritDoc/.test(member.doc)) return member.doc;
+		const owners = [...type.bases, ...type.interfaces].map((name) => this.#byName.get(name)).filter((owner) => owner);
+		const texts = owners.flatMap((owner) => owner.members.filter((each) => each.name === member.name && each.kind === member.kind).map((each) => this.#docOf(owner, each)));
+		return [...texts, member.doc].join("\n");
 	}
 
 	// What language.mjs has for it, the same in place, and what is wanted. Agents are told apart, and are moved in loops: they get the latter.

@@ -12,6 +12,7 @@ import { build } from "esbuild";
 import { models } from "../assets/generator/models/index.mjs";
 import { palette } from "../assets/generator/palette.mjs";
 import { flatten } from "../assets/generator/scene.mjs";
+import { writeDocs } from "./docs.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
@@ -21,11 +22,11 @@ const readable = path.join(engine, exports["./readable"].default);
 const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(readable));
 
 const STYLE = 'style:"display: none;"';
-const WARNING = /[\w$]+\("Blockly\.Workspace\.getAllVariables","v12","v13","[^"]+"\);/;
+const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[^"]+"\);/g;
 
 /**
  * Blockly sets one style as an attribute, which the page's policy forbids: as an attribute of SVG it does the same. And it warns on
- * the console of a method of its own that it still calls.
+ * the console of methods of its own that it still calls.
  */
 const tameBlockly = {
 	name: "tame-blockly",
@@ -34,8 +35,8 @@ const tameBlockly = {
 		onResolve({ filter: /^blockly$/ }, ({ kind, resolveDir }) => resolve("blockly/core", { kind, resolveDir }));
 		onLoad({ filter: /blockly_compressed\.js$/ }, ({ path: file }) => {
 			const text = readFileSync(file, "utf8");
-			if (!text.includes(STYLE) || !WARNING.test(text)) throw new Error(`${file} is not as it was: look whether it needs taming`);
-			return { contents: text.replaceAll(STYLE, 'display:"none"').replace(WARNING, ""), loader: "js" };
+			if (!text.includes(STYLE) || text.search(WARNINGS) < 0) throw new Error(`${file} is not as it was: look whether it needs taming`);
+			return { contents: text.replaceAll(STYLE, 'display:"none"').replace(WARNINGS, ""), loader: "js" };
 		});
 	},
 };
@@ -64,6 +65,63 @@ const fewMessages = {
 	},
 };
 
+/** Shaders of materials, lights and effects that the page has none of, by the names that three.js gives them; some are beginnings of names. */
+const UNUSED_SHADERS = ["background", "cube_", "distanceRGBA", "equirect", "linedashed", "meshmatcap", "meshnormal", "meshphong", "meshphysical", "meshtoon", "shadow_", "sprite", "depth_vert", "depth_frag",
+	"alphahash", "aomap", "batching", "bumpmap", "clearcoat", "clipping_planes", "displacementmap", "emissivemap", "envmap", "gradientmap", "iridescence", "lightmap", "lights_phong", "lights_physical",
+	"lights_toon", "logdepthbuf", "metalnessmap", "morph", "normalmap", "roughnessmap", "shadowmap", "shadowmask", "skin", "specularmap_pars", "packing", "bsdfs", "lights_fragment_maps", "tonemapping_pars", "transmission", "dithering", "alphamap"];
+
+/** What of three.js's renderer is there for headsets, shadows, morphs, groups of uniforms, and surroundings that mirror in things, with as much of each as its renderer calls without them. */
+const UNUSED_PARTS = {
+	"class WebXRManager": "class WebXRManager extends EventDispatcher { enabled = false; isPresenting = false; getEnvironmentBlendMode() {} setAnimationLoop() {} dispose() {} }",
+	"class PMREMGenerator": "class PMREMGenerator {}",
+	"function WebGLShadowMap": "function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }",
+	"function WebGLMorphtargets": "function WebGLMorphtargets() {}",
+	"function WebGLUniformsGroups": "function WebGLUniformsGroups() { this.dispose = () => {}; }",
+	"function WebGLCubeMaps": "function WebGLCubeMaps() { return { get: (texture) => texture, dispose() {} }; }",
+	"function WebGLCubeUVMaps": "function WebGLCubeUVMaps() { return { get: (texture) => texture, dispose() {} }; }",
+};
+
+/** Classes of three.js for animations and files, which the page has none of. Bundlers keep them for what is written into them after they are made. */
+const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeTrack", "NumberKeyframeTrack", "QuaternionKeyframeTrack", "StringKeyframeTrack", "VectorKeyframeTrack", "PropertyBinding", "Loader"];
+
+/**
+ * Three.js brings every shader for every material, in text that no bundler leaves out. Those that the page does not use are empty: they are put into others only
+ * with a feature that switches them on. So are parts of the renderer.
+ */
+const leanThree = {
+	name: "lean-three",
+	setup({ onLoad }) {
+		onLoad({ filter: /three\.module\.js$/ }, ({ path: file }) => {
+			let text = readFileSync(file, "utf8");
+			const [, table] = /^const ShaderChunk = \{([^}]*)\};/m.exec(text) ?? [];
+			const chunks = [...(table ?? "").matchAll(/^\t(\w+): ([\w$]+),?$/gm)];
+			const unused = chunks.filter(([, name]) => UNUSED_SHADERS.some((each) => name.startsWith(each)));
+			for (const [, name, variable] of unused) {
+				const before = text;
+				text = text.replace(new RegExp(`^(const|var) ${variable.replace("$", "\\$")} = ".*";$`, "m"), (_, kind) => `${kind} ${variable} = "";`);
+				if (text === before) throw new Error(`${file} is not as it was: look how ${name} is written`);
+			}
+			if (UNUSED_SHADERS.some((each) => !unused.some(([, name]) => name.startsWith(each)))) throw new Error(`${file} is not as it was: look which shaders there are`);
+			for (const [beginning, short] of Object.entries(UNUSED_PARTS)) {
+				const from = text.indexOf(`\n${beginning}`);
+				const to = text.indexOf("\n}\n", from);
+				if (from < 0 || to < 0) throw new Error(`${file} is not as it was: look for ${beginning}`);
+				text = `${text.slice(0, from)}\n${short}${text.slice(to + 2)}`;
+			}
+			return { contents: text, loader: "js" };
+		});
+		onLoad({ filter: /three\.core\.js$/ }, ({ path: file }) => {
+			let text = readFileSync(file, "utf8");
+			for (const name of UNUSED_CLASSES) {
+				const short = text.replace(new RegExp(`^${name}\\.[\\w.]+ = (.*;|[[{]\\n(\\t.*\\n|\\n)*[\\]}];)$`, "gm"), "");
+				if (short === text) throw new Error(`${file} is not as it was: look what is written into ${name}`);
+				text = short;
+			}
+			return { contents: text, loader: "js" };
+		});
+	},
+};
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 const result = await build({
@@ -79,7 +137,7 @@ const result = await build({
 	chunkNames: "parts/[name]-[hash]",
 	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
 	nodePaths: [npm],
-	plugins: [tameBlockly, formatsApart, fewMessages],
+	plugins: [tameBlockly, formatsApart, fewMessages, leanThree],
 	logLevel: "warning",
 });
 for (const file of ["index.html", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
@@ -87,8 +145,9 @@ cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: tr
 mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
+writeDocs(path.join(here, ".."), path.join(out, "docs"));
 
-for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js" })) {
+for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
 	const first = neededFor(`playground/${entry}`);
 	const editor = view === "play" ? neededFor("playground/play/editor.js").filter((file) => !first.includes(file)) : [];
 	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);

@@ -1,5 +1,7 @@
-/** Loads the page's words in one language, and shows the view that the address names: #play, #inspect or #compare. Each loads only what it needs. */
+/** Loads the page's words in one language, and shows the view that the address names: #play, #inspect, #compare, #measure or #teach. Each loads only what it needs. */
+import { lendColours } from "./shared/colours.js";
 import { button, choice, h } from "./shared/dom.js";
+import { chiefOf } from "./shared/files.js";
 import { speak, texts } from "./shared/language.js";
 
 /** The languages that there are, each with its own name and its words. */
@@ -13,6 +15,8 @@ const VIEWS = {
 	play: () => import("./play/view.js"),
 	inspect: () => import("./inspect/view.js"),
 	compare: () => import("./compare/view.js"),
+	measure: () => import("./measure/view.js"),
+	teach: () => import("./teach/view.js"),
 };
 
 const links = new Map(Object.keys(VIEWS).map((name) => [name, h("a", { href: `#${name}` })]));
@@ -47,6 +51,7 @@ function changeLanguage(code) {
 
 /** The page's frame in its language. */
 async function begin() {
+	lendColours(document.documentElement);
 	const code = languageOf();
 	speak((await LANGUAGES[code].load()).texts);
 	document.documentElement.lang = code;
@@ -74,7 +79,7 @@ function address() {
 async function show() {
 	const { name, argument } = address();
 	if (shown?.name === name) {
-		shown.view.open?.(argument);
+		await shown.view.open?.(argument);
 		main.dataset.ready = name;
 		return;
 	}
@@ -117,9 +122,11 @@ function onFile(type, listener) {
 
 onFile("dragover", () => main.classList.toggle("dropping", Boolean(shown?.view.openFile)));
 onFile("dragleave", ({ relatedTarget }) => main.classList.toggle("dropping", relatedTarget !== null));
-onFile("drop", ({ dataTransfer: { files: [file] } }) => {
+onFile("drop", ({ dataTransfer }) => {
 	main.classList.remove("dropping");
-	if (shown?.view.openFile) shown.view.openFile(file);
+	const files = [...dataTransfer.files];
+	const file = chiefOf(files);
+	if (shown?.view.openFile) shown.view.openFile(file, files);
 	else note.textContent = texts.dropElsewhere(file.name);
 });
 

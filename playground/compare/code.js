@@ -1,11 +1,8 @@
 /** Two agents and a collision system as a program of the npm package. */
+import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
 
 /** What a new agent has: where it is otherwise, the code says. */
 const USUAL = { x: 0, y: 0, z: 0, heading: 0, pitch: 0, roll: 0, size: 1, hierarchical: false };
-const BUILT_IN = ["sphere", "cube", "cylinder"];
-const COLLADA = ["dragon", "seagull", "fireman", "person"];
-/** Those that only the playground has. */
-const MADE = ["turtle", "wall"];
 
 /**
  * A program that asks a collision system about two agents.
@@ -18,7 +15,7 @@ export function codeOf(agents, system, areColliding) {
 	const shapes = [...new Set(agents.map(({ shape }) => shape))];
 	const models = shapes.map((name) => (BUILT_IN.includes(name) ? `greatLand.addModel(BuiltInModel.${name}());`
 		: MADE.includes(name) ? `greatLand.addModel(new Model("${name}", vertices, triangles)); // of your own`
-			: `await loader.loadAsync("${name}", "assets/${name}.${COLLADA.includes(name) ? "dae" : "obj"}");`));
+			: `await loader.loadAsync("${name}", "assets/${fileOf(name)}");`));
 	const isUsed = (word) => models.some((line) => line.includes(word));
 	const names = ["Agent", ...(isUsed("BuiltInModel") ? ["BuiltInModel"] : []), "CollisionBlocks", "GreatLand", ...(isUsed("new Model") ? ["Model"] : []), ...(isUsed("loader") ? ["ModelLoader"] : [])];
 	return [

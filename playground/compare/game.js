@@ -1,7 +1,8 @@
 /** A game of agents all over the ground, and what each collision system makes of it. Nothing here draws. */
 import { Agent, CollisionBlocks } from "starlogo-collision";
 
-const HALF_WIDTH = 50;
+/** Half the width of the ground of a usual game. */
+export const HALF_WIDTH = 50;
 const STEP = 0.3;
 const SIZE = 5;
 
@@ -13,11 +14,15 @@ export class ScatteredGame {
 	agents = [];
 	#random = 20150601;
 
-	/** @param {number} count how many agents */
-	constructor(count) {
+	/**
+	 * @param {number} count how many agents
+	 * @param {number} halfWidth half the width of their ground
+	 */
+	constructor(count, halfWidth = HALF_WIDTH) {
+		this.halfWidth = halfWidth;
 		for (let i = 0; i < count; i++) {
 			const agent = new Agent(CAST[i % CAST.length]);
-			agent.moveTo(this.#between(-HALF_WIDTH, HALF_WIDTH), this.#between(-HALF_WIDTH, HALF_WIDTH), 0);
+			agent.moveTo(this.#between(-halfWidth, halfWidth), this.#between(-halfWidth, halfWidth), 0);
 			agent.heading = this.#between(0, 360);
 			agent.size = SIZE;
 			// every other one is the main character of a combination
@@ -30,8 +35,13 @@ export class ScatteredGame {
 		for (const agent of this.agents) {
 			agent.heading += this.#between(-10, 10);
 			const angle = (agent.heading * Math.PI) / 180;
-			agent.moveTo(wrapped(agent.x + STEP * Math.cos(angle)), wrapped(agent.y + STEP * Math.sin(angle)), 0);
+			agent.moveTo(this.#wrapped(agent.x + STEP * Math.cos(angle)), this.#wrapped(agent.y + STEP * Math.sin(angle)), 0);
 		}
+	}
+
+	#wrapped(coordinate) {
+		const { halfWidth } = this;
+		return coordinate > halfWidth ? coordinate - 2 * halfWidth : coordinate < -halfWidth ? coordinate + 2 * halfWidth : coordinate;
 	}
 
 	// Knuth, TAOCP 2, §3.3.4
@@ -40,8 +50,6 @@ export class ScatteredGame {
 		return low + ((high - low) * this.#random) / 4294967296;
 	}
 }
-
-const wrapped = (coordinate) => (coordinate > HALF_WIDTH ? coordinate - 2 * HALF_WIDTH : coordinate < -HALF_WIDTH ? coordinate + 2 * HALF_WIDTH : coordinate);
 
 /** The pairs that a system finds, as a map from a key to the two. */
 export function pairsOf(system, agents) {

@@ -1,6 +1,7 @@
 /** Compare: what each collision system says of two agents, and of a game of many. */
 import { Agent, CollisionBlocks, GreatLand } from "starlogo-collision";
-import { button, choice, field, h, isDark, onThemeChange } from "../shared/dom.js";
+import { AGENTS, TOUCHING, VERDICTS } from "../shared/colours.js";
+import { button, choice, field, h } from "../shared/dom.js";
 import { Lab } from "../shared/lab.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
@@ -12,12 +13,10 @@ import { codeOf } from "./code.js";
 import { ScatteredGame, compare } from "./game.js";
 
 const words = texts.compare;
-const COLOURS = [0x5b8def, 0xe0a030];
-const HIT_COLOURS = [0x3a63c9, 0xb97a10];
-const GAME_COLOURS = { none: 0xaeb8c6, right: 0x3d9a5f, wrong: 0xf0a020, missed: 0xd8435a };
-/** Of lines, which stand out from the ground and the agents: by day and by night. */
-const PAIR_COLOURS = { right: [0x0b5c2c, 0xa6f0c0], wrong: [0x8a5300, 0xffe7b0], missed: [0x9c0f26, 0xffc2ca] };
-const AGENTS = 150;
+const COLOURS = [AGENTS.first, AGENTS.other];
+const COUNT = 150;
+/** What is said of pairs, as the language of colours has it. */
+const KINDS = { right: "hit", wrong: "wrong", missed: "missed" };
 /** A ball beneath the dragon's wing: the box says yes, and the dragon no. */
 const BEGINNING = [{ shape: "dragon", size: 2 }, { shape: "sphere", x: 0.2, y: 0.6, z: 0.1, size: 0.2 }];
 
@@ -52,16 +51,22 @@ class CompareView {
 		this.code = h("code");
 		const copied = h("span", { role: "status" });
 		const copy = button(words.copy, async () => {
-			await navigator.clipboard?.writeText(this.code.textContent).then(() => {
+			try {
+				await navigator.clipboard.writeText(this.code.textContent);
 				copied.textContent = words.copied;
-			}, () => {});
+			} catch {
+				getSelection().selectAllChildren(this.code);
+				copied.textContent = words.notCopied;
+			}
 		});
+		const listing = h("details.code", {}, h("summary", {}, words.code), h("div.tools", {}, copy, copied), h("pre", { tabindex: "0", "aria-label": words.code }, this.code));
 		main.replaceChildren(
+			this.#modes(main),
 			h("section.pair", { "aria-label": words.pair },
 				h("div.seen", {}, h("div.screen", {}, this.pairHost), this.verdicts),
 				h("div.side", { tabindex: "-1" }, h("h2", {}, words.pair), h("p.note", {}, words.pairNote), this.meeting, ...this.agents.map((agent, i) => this.#controls(agent, i)),
-					h("details.code", {}, h("summary", {}, words.code), h("pre", { tabindex: "0", "aria-label": words.code }, this.code), h("div.tools", {}, copy, copied)))),
-			h("section.scattered", { "aria-label": words.game },
+					listing)),
+			h("section.scattered", { hidden: true, "aria-label": words.game },
 				h("div.side", {}, h("div.tools", {}, h("h2", {}, words.game), field(words.reference, references)), this.gameNote, this.table,
 					h("div.tools", {}, button(words.next, () => this.#step()), button(words.another, () => this.#restart())),
 					this.colourNote, this.legend),
@@ -78,9 +83,17 @@ class CompareView {
 			this.sliders[this.agents.indexOf(agent)].update();
 			this.#update();
 		});
-		this.forgetTheme = onThemeChange(() => this.#colour());
 		this.#update();
 		this.#restart();
+	}
+
+	/** Either two agents are compared, or a whole game: each has the window to itself. */
+	#modes(main) {
+		return h("div.modes", { role: "radiogroup", "aria-label": words.mode }, ...Object.entries(words.modes).map(([name, text]) => h("label.tick", {},
+			h("input", { type: "radio", name: "mode", value: name, checked: name === "pair", onchange: () => {
+				main.querySelector(".pair").hidden = name !== "pair";
+				main.querySelector(".scattered").hidden = name === "pair";
+			} }), text)));
 	}
 
 	#controls(agent, i) {
@@ -114,12 +127,12 @@ class CompareView {
 		for (const { name, row, verdict } of this.rows) {
 			const answer = this.blocks.systemNamed(name).areColliding(a, b);
 			const isRight = answer === truth;
-			verdict.textContent = isRight ? (answer ? words.hit : words.miss) : answer ? words.falseHit : words.missed;
-			row.classList.toggle("hit", answer);
-			row.classList.toggle("wrong", !isRight);
+			row.dataset.verdict = isRight ? (answer ? "hit" : "none") : answer ? "wrong" : "missed";
+			verdict.textContent = { hit: words.hit, none: words.miss, wrong: words.falseHit, missed: words.missed }[row.dataset.verdict];
+			row.classList.toggle("differs", !isRight);
 		}
 		this.agents.forEach((agent, i) => {
-			agent.color = (truth ? HIT_COLOURS : COLOURS)[i];
+			agent.color = (truth ? TOUCHING : COLOURS)[i];
 		});
 		this.sight.update();
 		this.sight.showTested();
@@ -129,7 +142,7 @@ class CompareView {
 	}
 
 	#restart() {
-		this.game = new ScatteredGame(AGENTS);
+		this.game = new ScatteredGame(COUNT);
 		this.#judge();
 	}
 
@@ -145,8 +158,8 @@ class CompareView {
 		const isExact = this.reference === CollisionBlocks.EXACT;
 		const percent = (part, whole) => (whole === 0 ? "–" : `${Math.round((100 * part) / whole)} %`);
 		const [right, wrong, missed, none] = (isExact ? words.outcomes : words.differences)(texts.systems[this.reference]);
-		this.legend.replaceChildren(...Object.entries({ right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
-		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(AGENTS, truth.size, texts.systems[this.reference]);
+		this.legend.replaceChildren(...Object.entries({ hit: right, wrong, missed, none }).map(([name, text]) => h("li", { class: name }, text)));
+		this.gameNote.textContent = (isExact ? words.gameNote : words.differenceNote)(COUNT, truth.size, texts.systems[this.reference]);
 		const heads = [words.system, words.found, ...(isExact ? [words.falseCount, words.missedCount] : [words.onlyIt, words.onlyOther]), words.precision, words.recall];
 		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, ...heads.map((text) => h("th", { scope: "col" }, text)))),
 			h("tbody", {}, ...Object.entries(systems).map(([name, pairs]) => {
@@ -164,17 +177,20 @@ class CompareView {
 	/** Each pair is a line between its two, who have the colour of the worst that is said of them. */
 	#colour() {
 		const pairs = this.judged.systems[this.gameSystem];
-		for (const agent of this.game.agents) agent.color = GAME_COLOURS.none;
-		for (const outcome of ["right", "wrong", "missed"]) {
-			for (const agent of pairs[outcome].flat()) agent.color = GAME_COLOURS[outcome];
-			this.gameStage.wireframe(outcome, { color: PAIR_COLOURS[outcome][isDark() ? 1 : 0], isOnTop: true }).showLines(pairs[outcome].flatMap((pair) => pair.flatMap(({ x, y, z, size }) => [x, y, z + size / 2])));
+		for (const agent of this.game.agents) agent.color = VERDICTS.none;
+		const signs = [];
+		for (const [outcome, kind] of Object.entries(KINDS)) {
+			for (const agent of pairs[outcome].flat()) agent.color = VERDICTS[kind];
+			const places = pairs[outcome].map((pair) => pair.map(({ x, y, z, size }) => [x, y, z + size / 2]));
+			this.gameStage.wireframe(outcome, { color: VERDICTS[kind], isOnTop: true }).showLines(places.flat(2));
+			signs.push(...places.map(([a, b]) => ({ kind, x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, z: (a[2] + b[2]) / 2 })));
 		}
+		this.gameStage.showSigns(signs);
 		this.colourNote.textContent = words.colourBy(texts.systems[this.gameSystem]);
 		this.gameStage.showAgents(this.game.agents, this.models);
 	}
 
 	close() {
-		this.forgetTheme();
 		this.stage.close();
 		this.gameStage.close();
 	}

@@ -1,5 +1,6 @@
 /** Questions about the space around a model, asked with the pointer and answered in the picture. */
 import { Agent, CollisionBlocks, RayHit, Vector3D } from "starlogo-collision";
+import { AGENTS, LINES, VERDICTS } from "../shared/colours.js";
 import { choice, field, h, short, slider, tick } from "../shared/dom.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
@@ -8,9 +9,8 @@ import { TraitSliders, dragAgents } from "../shared/traits.js";
 import { texts } from "../shared/language.js";
 
 const words = texts.questions;
-const COLOURS = { model: 0x8fa6c8, other: 0xe0a030, touching: 0xd8435a };
-const RAY = { color: 0x7b2ff2, isOnTop: true };
-const NEAREST = { color: 0x12855f, isOnTop: true };
+const RAY = { color: LINES.ray, isOnTop: true };
+const NEAREST = { color: LINES.distance, isOnTop: true };
 const MOST = 8;
 const FIRST_SHAPE = "sphere";
 /** Farther away there is nothing that the pointer could mean. */
@@ -22,6 +22,8 @@ export class Questions {
 	sight = null;
 	#hit = new RayHit();
 	#isKept = false;
+	/** The ray that was asked about last: whoever moves then, a kept answer is what is so now. */
+	#ray = null;
 	#shape = FIRST_SHAPE;
 	#count = 3;
 	#system = CollisionBlocks.EXACT;
@@ -76,6 +78,8 @@ export class Questions {
 	close() {
 		this.#turn++;
 		this.sight = null;
+		this.stage.showDepth(null);
+		this.stage.tell("");
 		this.stage.clearLines("ray", "nearest", "meeting", "tested");
 	}
 
@@ -97,9 +101,8 @@ export class Questions {
 		}
 		this.sight = new Sight(this.stage, greatLand, new Map([[other.name, other], [model.name, model]]), agents, this.#system);
 		this.who.replaceChildren(...agents.map((agent, i) => h("option", { value: i }, this.#nameOf(agent))));
-		this.#take(agents[1]);
 		this.#isKept = false;
-		for (const name of ["ray", "nearest"]) this.answers[name].textContent = words.ask;
+		this.#take(agents[1]);
 	}
 
 	/** What to call an agent: the model's name, or the others' with a number. */
@@ -122,13 +125,19 @@ export class Questions {
 		if (!sight) return;
 		const { queries, agents: [middle] } = sight;
 		queries.update(sight.agents);
-		for (const agent of sight.agents) agent.color = queries.touching(agent).length > 0 ? COLOURS.touching : agent === middle ? COLOURS.model : COLOURS.other;
+		for (const agent of sight.agents) agent.color = queries.touching(agent).length > 0 ? VERDICTS.hit : agent === middle ? AGENTS.first : AGENTS.other;
 		sight.update();
 		sight.showTested(this.#isTestedShown);
 		this.sliders.update();
 		const other = chosen === middle ? queries.nearest(middle) : middle;
 		this.answers.meeting.textContent = `${this.#nameOf(chosen)}, ${this.#nameOf(other)}: ${sight.showMeeting(chosen, other)}`;
+		if (this.#isKept) this.#ask(this.#ray);
+		else this.#forgetRay();
+	}
+
+	#forgetRay() {
 		this.stage.clearLines("ray", "nearest");
+		for (const name of ["ray", "nearest"]) this.answers[name].textContent = words.ask;
 	}
 
 	#listen(canvas) {
@@ -155,6 +164,7 @@ export class Questions {
 
 	/** What a ray meets first, and whose place is nearest to where it ends. */
 	#ask({ origin, direction }) {
+		this.#ray = { origin: origin.clone(), direction: direction.clone() };
 		const { queries } = this.sight;
 		const [from, along] = [origin, direction].map(({ x, y, z }) => new Vector3D(x, y, z));
 		const hit = queries.cast(from, along, Infinity, null, this.#hit);

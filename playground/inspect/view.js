@@ -1,6 +1,8 @@
 /** Inspect: a model, what can be put around it, and what that costs. */
 import { Agent, Model } from "starlogo-collision";
+import { AGENTS, LINES } from "../shared/colours.js";
 import { button, choice, field, fileButton, h, short, slider, tick } from "../shared/dom.js";
+import { contentOf } from "../shared/files.js";
 import { Lab } from "../shared/lab.js";
 import { loadModel, parseModel } from "../shared/models.js";
 import { MODELS } from "../shared/names.js";
@@ -11,9 +13,6 @@ import { Questions } from "./questions.js";
 
 const words = texts.inspect;
 const FIRST = "bear";
-const LINES = { color: 0xff8a00 };
-const LEVEL_LINES = { color: 0x12a594 };
-const MODEL_COLOUR = 0x8fa6c8;
 
 export async function createView(main) {
 	const view = new InspectView(main);
@@ -35,12 +34,20 @@ class InspectView {
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.models = choice(MODELS.map((name) => [name, texts.shapes[name]]), FIRST, (name) => this.choose(name));
 		this.up = choice(Object.entries(words.ups), "z", () => this.loaded && this.#show());
+		this.turned = 0;
+		this.upHint = h("p.note.up-hint", { hidden: true }, words.upHint);
 		this.status = h("p.status", { role: "status" });
 		this.results = h("div.results");
 		this.structures = h("div.sheets", {}, this.results, this.#settingsForm());
 		main.replaceChildren(
 			h("section.picture", { "aria-label": words.picture },
-				h("div.tools", {}, field(words.model, this.models), field(words.up, this.up), fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)), h("small.hint", {}, words.drop)),
+				h("div.tools", {}, field(words.model, this.models), field(words.up, this.up),
+					button(words.turn, () => {
+						this.turned = (this.turned + 1) % 4;
+						if (this.loaded) this.#show();
+					}),
+					fileButton(words.choose, ".obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)), h("small.hint", {}, words.drop)),
+				this.upHint,
 				this.status, h("div.screen", {}, this.worldHost)),
 			h("section.facts", { "aria-label": words.structures }, this.#modes(), this.structures));
 		this.stage = new Lab(this.worldHost, { label: words.world, eye: [1.7, -2.3, 1.5], target: [0, 0, 0.5], ground: 4 });
@@ -82,10 +89,10 @@ class InspectView {
 		await this.#take(name, texts.shapes[name] ?? file.name, () => file ?? loadModel(name));
 	}
 
-	async openFile(file) {
+	async openFile(file, files = [file]) {
 		const name = `file ${file.name}`;
 		await this.#take(name, file.name, async () => {
-			const model = await parseModel(file.name, new Uint8Array(await file.arrayBuffer()));
+			const model = await parseModel(file.name, await contentOf(file, files));
 			if (!this.#files.has(name)) this.models.append(h("option", { value: name }, file.name));
 			this.#files.set(name, model);
 			return model;
@@ -101,6 +108,8 @@ class InspectView {
 			Object.assign(this, { loaded, title });
 			this.#chosen = name;
 			this.up.value = "z";
+			this.turned = 0;
+			this.upHint.hidden = !this.#files.has(name);
 			await this.#show();
 		} catch (error) {
 			if (asked === this.#asked) this.#say(`${words.broken(title, error.message)} ${hint}`, true);
@@ -109,7 +118,7 @@ class InspectView {
 	}
 
 	async #show() {
-		this.model = withUp(this.loaded, this.up.value);
+		this.model = withUp(this.loaded, this.up.value, this.turned);
 		this.#shown = null;
 		this.found = null;
 		this.#showModel();
@@ -122,7 +131,7 @@ class InspectView {
 		if (!model) return;
 		this.questions.close();
 		const agent = new Agent(model.name);
-		agent.color = MODEL_COLOUR;
+		agent.color = AGENTS.first;
 		this.stage.showAgents([agent], new Map([[model.name, model]]));
 		const height = model.vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
 		this.stage.frame([0, 0, height / 2], Math.hypot(0.6, height / 2));
@@ -192,8 +201,8 @@ class InspectView {
 
 	#drawLines() {
 		const { rows, root } = this.found;
-		this.stage.wireframe("structure", LINES).showStructure(rows.find(({ name }) => name === this.#shown).structure);
-		const levels = this.stage.wireframe("level", LEVEL_LINES);
+		this.stage.wireframe("structure", { color: LINES.tested }).showStructure(rows.find(({ name }) => name === this.#shown).structure);
+		const levels = this.stage.wireframe("level", { color: LINES.level });
 		if (this.#levelShown) levels.showLevel(root, this.#level);
 	}
 
@@ -209,14 +218,19 @@ class InspectView {
 	}
 }
 
-/** A model with another of its axes up, turned as the engine turns what a file says. */
-function withUp(model, axis) {
-	if (axis === "z") return model;
+/** Where a place of a model comes to be with another of its axes up: as the engine turns what a file says, and then over if the axis points down. */
+const UPS = { z: ([x, y, z]) => [x, y, z], y: ([x, y, z]) => [x, -z, y], x: ([x, y, z]) => [-y, -z, x] };
+
+/** A model with another of its axes up, and turned by some quarters about it. */
+function withUp(model, axis, quarters) {
+	if (axis === "z" && quarters === 0) return model;
 	const { name, vertices, triangles } = model;
 	const turned = [];
 	for (let i = 0; i < vertices.length; i += 3) {
-		const [x, y, z] = vertices.slice(i, i + 3);
-		turned.push(...(axis === "y" ? [x, -z, y] : [-y, -z, x]));
+		let [x, y, z] = UPS[axis.at(-1)](vertices.slice(i, i + 3));
+		if (axis.startsWith("-")) [y, z] = [-y, -z];
+		for (let k = 0; k < quarters; k++) [x, y] = [-y, x];
+		turned.push(x, y, z);
 	}
 	return new Model(name, turned, triangles);
 }

@@ -96,6 +96,9 @@ export const STATEMENTS = {
 	starlogo_goal: (block, world) => () => {
 		world.goal = block.fields.TEXT;
 	},
+	starlogo_ground: (block, world) => () => {
+		world.ground = block.fields.GROUND;
+	},
 	starlogo_end: (block, world) => () => {
 		world.ended ??= { how: block.fields.HOW, text: block.fields.TEXT };
 	},

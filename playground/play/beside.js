@@ -32,8 +32,9 @@ export class Beside {
 		});
 		this.count = h("span");
 		this.first = h("span", { role: "status" });
-		this.note = h("div.differences", {}, h("p", {}, this.count, " ", this.first), h("ul.legend", {}, ...["wrong", "missed"].map((name) => h(`li.${name}`, {}, words.differs[name]))));
-		view.theatre.append(this.note);
+		this.note = h("p.differences", {}, this.count, " ", this.first);
+		view.screens.after(this.note);
+		view.scene.isBeside = true;
 		view.scene.caption.hidden = this.scene.caption.hidden = false;
 	}
 
@@ -101,6 +102,7 @@ export class Beside {
 		const { view } = this;
 		view.world.isWatched = false;
 		view.scene.differing = new Map();
+		view.scene.isBeside = false;
 		view.scene.caption.hidden = true;
 		this.note.remove();
 		this.stage.close();

@@ -6,8 +6,13 @@ const words = texts.blocks;
 const options = (table) => Object.entries(table).map(([value, text]) => [text, value]);
 const dropdown = (name, list) => ({ type: "field_dropdown", name, options: list });
 
+/** What agents of a breed look like at first. */
+export const SHAPE_OF = {
+	bears: "bear", turtles: "turtle", seagulls: "seagull", walls: "wall", paintballs: "sphere", people: "person", dragons: "dragon", firemen: "fireman", trees: "tree", kelp: "kelp",
+	fortresses: "fortress", spaceships: "spaceship",
+};
 /** What menus of breeds offer, own ones too. Programs bring theirs. */
-export const breeds = Object.keys(texts.breeds);
+export const breeds = ["bears", "turtles", "seagulls", "walls", "paintballs"];
 /** What menus of shapes offer. */
 export const shapes = [...SHAPES];
 /** The menu's entry that asks for the name of a new breed. */
@@ -113,6 +118,7 @@ export const DEFINITIONS = [
 	define("starlogo_key_down", "sense", [KEY], TRUTH),
 	define("starlogo_mouse", "sense", [dropdown("MOUSE", options(words.mouse))], { output: null }),
 	define("starlogo_goal", "game", [text(words.someGoal)], STATEMENT),
+	define("starlogo_ground", "game", [dropdown("GROUND", options(words.grounds))], STATEMENT),
 	define("starlogo_score_set", "game", [input("SCORE")], STATEMENT),
 	define("starlogo_score_change", "game", [input("SCORE")], STATEMENT),
 	define("starlogo_score", "game", [], NUMBER),
@@ -140,7 +146,7 @@ export const DEFINITIONS = [
 
 const number = (value) => ({ shadow: { type: "math_number", fields: { NUM: value } } });
 const shadow = (value) => (typeof value === "number" ? number(value) : value.startsWith("starlogo") ? { block: { type: value, ...(value === "starlogo_nearest" && { inputs: { DISTANCE: number(10) } }) } } : { shadow: { type: "text", fields: { TEXT: value } } });
-const block = (type, inputs) => ({ kind: "block", type, ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, shadow(value)])) }) });
+const block = (type, inputs, fields) => ({ kind: "block", type, ...(fields && { fields }), ...(inputs && { inputs: Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, shadow(value)])) }) });
 const category = (name, ...contents) => ({ kind: "category", name: words.categories[name], categorystyle: `${STYLE_OF[name] ?? name}_category`, cssconfig: { icon: `icon icon-${name}` }, contents });
 const STYLE_OF = { events: "event", collisions: "collision", senses: "sense", agents: "agent", looks: "look", control: "logic", maths: "math", variables: "variable" };
 const NEAREST = "starlogo_nearest";
@@ -155,9 +161,9 @@ export const TOOLBOX = {
 			block("starlogo_heading", { HEADING: 90 }), block("starlogo_up", { STEPS: 1 }), block("starlogo_go", { X: 0, Y: 0, Z: 0 }), block("starlogo_scatter"), block("starlogo_back")),
 		category("senses", block("starlogo_count", { DISTANCE: 5 }), block("starlogo_number_of", { COLOUR: "starlogo_pick" }), block(NEAREST, { DISTANCE: 10 }), block("starlogo_distance", { AGENT: NEAREST }),
 			block("starlogo_can_see", { AGENT: NEAREST }), block("starlogo_touching"), block("starlogo_key_down"), block("starlogo_mouse")),
-		category("agents", block("starlogo_create", { COUNT: 1 }), block("starlogo_hatch"), block("starlogo_delete"), block("starlogo_ask", { AGENT: NEAREST }), block("starlogo_become"), block("starlogo_trait"), block("starlogo_agent")),
+		category("agents", block("starlogo_create", { COUNT: 1 }, { BREED: "bears", SHAPE: "bear" }), block("starlogo_hatch", null, { BREED: "paintballs", SHAPE: "sphere" }), block("starlogo_delete"), block("starlogo_ask", { AGENT: NEAREST }), block("starlogo_become"), block("starlogo_trait"), block("starlogo_agent")),
 		category("looks", block("starlogo_colour", { COLOUR: "starlogo_pick" }), block("starlogo_pick"), block("starlogo_any_colour"), block("starlogo_colour_of"), block("starlogo_size", { SIZE: 1 }), block("starlogo_say", { TEXT: words.hello })),
-		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_end")),
+		category("game", block("starlogo_goal"), block("starlogo_score_change", { SCORE: 1 }), block("starlogo_score_set", { SCORE: 0 }), block("starlogo_score"), block("starlogo_clock"), block("starlogo_ground"), block("starlogo_end")),
 		category("control", block("controls_if"), block("controls_ifelse"), block("starlogo_wait", { SECONDS: 1 }), block("controls_repeat_ext", { TIMES: 4 }), block("controls_whileUntil"),
 			block("logic_compare"), block("logic_operation"), block("logic_negate"), block("logic_boolean")),
 		category("maths", block("math_number"), block("math_arithmetic", { A: 1, B: 1 }), block("math_random_int", { FROM: 1, TO: 10 }), block("math_modulo", { DIVIDEND: 10, DIVISOR: 3 })),

@@ -1,4 +1,5 @@
 /** The user's own models, which the browser keeps between visits if it wants to. */
+import { contentOf } from "../shared/files.js";
 import { parseModel } from "../shared/models.js";
 import { texts } from "../shared/language.js";
 import { meet } from "./blocks.js";
@@ -65,9 +66,15 @@ export class Models {
 		this.#known.set(name, bytes);
 	}
 
-	/** Makes what is in a file a shape that agents can have, under a name of its own. */
-	async add(file) {
-		const bytes = new Uint8Array(await file.arrayBuffer());
+	/** Makes what is in a file, and in those that came with it, a shape that agents can have, under a name of its own. */
+	async add(file, files) {
+		let bytes;
+		try {
+			bytes = await contentOf(file, files);
+		} catch (error) {
+			this.view.say(words.brokenModel(error.message), true);
+			return;
+		}
 		let name = this.#nameOf(bytes);
 		if (name === null) {
 			const title = file.name.replace(MODEL_FILE, "");

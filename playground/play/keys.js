@@ -1,11 +1,10 @@
-/** What plays a game: keys, the pad of keys over the world, which says what they do, and the pointer. */
+/** What plays a game: keys, the pad of keys below the world, which says what they do, and the pointer. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
 import { keysOf } from "./program.js";
 
 const words = texts.play;
 const KEYS = { ArrowUp: "up", ArrowDown: "down", ArrowLeft: "left", ArrowRight: "right", " ": "space", w: "w", a: "a", s: "s", d: "d", W: "w", A: "a", S: "s", D: "d" };
-const SIGNS = { up: "▲", down: "▼", left: "◀", right: "▶", space: "●" };
 /** How far a pointer may move in a click. */
 const STILL = 6;
 
@@ -13,20 +12,19 @@ export class Keys {
 	/** @param {import("./world.js").World} world whose keys they are */
 	constructor(world) {
 		this.world = world;
-		this.pad = h("div.pad");
-		this.legend = h("p.keys");
+		this.pad = h("div.pad.keys");
 	}
 
 	/** Shows the keys that a program has scripts for. */
 	show(program) {
 		const keys = [...keysOf(program)];
-		this.legend.hidden = keys.length === 0;
-		this.legend.replaceChildren(...keys.flatMap(([key, does]) => [h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), ` ${does} `]));
-		this.pad.replaceChildren(...keys.filter(([key]) => key in SIGNS).map(([key, does]) => this.#padKey(key, words.keyName(does))));
+		this.pad.hidden = keys.length === 0;
+		this.pad.replaceChildren(...keys.map(([key, does]) => this.#padKey(key, does)));
 	}
 
-	#padKey(key, text) {
-		const pad = button(SIGNS[key], () => {}, { class: `key ${key}`, "aria-label": text });
+	#padKey(key, does) {
+		const pad = button(h("kbd", {}, words.keysOf[key] ?? key.toUpperCase()), () => {}, { class: `key ${key}`, "aria-label": words.keyName(does) });
+		pad.append(h("span", {}, does));
 		const release = () => this.world.release(key);
 		pad.addEventListener("pointerdown", (event) => {
 			pad.setPointerCapture(event.pointerId);

@@ -1,52 +1,110 @@
-/** What Play says first: what this is, and, while a lesson is open, what it is about, what is to be done, and whether it is. */
+/** What is said of the lesson that is open: what it is about, what is to be done, whether it is, and why that was right. */
 import { button, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
-import { LESSONS, LESSON_NAMES } from "./lessons.js";
 
 const words = texts.lessons;
 const KEY = "starlogo-playground.lessons";
+export const LESSON_NAMES = Object.keys(words.list);
+
+/** What the browser keeps of lessons that were done, and of games that were won. */
+class Ticks {
+	#names = new Set();
+
+	constructor() {
+		try {
+			this.#names = new Set(JSON.parse(localStorage.getItem(KEY)));
+		} catch {
+			// a browser that keeps nothing
+		}
+	}
+
+	has(name) {
+		return this.#names.has(name);
+	}
+
+	add(name) {
+		this.#names.add(name);
+		try {
+			localStorage.setItem(KEY, JSON.stringify([...this.#names]));
+		} catch {
+			// it counts as long as the page is open
+		}
+	}
+}
 
 export class LessonCard {
 	#name = null;
 	#memory = {};
-	#done = new Set();
+	#ticks = new Ticks();
+	#lessons = null;
 
-	/** @param {(name: string) => void} onOpen called to open a lesson's program */
+	/** @param {(name: string|null) => void} onOpen called to open a lesson's program; with null to leave the lesson */
 	constructor(onOpen) {
 		this.onOpen = onOpen;
-		try {
-			this.#done = new Set(JSON.parse(localStorage.getItem(KEY)));
-		} catch {
-			// a browser that keeps nothing
-		}
-		this.element = h("div.lead");
-		this.show(null);
+		this.element = h("div.lead", { hidden: true });
 	}
 
 	/** Whether a lesson has been done, now or earlier. */
 	isDone(name) {
-		return this.#done.has(name);
+		return this.#ticks.has(name);
+	}
+
+	/** Whether a game of the page's has been won, now or earlier. */
+	isWon(name) {
+		return this.#ticks.has(`game ${name}`);
+	}
+
+	win(name) {
+		this.#ticks.add(`game ${name}`);
 	}
 
 	/** Shows a lesson; none for null. */
 	show(name) {
 		this.#name = name;
 		this.begin();
-		if (name === null) {
-			const next = LESSON_NAMES.find((each) => !this.isDone(each)) ?? LESSON_NAMES[0];
-			this.element.replaceChildren(h("p.intro", {}, texts.play.intro, " ", button(words.begin, () => this.onOpen(next))));
-			return;
-		}
+		this.element.hidden = name === null;
+		this.element.replaceChildren();
+		if (name === null) return;
+		if (!this.#lessons) import("./library.js").then(({ LESSONS }) => {
+			this.#lessons = LESSONS;
+		});
 		const at = LESSON_NAMES.indexOf(name);
 		const { title, text, challenge, hint } = words.list[name];
 		const go = (to) => () => this.onOpen(LESSON_NAMES[to]);
-		this.sign = h("strong.done", { role: "status" }, this.isDone(name) ? words.done : "");
-		this.next = button(words.next, go(at + 1), { disabled: at === LESSON_NAMES.length - 1, class: this.isDone(name) ? "primary" : "" });
-		this.element.replaceChildren(h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
-			h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), h("h2", {}, title), h("p", {}, text),
-			h("p", {}, h("strong", {}, `${words.challenge} `), challenge),
-			h("div.steps", {}, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next, button(words.leave, () => this.onOpen(null)), this.sign),
-			h("details.hint", {}, h("summary", {}, words.hint), h("p", {}, hint))));
+		this.sign = h("p.why", { role: "status" });
+		this.next = button(words.next, go(at + 1), { disabled: at === LESSON_NAMES.length - 1 });
+		this.heading = h("h2", { tabindex: "-1" }, title);
+		const fold = button("", () => this.#fold(!card.classList.contains("folded")), { class: "fold" });
+		const card = h("div.lesson", { role: "region", "aria-label": words.lesson(at + 1, LESSON_NAMES.length) },
+			h("div.head", {}, h("small", {}, words.lesson(at + 1, LESSON_NAMES.length)), this.heading, fold),
+			h("p.text", {}, text),
+			h("p.challenge", {}, h("strong", {}, `${words.challenge} `), challenge),
+			this.sign,
+			h("div.steps", {}, button(words.previous, go(at - 1), { disabled: at === 0 }), this.next, button(words.leave, () => this.onOpen(null)),
+				h("details.hint", {}, h("summary", {}, words.hint), h("p", {}, hint))));
+		Object.assign(this, { card, foldButton: fold });
+		this.#fold(false);
+		this.element.append(card);
+		this.#sayIfDone();
+	}
+
+	/** Reads on here. */
+	focus() {
+		this.heading?.focus({ preventScroll: true });
+	}
+
+	/** Leaves of the card what is to be done, or shows all of it. */
+	#fold(isFolded) {
+		this.card.classList.toggle("folded", isFolded);
+		this.foldButton.textContent = isFolded ? words.unfold : words.fold;
+		this.foldButton.setAttribute("aria-expanded", String(!isFolded));
+	}
+
+	#sayIfDone() {
+		if (!this.isDone(this.#name)) return;
+		const isAll = LESSON_NAMES.every((name) => this.isDone(name));
+		this.sign.replaceChildren(h("strong.done", {}, words.done), ` ${words.list[this.#name].why}${isAll ? ` ${words.all}` : ""}`);
+		this.next.classList.add("primary");
 	}
 
 	/** A game begins anew. */
@@ -57,16 +115,10 @@ export class LessonCard {
 	/** Looks at a game after a frame of it: true when that has done the lesson. */
 	look(world) {
 		const name = this.#name;
-		if (name === null || this.#memory.isDone || !LESSONS[name].isDone(world, this.#memory)) return false;
+		if (name === null || this.#memory.isDone || !this.#lessons?.[name].isDone(world, this.#memory)) return false;
 		this.#memory.isDone = true;
-		this.#done.add(name);
-		try {
-			localStorage.setItem(KEY, JSON.stringify([...this.#done]));
-		} catch {
-			// it counts as long as the page is open
-		}
-		this.sign.textContent = this.#done.size === LESSON_NAMES.length ? words.all : words.done;
-		this.next.classList.add("primary");
+		this.#ticks.add(name);
+		this.#sayIfDone();
 		return true;
 	}
 }

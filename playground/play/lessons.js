@@ -4,7 +4,7 @@
  */
 import { CollisionBlocks } from "starlogo-collision";
 import { said } from "./actions.js";
-import { colour, create, each, go, heading, inside, move, nearMiss, number, numbers, paint, program, remove, scatter, size, start, touch, turn } from "./notation.js";
+import { change, collision, colour, create, each, go, heading, move, nearMiss, numbers, paint, program, remove, scatter, size, start, touch, turn } from "./notation.js";
 
 const touching = (world) => world.collisions.collision.statistics.collisions;
 const all = (world, name) => world.agents.filter(({ breed }) => breed === name);
@@ -12,8 +12,6 @@ const total = (world, a, b) => world.totals.get([a, b].sort().join("\n")) ?? 0;
 /** Whether all stand where the lesson has put them, as large. */
 const isUntouched = (world, ...places) => places.every(([breed, x, y, z, large]) => all(world, breed).some((agent) => agent.x === x && agent.y === y && agent.z === z && agent.size === large));
 const use = (SYSTEM) => ({ type: "starlogo_system", fields: { SYSTEM } });
-const collision = (BREED, OTHER, ...blocks) => ({ type: "starlogo_collision", fields: { BREED, OTHER }, inputs: { DO: inside(...blocks) } });
-const add = (score) => ({ type: "starlogo_score_change", inputs: { SCORE: number(score) } });
 const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
 const ball = (...blocks) => create(1, "paintballs", "sphere", size(0.5), paint("me", colour("yellow")), ...blocks);
 
@@ -22,32 +20,33 @@ const LONG = 600;
 
 export const LESSONS = {
 	blocks: {
-		program: program(start(create(5, "turtles", "turtle", scatter, size(2))), each("turtles", turn("left", numbers(-4, 4)))),
+		program: program(each("turtles", turn("left", numbers(-4, 4))), start(create(5, "turtles", "turtle", scatter, size(2)))),
 		isDone: (world, memory) => {
 			memory.places ??= all(world, "turtles").map(({ x, y }) => [x, y]);
 			return memory.places.length > 0 && all(world, "turtles").filter(({ x, y }, i) => memory.places[i] && Math.hypot(x - memory.places[i][0], y - memory.places[i][1]) > 2).length === memory.places.length;
 		},
 	},
 	helmet: {
-		program: nearMiss("fireman", 3, 0, 0, 6.6, 0.6, use(CollisionBlocks.UNIT_SPHERES)),
-		isDone: (world) => isUntouched(world, ["turtles", 0, 0, 0, 3], ["paintballs", 0, 0, 6.6, 0.6]) && touching(world) === 1,
+		program: { ...nearMiss("firemen", "fireman", 3, 0, 0, 6.6, 0.6), system: CollisionBlocks.UNIT_SPHERES },
+		isDone: (world) => isUntouched(world, ["firemen", 0, 0, 0, 3], ["paintballs", 0, 0, 6.6, 0.6]) && touching(world) === 1,
 	},
 	wing: {
-		program: nearMiss("dragon", 8, 0.8, -2.6, 0.4, 0.8),
-		isDone: (world) => world.frame > 1 && isUntouched(world, ["turtles", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8]) && touching(world) === 0,
+		program: nearMiss("dragons", "dragon", 8, 0.8, -2.6, 0.4, 0.8),
+		isDone: (world) => world.frame > 1 && isUntouched(world, ["dragons", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8]) && touching(world) === 0,
 	},
 	main: {
 		// all with trees: precise where it matters is enough
 		program: program(
-			start(use(CollisionBlocks.COMBINATION), create(1, "turtles", "dragon", size(8)), create(1, "paintballs", "sphere", size(0.8), go(0.8, -2.6, 0.4), paint("me", colour("yellow")))),
-			touch("paintballs", "turtles", paint("collidee", colour("red")))),
-		isDone: (world) => world.frame > 1 && world.collisions.systemName === CollisionBlocks.COMBINATION && isUntouched(world, ["turtles", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8])
-			&& all(world, "turtles")[0].hierarchical && touching(world) === 0,
+			start(use(CollisionBlocks.COMBINATION), create(1, "dragons", "dragon", size(8)), create(1, "paintballs", "sphere", size(0.8), go(0.8, -2.6, 0.4), paint("me", colour("yellow")))),
+			touch("paintballs", "dragons", paint("collidee", colour("red")))),
+		isDone: (world) => world.frame > 1 && world.collisions.systemName === CollisionBlocks.COMBINATION && isUntouched(world, ["dragons", 0, 0, 0, 8], ["paintballs", 0.8, -2.6, 0.4, 0.8])
+			&& all(world, "dragons")[0].hierarchical && touching(world) === 0,
 	},
 	fast: {
 		program: program(
-			start(wall(2, 0, 6), ball(go(-10, 0, 0.5))),
-			each("paintballs", move(3)),
+			// before and behind the wall it is further away than the wall's unit sphere; and after a round of the ground it comes to the same places
+			start(wall(0, 0, 4), ball(go(-10, 0, 0.5))),
+			each("paintballs", move(4)),
 			touch("paintballs", "walls", paint("collidee", colour("yellow")), remove("me"))),
 		isDone: (world) => world.events.some(({ a, b }) => [a, b].some((one) => one.breed === "paintballs" && one.sweeps) && [a, b].some((one) => one.breed === "walls")),
 	},
@@ -55,7 +54,7 @@ export const LESSONS = {
 		program: program(
 			start(wall(-6, 0, 5), wall(0, 0, 5), wall(6, 0, 5), create(1, "turtles", "turtle", size(1.5), go(-10, 0, 0))),
 			each("turtles", move(0.1)),
-			collision("turtles", "walls", add(1))),
+			collision("turtles", "walls", change(1))),
 		isDone: (world, memory) => {
 			memory.met = Math.max(memory.met ?? 0, total(world, "turtles", "walls"));
 			return memory.met >= 3 && world.score === memory.met && touching(world) === 0;
@@ -100,7 +99,7 @@ export const LESSONS = {
 		program: program(
 			start(create(1, "bears", "bear", size(1.4)), create(8, "turtles", "turtle", scatter, size(1.3))),
 			each("bears", move(0.1)),
-			touch("bears", "turtles", remove("collidee"), add(1)),
+			touch("bears", "turtles", remove("collidee"), change(1)),
 			each("turtles", move(0.03), turn("left", numbers(-4, 4)))),
 		isDone: (world, memory) => {
 			memory.most = Math.max(memory.most ?? 0, all(world, "turtles").length);
@@ -108,5 +107,3 @@ export const LESSONS = {
 		},
 	},
 };
-
-export const LESSON_NAMES = Object.keys(LESSONS);

@@ -10,13 +10,16 @@ export function chain(...blocks) {
 }
 
 export const inside = (...blocks) => ({ block: chain(...blocks) });
+/** What is put into an input: a number, or a block. */
+const input = (value) => (typeof value === "number" ? number(value) : value);
 export const move = (steps) => ({ type: "starlogo_forward", inputs: { STEPS: number(steps) } });
+export const forward = (steps) => ({ type: "starlogo_forward", inputs: { STEPS: steps } });
 export const turn = (DIRECTION, degrees) => ({ type: "starlogo_turn", fields: { DIRECTION }, inputs: { DEGREES: degrees } });
 export const paint = (WHO, COLOUR) => ({ type: "starlogo_colour", fields: { WHO }, inputs: { COLOUR } });
 export const size = (value) => ({ type: "starlogo_size", inputs: { SIZE: number(value) } });
-export const go = (x, y, z) => ({ type: "starlogo_go", inputs: { X: number(x), Y: number(y), Z: number(z) } });
+export const go = (x, y, z) => ({ type: "starlogo_go", inputs: { X: input(x), Y: input(y), Z: input(z) } });
 export const up = (steps) => ({ type: "starlogo_up", inputs: { STEPS: number(steps) } });
-export const heading = (value) => ({ type: "starlogo_heading", inputs: { HEADING: number(value) } });
+export const heading = (value) => ({ type: "starlogo_heading", inputs: { HEADING: input(value) } });
 export const scatter = { type: "starlogo_scatter" };
 export const create = (count, BREED, SHAPE, ...blocks) => ({ type: "starlogo_create", fields: { BREED, SHAPE }, inputs: { COUNT: number(count), DO: inside(...blocks) } });
 export const key = (KEY, MODE, BREED, ...blocks) => ({ type: "starlogo_key", fields: { KEY, MODE, BREED }, inputs: { DO: inside(...blocks) } });
@@ -27,25 +30,46 @@ export const remove = (WHO) => ({ type: "starlogo_delete", fields: { WHO } });
 
 export const program = (...scripts) => ({ blocks: { languageVersion: 0, blocks: scripts } });
 
+/** Scripts, and the names of the variables that they have. */
+export const many = (names, ...scripts) => ({ ...program(...scripts), variables: names.map((name) => ({ name, id: name })) });
+
 /** A script that shows its first line only. */
 export const folded = (script) => ({ ...script, collapsed: true });
 export const field = (type, fields) => ({ block: { type, fields } });
-export const along = (steps, BREED) => ({ type: "starlogo_until", fields: { HOW: "slide", BREED }, inputs: { STEPS: number(steps) } });
+export const alongside = (steps, BREED) => ({ type: "starlogo_until", fields: { HOW: "slide", BREED }, inputs: { STEPS: steps } });
+export const along = (steps, BREED) => alongside(number(steps), BREED);
 export const compare = (OP, A, B) => ({ block: { type: "logic_compare", fields: { OP }, inputs: { A, B } } });
 export const when = (condition, ...blocks) => ({ type: "controls_if", inputs: { IF0: condition, DO0: inside(...blocks) } });
 export const score = (value) => ({ type: "starlogo_score_set", inputs: { SCORE: value } });
 export const end = (HOW, TEXT) => ({ type: "starlogo_end", fields: { HOW, TEXT } });
 export const goal = (TEXT) => ({ type: "starlogo_goal", fields: { TEXT } });
 
+export const collision = (BREED, OTHER, ...blocks) => ({ type: "starlogo_collision", fields: { BREED, OTHER }, inputs: { DO: inside(...blocks) } });
+export const bounce = { type: "starlogo_bounce" };
+export const change = (by) => ({ type: "starlogo_score_change", inputs: { SCORE: number(by) } });
+export const hatch = (BREED, SHAPE, ...blocks) => ({ type: "starlogo_hatch", fields: { BREED, SHAPE }, inputs: { DO: inside(...blocks) } });
+export const timer = (seconds, BREED, ...blocks) => ({ type: "starlogo_timer", fields: { BREED }, inputs: { SECONDS: number(seconds), DO: inside(...blocks) } });
+export const repeat = (times, ...blocks) => ({ type: "controls_repeat_ext", inputs: { TIMES: number(times), DO: inside(...blocks) } });
+export const say = (text) => ({ type: "starlogo_say", inputs: { TEXT: { shadow: { type: "text", fields: { TEXT: text } } } } });
+export const sweep = (WHO) => ({ type: "starlogo_sweep", fields: { WHO, ON: "on" } });
+export const ground = (GROUND) => ({ type: "starlogo_ground", fields: { GROUND } });
+export const aim = (AGENT) => ({ type: "starlogo_face", inputs: { AGENT } });
+export const nearest = (BREED, distance) => ({ block: { type: "starlogo_nearest", fields: { BREED }, inputs: { DISTANCE: number(distance) } } });
+export const count = (BREED, distance) => ({ block: { type: "starlogo_count", fields: { BREED }, inputs: { DISTANCE: number(distance) } } });
+export const trait = (TRAIT) => field("starlogo_trait", { TRAIT });
+export const math = (OP, A, B) => ({ block: { type: "math_arithmetic", fields: { OP }, inputs: { A, B } } });
+export const get = (name) => field("variables_get", { VAR: { id: name } });
+export const set = (name, value) => ({ type: "variables_set", fields: { VAR: { id: name } }, inputs: { VALUE: number(value) } });
+export const step = (name, by) => ({ type: "math_change", fields: { VAR: { id: name } }, inputs: { DELTA: number(by) } });
+
 /** One that stands still, and a ball beside it; who is touched turns red. */
-export function nearMiss(shape, scale, x, y, z, ball, ...first) {
+export function nearMiss(breed, shape, scale, x, y, z, ball) {
 	return program(
 		start(
-			...first,
-			create(1, "turtles", shape, size(scale), paint("me", colour("blue"))),
+			create(1, breed, shape, size(scale), paint("me", colour("blue"))),
 			create(1, "paintballs", "sphere", size(ball), go(x, y, z), paint("me", colour("yellow"))),
 		),
-		touch("paintballs", "turtles", paint("collidee", colour("red"))),
-		{ type: "starlogo_touch_end", fields: { BREED: "paintballs", OTHER: "turtles" }, inputs: { DO: inside(paint("collidee", colour("blue"))) } },
+		touch("paintballs", breed, paint("collidee", colour("red"))),
+		{ type: "starlogo_touch_end", fields: { BREED: "paintballs", OTHER: breed }, inputs: { DO: inside(paint("collidee", colour("blue"))) } },
 	);
 }

@@ -34,7 +34,7 @@ export class Panel {
 		this.cast = h("ul.cast");
 		this.totals = h("ul.totals", { "aria-label": words.totals });
 		this.element = h("div.panel", {},
-			h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text)))),
+			h("details.numbers", {}, h("summary", {}, words.figures), h("dl.figures", {}, ...Object.entries(words.panel).map(([name, text]) => h("div", {}, this.figures[name], h("dt", {}, text))))),
 			h("div.meetings", {}, h("div", {}, h("h2", {}, words.cast), this.cast), h("div", {}, h("h2", {}, words.events), this.totals), this.list));
 	}
 
@@ -54,7 +54,7 @@ export class Panel {
 		const { agents, state } = this.world;
 		// of a game that stands still, the figures are those of what was last
 		const counted = this.#ticks > 0 || state.frame === 0 ? { ms: short(this.#ms / this.#ticks), ...this.#most } : {};
-		const values = { ...counted, agents: agents.length, meetings: state.meetings };
+		const values = { ...counted, agents: agents.length, meetings: state.meetings, ...(now === 0 && { collisions: state.touching }) };
 		for (const [name, value] of Object.entries(values)) this.figures[name].textContent = value;
 		this.figures.fps.textContent = now > 0 ? Math.round((this.#frames * 1000) / (now - this.#since)) : "–";
 		this.forget(now);

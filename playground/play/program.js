@@ -126,14 +126,27 @@ export function keysOf(state) {
 	const keys = new Map();
 	for (const { type, fields, inputs } of state?.blocks?.blocks ?? []) {
 		const first = inputs?.DO?.block;
-		if (type === "starlogo_key" && first) keys.set(fields.KEY, doing(first));
+		if (type === "starlogo_key" && first) keys.set(fields.KEY, doing(first, fields.KEY));
 	}
 	return keys;
 }
 
-/** What a block does in a word or two. */
-function doing({ type, fields, inputs }) {
+/** The breeds that keys turn: who sees such a game from behind one of them sees where it goes. */
+export function breedsThatKeysTurn(state) {
+	const tops = state?.blocks?.blocks ?? [];
+	return [...new Set(tops.filter((block) => block.type === "starlogo_key" && has(block, "starlogo_turn")).map(({ fields }) => fields.BREED))];
+}
+
+/** Whether a block of a type is in a block, or follows. */
+function has(block, type) {
+	if (!block) return false;
+	return block.type === type || Object.values(block.inputs ?? {}).some((input) => has(input.block, type)) || has(block.next?.block, type);
+}
+
+/** What a key does in a word or two, by its first block. A block that only prepares something says less than the key itself. */
+function doing({ type, fields, inputs }, key) {
 	if (inputs?.STEPS?.shadow?.fields.NUM < 0) return texts.blocks.back;
+	if (/^(starlogo_(heading|go|ask)|controls_\w+|variables_set|math_change)$/.test(type) && key in texts.play.keyWays) return texts.play.keyWays[key];
 	const word = texts.blocks[type].split(" ")[0];
 	return fields?.DIRECTION ? `${word} ${texts.blocks.directions[fields.DIRECTION]}` : word;
 }

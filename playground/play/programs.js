@@ -1,230 +1,353 @@
 /** Which program is open, and what becomes of it: the user's own are never lost, whatever is opened in their place. */
-import { button, h } from "../shared/dom.js";
+import { CollisionBlocks } from "starlogo-collision";
+import { button, fileButton, h } from "../shared/dom.js";
 import { texts } from "../shared/language.js";
-import { EXAMPLES } from "./examples.js";
 import { MODEL_FILE } from "./kept.js";
-import { LessonCard } from "./lessoncard.js";
-import { LESSONS, LESSON_NAMES } from "./lessons.js";
+import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { create, program as programOf, size, start } from "./notation.js";
-import { Shelf, fromLink, isProgram, toLink } from "./storage.js";
+import { Shelf, download, fileName, fromLink, isProgram, meaning, toLink } from "./storage.js";
 
 const words = texts.play;
-/** What the gallery's names of models begin with. */
+/** What the first screen's names of models begin with. */
 const MODEL = "model ";
+const LESSON = "lesson-";
+/** What is open in a browser that has nothing open yet. */
+const FIRST = "paintball";
+/** What an address names if it is the first screen. */
+const HOME = "all";
 
-/** The programs that the page brings, by their names; those of lessons begin as addresses do. */
-const BROUGHT = { ...EXAMPLES, ...Object.fromEntries(LESSON_NAMES.map((name) => [`lesson-${name}`, LESSONS[name].program])) };
+const library = () => import("./library.js");
+const lessonOf = (name) => (name.startsWith(LESSON) ? name.slice(LESSON.length) : null);
+/** Whether the page brings a program of this name. */
+const isBrought = (name) => name in words.games || name in words.examples || LESSON_NAMES.includes(lessonOf(name));
+const brought = async (name) => (await library()).BROUGHT[name];
 
 export class Programs {
-	/** Which program is shown: an example's name, the id of one of the user's, or "link". */
-	#name = "paintball";
-	#isShown = false;
-	/** What was there before the program that replaced it. */
-	#replaced = null;
+	/** Which program is shown: the name of one that the page brings, the id of one of the user's, or "link". */
+	#name = null;
+	#title = "";
+	/** The collision system that the program is played with, if it is not the default one. */
+	#system = null;
 	/** Whether another tab has changed the program that is open. */
 	#isTaken = false;
 	/** The lesson that is open, or null. */
 	#lesson = null;
+	/** The program that was asked for last. */
+	#asked = null;
+	#home = null;
 
 	/** @param {object} view whose programs they are */
 	constructor(view) {
 		this.view = view;
 		this.shelf = new Shelf();
-		this.menu = h("select", { onchange: () => this.choose(this.menu.value) });
-		this.undoButton = button(words.undo, () => this.undo(), { hidden: true });
-		this.lessons = new LessonCard((name) => this.choose(name === null ? "paintball" : `lesson-${name}`));
+		this.lessons = new LessonCard((name) => (name === null ? this.#leaveLesson() : this.choose(LESSON + name, true)));
+		this.title = h("input.title", { type: "text", maxlength: 60, "aria-label": words.title, onchange: () => this.#rename() });
+		this.kept = h("span.keeping");
+		this.element = h("div.naming", {},
+			h("div.tools", {}, button(texts.gallery.open, () => this.openHome(), { class: "homeward" }), this.title, this.kept),
+			h("div.tools.files", {}, button(words.new, () => this.openNew()), button(words.save, () => this.#download()),
+				fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl,.bin", (...files) => this.openFile(...files)),
+				button(words.share, () => this.share()), button("</>", () => this.#showJavascript(), { class: "code", "aria-label": words.javascript.title, title: words.javascript.title })));
 		this.close = this.shelf.watch(() => this.#hearOtherTab());
 	}
 
-	/** Opens the program of a link; without one, that which was open last, or else the paintball game. */
-	async open(link) {
-		if (link) {
-			try {
-				this.#show(await fromLink(link), "link");
-				return;
-			} catch {
-				this.#openLast();
-				this.view.say(words.brokenLink, true);
-				return;
-			}
+	/** The program as it is now, with the collision system that it is played with. */
+	get program() {
+		return { ...this.view.editor.program, ...(this.#system && { system: this.#system }) };
+	}
+
+	/** Opens what an address names: a program that the page brings, one of the user's, one in a link; else that which was open last, or the first screen. */
+	async open(argument) {
+		if (argument === this.#name) return;
+		if (argument === "" || argument === HOME) {
+			const isFirst = this.#name === null;
+			const isHome = !isFirst || this.isHome(argument);
+			if (isFirst) await this.#openLast();
+			if (isHome && !this.#home?.element.isConnected) await this.openHome();
+		} else if (isBrought(argument) || this.shelf.find(argument)) await this.choose(argument);
+		else await this.#openLink(argument);
+	}
+
+	async #openLink(argument) {
+		try {
+			const { name, ...program } = await fromLink(argument);
+			const title = name ?? words.fromLink;
+			const mine = this.shelf.all.find((each) => each.name === title && meaning(each.program) === meaning(program));
+			if (mine) this.#show(mine.program, mine.id, title);
+			else this.#show(program, "link", title);
+		} catch {
+			if (this.#name === null) await this.#openLast();
+			this.view.say(words.brokenLink, true);
 		}
-		this.#openLast();
 	}
 
 	/** The program that will be opened, as far as that is known. */
-	async first(link) {
+	async first(argument) {
 		try {
-			return link ? await fromLink(link) : this.#last().program;
+			if (this.shelf.find(argument)) return this.shelf.find(argument).program;
+			if (isBrought(argument)) return await brought(argument);
+			return argument && argument !== HOME ? await fromLink(argument) : (await this.#last()).program;
 		} catch {
-			return EXAMPLES.paintball;
+			return brought(FIRST);
 		}
 	}
 
+	/** Whether an address leads to the first screen. */
+	isHome(argument) {
+		return argument === HOME || (argument === "" && !this.#hasLast);
+	}
+
+	get #hasLast() {
+		return this.shelf.last !== null || this.shelf.all.length > 0;
+	}
+
 	/** What was open last, or else the paintball game. */
-	#last() {
+	async #last() {
 		const { last, all } = this.shelf;
 		const entry = this.shelf.find(last) ?? (last === null ? all.at(-1) : null);
 		if (entry && isProgram(entry.program)) return { program: entry.program, name: entry.id };
-		return last in BROUGHT ? { program: BROUGHT[last], name: last } : { program: EXAMPLES.paintball, name: "paintball" };
+		const name = last !== null && isBrought(last) ? last : FIRST;
+		return { program: await brought(name), name };
 	}
 
-	#openLast() {
-		const { program, name } = this.#last();
+	async #openLast() {
+		const { program, name } = await this.#last();
+		// something was chosen meanwhile
+		if (this.#asked !== null) return;
 		try {
 			this.#show(program, name);
 		} catch {
 			// one of another version
-			this.#show(EXAMPLES.paintball, "paintball");
+			this.#show(await brought(FIRST), FIRST);
 		}
 	}
 
 	/** Shows a program; throws if it is none, and leaves what was there. */
-	#show(program, name) {
-		const before = !this.#isShown ? null : { program: this.view.editor.program, name: this.#name };
-		this.view.editor.show(program, name in BROUGHT || name === "link");
-		this.#isShown = true;
-		this.#replaced = before;
-		this.#offerUndo();
+	#show(program, name, title = this.#titleOf(name)) {
+		const { view } = this;
+		const before = this.#name === null ? null : { program: this.program, name: this.#name, title: this.#title };
+		view.editor.show(program, isBrought(name) || name === "link");
+		if (before || this.#asked !== null) this.#home?.leave();
 		this.#name = name;
 		this.#isTaken = false;
+		this.#system = CollisionBlocks.systemNames.includes(program.system) ? program.system : null;
 		// what is made of a lesson's program is in the lesson
 		this.#lesson = lessonOf(name) ?? this.shelf.find(name)?.lesson ?? null;
 		this.lessons.show(this.#lesson);
-		if (name !== "link") this.shelf.last = name;
-		this.#listPrograms();
-		this.view.reset();
-		this.view.scene.seeAll();
-		if (before) this.#sayOpened();
-	}
-
-	#sayOpened() {
-		if (!this.view.isBroken && this.view.world.agents.length > 0) this.view.say(words.opened(this.#title(this.#name)));
-	}
-
-	/** Takes back the last change of blocks, or, where there was none, what replaced a program. */
-	undo() {
-		const { editor } = this.view;
-		if (editor.canUndo) editor.undo();
-		else {
-			const { program, name } = this.#replaced;
-			this.#show(program, name);
-			this.#replaced = null;
+		this.#showTitle(title);
+		view.reset();
+		view.lookAt(program);
+		if (before && !view.isBroken && view.world.agents.length > 0) {
+			if (before.name === name) view.say(words.opened(title));
+			else view.offer(words.opened(title), words.backTo(before.title), () => this.#goBackTo(before));
 		}
-		this.#offerUndo();
 	}
 
-	#offerUndo() {
-		this.undoButton.hidden = this.#replaced === null && !this.view.editor.canUndo;
+	/** Opens what another program has replaced, as it was. */
+	#goBackTo({ program, name, title }) {
+		this.#show(program, name, title);
+		if (name !== "link") this.shelf.last = name;
+		this.#setAddress(name);
 	}
 
-	#title(name) {
-		return words.examples[name] ?? texts.lessons.list[lessonOf(name)]?.title ?? this.shelf.find(name)?.name ?? words.fromLink;
+	#titleOf(name) {
+		return words.games[name] ?? words.examples[name] ?? texts.lessons.list[lessonOf(name)]?.title ?? this.shelf.find(name)?.name ?? words.fromLink;
 	}
 
-	async openGallery() {
+	#showTitle(title) {
+		this.#title = title;
+		this.title.value = title;
+		const isOwn = this.shelf.find(this.#name) !== null;
+		this.kept.className = isOwn ? "keeping kept" : "keeping";
+		if (isOwn) this.kept.textContent = this.shelf.isKept ? words.kept : words.keptNowhere;
+		else this.kept.replaceChildren(button(words.keep, () => this.#keep(), { title: words.keepNote }));
+	}
+
+	/** Gives the program another name, under which it is kept. */
+	#rename() {
+		const title = this.title.value.trim();
+		if (title === "" || title === this.#title) this.title.value = this.#title;
+		else if (this.shelf.find(this.#name)) {
+			this.shelf.put({ id: this.#name, name: title });
+			this.#showTitle(title);
+		} else this.#putNew(title);
+	}
+
+	#keep() {
+		this.#putNew(this.#name === "link" ? this.#title : words.copyOf(this.#title));
+		this.title.focus();
+	}
+
+	/** The address names the program that is open. */
+	#setAddress(name, isStep = false) {
+		const hash = `#play/${name}`;
+		if (name === "link" || location.hash === hash) return;
+		if (isStep) history.pushState(null, "", hash);
+		else history.replaceState(null, "", hash);
+	}
+
+	/** Opens the first screen: all programs and lessons, with pictures. */
+	async openHome() {
 		if (this.view.isRunning) this.view.stop();
-		const { openGallery } = await import("./gallery.js");
+		const { Home } = await import("./home.js");
+		this.#home?.leave();
+		this.#home = new Home(this, this.view.main);
+	}
+
+	/** What the first screen shows: groups of programs, and what may be done with them. */
+	get groups() {
 		const { own } = this.view;
-		const modelOf = (id) => (id.startsWith(MODEL) ? id.slice(MODEL.length) : null);
-		const showing = (shape) => programOf(start(create(1, "turtles", shape, size(3))));
-		const find = (id) => (modelOf(id) === null ? this.shelf.find(id)?.program ?? BROUGHT[id] : showing(modelOf(id)));
-		openGallery([
-			{ title: texts.gallery.own, canRename: true, canRemove: true, entries: this.shelf.all.map(({ id, name }) => ({ id, name })) },
+		const named = (table) => Object.entries(table).map(([id, name]) => ({ id, name }));
+		const next = LESSON_NAMES.find((name) => !this.lessons.isDone(name));
+		return [
+			{ title: texts.gallery.lessons, isNumbered: true, entries: LESSON_NAMES.map((name) => ({ id: LESSON + name, name: texts.lessons.list[name].title, isDone: this.lessons.isDone(name), isNext: name === next })) },
+			{ title: texts.gallery.games, isNumbered: true, entries: Object.entries(words.games).map(([id, name]) => ({ id, name, note: texts.programs[id].goal, isDone: this.lessons.isWon(id) })) },
+			{ title: texts.gallery.own, canRename: true, canRemove: true, canAdd: true, entries: this.shelf.all.map(({ id, name }) => ({ id, name })) },
 			...(own.names.length > 0 ? [{ title: texts.gallery.models, canRemove: true, entries: own.names.map((name) => ({ id: MODEL + name, name })) }] : []),
-			{ title: words.brought, entries: Object.entries(words.examples).map(([id, name]) => ({ id, name })) },
-			{ title: texts.gallery.lessons, entries: LESSON_NAMES.map((name) => ({ id: `lesson-${name}`, name: texts.lessons.list[name].title, isDone: this.lessons.isDone(name) })) },
-		], {
-			picture: (id) => this.view.pictureOf(find(id)),
-			open: (id) => (modelOf(id) === null ? this.choose(id) : this.#open(find(id), modelOf(id))),
-			rename: (id, name) => {
-				this.shelf.put({ id, name });
-				this.#listPrograms();
-			},
-			remove: (id) => (modelOf(id) === null ? this.#remove(id) : own.remove(modelOf(id))),
-		});
-		this.view.draw();
+			{ title: words.brought, entries: named(words.examples) },
+		];
+	}
+
+	/** The program of an entry of the first screen. */
+	async programOf(id) {
+		if (id.startsWith(MODEL)) return programOf(start(create(1, "turtles", id.slice(MODEL.length), size(3))));
+		return this.shelf.find(id)?.program ?? brought(id);
+	}
+
+	/** Opens an entry of the first screen. */
+	async openEntry(id) {
+		if (id.startsWith(MODEL)) this.#open(await this.programOf(id), id.slice(MODEL.length));
+		else await this.choose(id, id.startsWith(LESSON));
+	}
+
+	/** A game is won. Those that the page brings get a tick. */
+	win() {
+		if (this.#name in words.games) this.lessons.win(this.#name);
+	}
+
+	renameEntry(id, name) {
+		this.shelf.put({ id, name });
+		if (id === this.#name) this.#showTitle(name);
+	}
+
+	removeEntry(id) {
+		if (id.startsWith(MODEL)) return this.view.own.remove(id.slice(MODEL.length));
+		return this.#remove(id);
 	}
 
 	/** Deletes a program of the user's; it can be taken back. */
-	#remove(id) {
+	async #remove(id) {
 		const entry = this.shelf.find(id);
 		this.shelf.remove(id);
-		if (this.#name === id) this.choose("paintball");
-		this.#listPrograms();
+		if (this.#name === id) await this.choose(FIRST);
 		this.view.offer(texts.gallery.removed(entry.name), words.undo, () => {
 			this.shelf.put(entry);
 			this.choose(id);
 		});
 	}
 
-	#listPrograms() {
-		const group = (label, entries) => (entries.length > 0 ? [h("optgroup", { label }, ...entries.map(([value, text]) => h("option", { value, selected: value === this.#name }, text)))] : []);
-		this.menu.replaceChildren(
-			...(this.#name === "link" ? [h("option", { value: "link", selected: true }, words.fromLink)] : []),
-			...group(words.own, this.shelf.all.map(({ id, name }) => [id, name])),
-			...group(words.brought, Object.entries(words.examples)),
-			...group(texts.gallery.lessons, LESSON_NAMES.map((name) => [`lesson-${name}`, texts.lessons.list[name].title])));
-	}
-
-	choose(name) {
-		const entry = this.shelf.find(name);
+	/**
+	 * Opens a program that the page brings, or one of the user's.
+	 *
+	 * @param {string} name its name, or its id
+	 * @param {boolean} isRead whether its lesson is read next
+	 */
+	async choose(name, isRead = false) {
+		this.#asked = name;
+		await this.view.editing;
+		const program = this.shelf.find(name)?.program ?? await brought(name);
+		if (this.#asked !== name) return;
 		try {
-			this.#show(entry?.program ?? BROUGHT[name], name);
+			this.#show(program, name);
+			this.shelf.last = name;
+			this.#setAddress(name, true);
+			if (isRead) this.lessons.focus();
 		} catch {
-			this.#listPrograms();
 			this.view.say(words.brokenProgram, true);
 		}
 	}
 
-	/** What the user changes is the user's: an example, and what a link brought, becomes a program with a name of its own. */
-	changed(isDeletion) {
-		this.#offerUndo();
-		if (!this.shelf.find(this.#name) || this.#isTaken) {
-			const title = words.copyOf(this.#title(this.#name));
-			this.#name = this.#putNew(title, this.view.editor.program);
-			this.#isTaken = false;
-			// what is kept counts from now on, not what a link brought
-			if (location.hash.includes("/")) history.replaceState(null, "", "#play");
-		} else {
-			this.shelf.put({ id: this.#name, program: this.view.editor.program, changed: Date.now() });
+	/** Opens a program of the user's that has one agent in it. */
+	async openNew() {
+		await this.view.editing;
+		this.#open(programOf(start(create(1, "bears", "bear", size(1.4)))), words.newName);
+		this.title.focus();
+		this.title.select();
+	}
+
+	/** Leaves the lesson, and nothing else: the program stays. */
+	#leaveLesson() {
+		this.#lesson = null;
+		if (this.shelf.find(this.#name)) this.shelf.put({ id: this.#name, lesson: null });
+		this.lessons.show(null);
+		this.title.focus();
+	}
+
+	/** Plays the program with another collision system: its block says so, if it has one for that. */
+	useSystem(name) {
+		const { editor } = this.view;
+		if (editor.system !== null) {
+			editor.system = name;
+			this.view.say(words.systemOfBlock(texts.inSentence(texts.systems[name])));
+			return;
 		}
-		if (!this.shelf.isKept) this.view.say(words.notKept, true);
-		else if (this.view.isRunning && this.view.isStale) this.view.offer(words.stale, words.startAnew, () => {
-			this.view.reset();
-			this.view.run();
+		this.#system = name === CollisionBlocks.TIGHTEST_FITS ? null : name;
+		this.#put();
+	}
+
+	#put() {
+		if (this.shelf.find(this.#name) && !this.#isTaken) this.shelf.put({ id: this.#name, program: this.program, changed: Date.now() });
+	}
+
+	/**
+	 * What the user changes is the user's: an example, and what a link brought, becomes a program with a name of its own.
+	 *
+	 * @param {number} deleted how many blocks the change has deleted
+	 */
+	changed(deleted) {
+		const { view } = this;
+		if (!this.shelf.find(this.#name) || this.#isTaken) this.#putNew(this.#name === "link" ? this.#title : words.copyOf(this.#title));
+		else this.#put();
+		if (!view.isRunning && view.isStale) view.showBeginning();
+		if (!this.shelf.isKept) view.say(words.notKept, true);
+		else if (view.isRunning && view.isStale) view.offer(words.stale, words.startAnew, () => {
+			view.reset();
+			view.run();
 		});
-		else if (isDeletion && !this.view.isRunning) this.view.offer(words.deleted, words.undo, () => {
-			this.view.editor.undo();
-			this.view.say(words.ready);
+		else if (deleted > 0 && !view.isRunning) view.offer(words.deleted(deleted), words.undo, () => {
+			view.editor.undo();
+			view.say(words.ready);
 		});
 	}
 
-	/** A program of the user's under a name that no other has; its id. */
-	#putNew(title, program) {
+	/** Keeps the program as a new one of the user's, under a name that no other has. */
+	#putNew(title) {
 		const names = new Set(this.shelf.all.map(({ name }) => name));
 		let name = title;
 		for (let number = 2; names.has(name); number++) name = words.another(title, number);
 		const id = `own-${Date.now().toString(36)}-${Math.floor(Math.random() * 1e6).toString(36)}`;
-		this.shelf.put({ id, name, program, lesson: this.#lesson, changed: Date.now() });
+		this.shelf.put({ id, name, program: this.program, lesson: this.#lesson, changed: Date.now() });
 		this.shelf.last = id;
 		this.#name = id;
-		this.#listPrograms();
-		return id;
+		this.#isTaken = false;
+		this.#showTitle(name);
+		// what is kept counts from now on, not what a link brought
+		this.#setAddress(id);
+		return name;
 	}
 
 	#hearOtherTab() {
 		const entry = this.shelf.find(this.#name);
-		this.#listPrograms();
-		if (this.#isTaken || this.#name in BROUGHT || this.#name === "link") return;
-		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.view.editor.program)) return;
+		if (this.#isTaken || this.#name === null || this.#name === "link" || isBrought(this.#name)) return;
+		if (entry && JSON.stringify(entry.program) === JSON.stringify(this.program)) return;
 		this.#isTaken = true;
-		this.view.say(words.elsewhere(entry?.name ?? this.menu.selectedOptions[0]?.textContent ?? ""));
+		this.view.say(words.elsewhere(entry?.name ?? this.#title));
 	}
 
 	/** Opens a program, or makes a model a shape that agents can have. */
-	async openFile(file) {
+	async openFile(file, files = [file]) {
 		if (MODEL_FILE.test(file.name)) {
-			await this.view.own.add(file);
+			await this.view.own.add(file, files);
 			return;
 		}
 		if (!/\.json$/i.test(file.name)) {
@@ -232,9 +355,9 @@ export class Programs {
 			return;
 		}
 		try {
-			const program = JSON.parse(await file.text());
+			const { name, ...program } = JSON.parse(await file.text());
 			if (!isProgram(program)) throw new Error("no program");
-			this.#open(program, file.name.replace(/\.json$/i, ""));
+			this.#open(program, name ?? file.name.replace(/\.json$/i, ""));
 		} catch {
 			this.view.say(words.brokenProgram, true);
 		}
@@ -242,28 +365,34 @@ export class Programs {
 
 	/** Opens a program as one more of the user's; throws if it is none. */
 	#open(program, title) {
-		const before = this.#name;
-		this.#show(program, "link");
-		const replaced = this.#replaced;
-		this.#putNew(title, this.view.editor.program);
-		this.#replaced = replaced ?? { program: BROUGHT[before], name: before };
-		this.#offerUndo();
-		this.#sayOpened();
+		this.#asked = title;
+		this.#show(program, "link", title);
+		const name = this.#putNew(title);
+		const [, back] = this.view.status.childNodes;
+		if (back) this.view.status.firstChild.textContent = words.opened(name);
 		if (!this.shelf.isKept) this.view.say(words.notKept, true);
+	}
+
+	#download() {
+		download(JSON.stringify({ name: this.#title, ...this.program }, null, 1), "application/json", `${fileName(this.#title)}.json`);
+	}
+
+	async #showJavascript() {
+		const { showJavascript } = await import("./developer.js");
+		showJavascript(this.program, this.#title, fileName(this.#title), this.view.models);
 	}
 
 	async share() {
 		const address = new URL(location.href);
-		address.hash = `play/${await toLink(this.view.editor.program)}`;
-		history.replaceState(null, "", address);
+		address.hash = `play/${await toLink({ name: this.#title, ...this.program })}`;
 		try {
 			await navigator.clipboard.writeText(address.href);
 			this.view.say(words.shared);
 		} catch {
+			const link = h("input.address", { type: "text", readonly: true, value: address.href, "aria-label": words.link });
 			this.view.say(words.sharedHere);
+			this.view.status.append(" ", link);
+			link.select();
 		}
 	}
 }
-
-/** The lesson that a program of the page is of, or null. */
-const lessonOf = (name) => (/^lesson-/.test(name) ? name.slice(7) : null);

@@ -1,21 +1,30 @@
 /** How a game looks: its agents, what they say, where they met, what the engine sees of them, goal, score and end. */
 import { CollisionBlocks, Sphere, Vector3D } from "starlogo-collision";
 import { pairsOf } from "../compare/game.js";
+import { LINES, VERDICTS } from "../shared/colours.js";
 import { button, h } from "../shared/dom.js";
 import { fixed, plain, texts } from "../shared/language.js";
+import { Being } from "./being.js";
+import { Hiding } from "./hiding.js";
 import { nameOf } from "./panel.js";
+import { breedsThatKeysTurn } from "./program.js";
 import { HALF_WIDTH } from "./world.js";
 
 const words = texts.play;
-const STRUCTURES = { color: 0xc24a00 };
-const CHOSEN = { color: 0x1d4ed8 };
-/** What the engine sees: what touches nothing, what it finds rightly or wrongly, and what it misses. */
-const COLOURS = { none: 0x2f6fed, hit: 0xe02020, wrong: 0xff9d00, missed: 0x9b1fe8 };
+const STRUCTURES = { color: LINES.tested };
+const CHOSEN = { color: LINES.chosen };
 /** How stages look at the ground. */
 export const STAGE = { eye: [-3, -18.5, 8.7], target: [0, 0, 0], ground: 2 * HALF_WIDTH, isLand: true };
 /** How many frames a flash and a mark last. */
 const [FLASH, MARK] = [9, 45];
 const MOST_SAID = 40;
+/** How high signs stand over heads. */
+const ABOVE = 0.35;
+/** How large the pictures of shapes are in menus. */
+const SMALL = [80, 60];
+/** What small pictures of games show that have agents all over the ground: the middle of it. */
+const NEAR = 0.6 * HALF_WIDTH;
+const MIDDLE = [-NEAR, -NEAR, 0, NEAR, NEAR, 2];
 
 export class Scene {
 	camera = "all";
@@ -23,9 +32,15 @@ export class Scene {
 	chosen = null;
 	/** Who touches in this game and not in the one beside it ("wrong"), or there and not here ("missed"). */
 	differing = new Map();
+	/** Whether the same game is played beside this one. */
+	isBeside = false;
+	#mainBreed = null;
+	#explained = null;
 	#said = new Map();
 	#levels = new Map();
 	#heights = new Map();
+	#pictures = new Map();
+	#isPictured = false;
 
 	/**
 	 * @param {import("../shared/stage.js").Stage} stage
@@ -39,11 +54,10 @@ export class Scene {
 		this.score = h("p.score", { hidden: true, "aria-live": "polite" });
 		this.caption = h("p.caption", { hidden: true });
 		this.end = h("div.end", { role: "alert", hidden: true });
-		this.legend = h("ul.legend.sees", { hidden: true }, ...["none", "hit", "wrong", "missed"].map((name) => h(`li.${name}`, {}, words.seesNote[name])));
-		this.foot = h("div.foot", {}, this.legend);
+		this.legend = h("ul.legend.sees", { hidden: true });
 		this.bubbles = h("div.bubbles");
 		this.facts = h("div.inspector", { hidden: true, role: "region", "aria-label": words.inspector });
-		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, this.score), this.facts), this.foot, this.end);
+		screen.append(this.bubbles, h("div.overlay", {}, h("div.banner", {}, this.goal, this.caption, this.score), this.facts), this.end);
 		stage.onDrawn = () => this.#placeBubbles();
 	}
 
@@ -52,9 +66,22 @@ export class Scene {
 		this.chosen = null;
 	}
 
-	/** Sees the agents of a new program, or all of the ground if they are all over it. */
-	seeAll() {
-		this.stage.showAll(this.#partOf(this.world.agents));
+	/**
+	 * Looks at a new program's game: over the shoulder of its main character, or else at all of its agents, or all of the ground if they are all over it.
+	 *
+	 * @returns {string} which camera that is
+	 */
+	lookAt(program) {
+		const { agents } = this.world;
+		this.#mainBreed = mainBreedOf(program, agents);
+		this.camera = this.#mainBreed === null ? "all" : "follow";
+		this.stage.showAll(this.#partOf(agents));
+		return this.camera;
+	}
+
+	/** Whom the camera follows if nobody was clicked. */
+	get main() {
+		return this.world.agents.find(({ breed }) => breed === this.#mainBreed) ?? this.world.agents[0];
 	}
 
 	/** The least and the largest x, y and z of agents; null if they are all over the ground. */
@@ -77,27 +104,64 @@ export class Scene {
 		const { stage, world } = this;
 		const { frame } = world;
 		if (this.chosen && !this.chosen.isAlive) this.chosen = null;
-		stage.showAgents(world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
+		const main = this.camera === "all" ? null : this.chosen ?? this.main;
+		if (main) stage.follow(main, this.#height(main), this.camera === "eyes");
+		stage.setGround(world.ground);
+		stage.showAgents(this.camera === "follow" ? this.#notHiding(main, world) : world.agents, this.models, ({ hit }) => Math.max(0, 0.7 * (1 - (frame - hit) / FLASH)));
 		const lines = [];
 		world.structures.lines(lines);
 		stage.wireframe("structures", STRUCTURES).showLines(lines);
 		stage.wireframe("chosen", CHOSEN).showLines(this.chosen ? world.structures.linesOf(this.chosen) : []);
 		const verdicts = this.isSeen ? this.#verdicts() : this.differing;
-		const solids = (this.isSeen ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: COLOURS[verdicts.get(agent) ?? "none"] }));
-		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: 0xffd21f })), solids);
-		const main = this.chosen ?? world.agents[0];
-		if (this.camera !== "all" && main) stage.follow(main, this.#height(main), this.camera === "eyes");
+		const solids = (this.isSeen ? world.agents : [...verdicts.keys()]).map((agent) => ({ ...this.#structuresOf(agent), color: VERDICTS[verdicts.get(agent) ?? "none"] }));
+		stage.showMarks(world.events.filter((each) => frame - each.frame < MARK).map((each) => ({ point: each.point, age: (frame - each.frame) / MARK, color: VERDICTS.hit })), solids);
+		stage.showSigns([...verdicts].map(([agent, kind]) => ({ kind, x: agent.x, y: agent.y, z: agent.z + this.#height(agent) + ABOVE })));
 		this.#show(again);
 		this.#inspect();
 		stage.draw();
 	}
 
-	/** A picture of other agents, which are shown until the game is drawn again. */
-	picture(agents, width, height) {
-		this.stage.showAgents(agents, this.models);
+	/** A picture of how a program's game begins, which is shown until the game is drawn again. */
+	pictureOfGame(program, world, width, height) {
+		const breed = mainBreedOf(program, world.agents);
+		return this.#picture(world, width, height, world.agents.find((agent) => agent.breed === breed));
+	}
+
+	/** A picture of agents, from behind one of them or else of all. */
+	#picture(world, width, height, main) {
+		this.stage.setGround(world.ground);
 		this.stage.showMarks([], []);
+		this.stage.showSigns([]);
 		this.stage.clearLines("structures", "chosen");
-		return this.stage.picture(width, height, this.#partOf(agents));
+		return this.stage.picture(width, height, () => {
+			if (main) this.stage.follow(main, this.#height(main), false);
+			else this.stage.showAll(this.#partOf(world.agents) ?? MIDDLE);
+			this.stage.showAgents(this.#notHiding(main, world), this.models);
+		});
+	}
+
+	/** The agents without those between the eye and one that it follows, if it does. */
+	#notHiding(main, world) {
+		const { agents } = world;
+		if (!main || !this.stage.renderer) return agents;
+		this.hiding ??= new Hiding(this.world.greatLand);
+		const hiding = this.hiding.of(world, main, this.#height(main), this.stage.camera.position);
+		return hiding.size > 0 ? agents.filter((agent) => !hiding.has(agent)) : agents;
+	}
+
+	/** A picture of one agent of a shape, as an address; made once. */
+	pictureOf(shape) {
+		const model = this.models.get(shape);
+		if (model && !this.#pictures.has(model)) {
+			this.#pictures.set(model, this.#picture({ agents: [new Being(shape, shape)], frame: 0, ground: "meadow" }, ...SMALL, null));
+			// what the game shows comes back after the last one
+			if (!this.#isPictured) queueMicrotask(() => {
+				this.#isPictured = false;
+				this.draw(null);
+			});
+			this.#isPictured = true;
+		}
+		return this.#pictures.get(model) ?? null;
 	}
 
 	#height(agent) {
@@ -112,12 +176,20 @@ export class Scene {
 		this.goal.textContent = goal;
 		this.score.hidden = score === null;
 		if (score !== null && this.score.textContent !== words.score(score)) this.score.textContent = words.score(score);
-		this.legend.hidden = !this.isSeen;
+		this.#explain(this.isSeen ? words.seesNote : this.isBeside ? words.differs : {});
 		if (this.end.hidden === Boolean(ended)) {
 			this.end.hidden = !ended;
 			this.end.replaceChildren(...(ended ? [h("strong", {}, words[ended.how]), h("p", {}, `${ended.text} ${words.took(fixed(seconds, 1))}`), again && button(words.again, again, { class: "primary" })].filter(Boolean) : []));
 			if (ended) this.end.querySelector("button")?.focus({ preventScroll: true });
 		}
+	}
+
+	/** Says once what colours and signs of the pictures mean. */
+	#explain(notes) {
+		if (this.#explained === notes) return;
+		this.#explained = notes;
+		this.legend.hidden = Object.keys(notes).length === 0;
+		this.legend.replaceChildren(...Object.entries(notes).map(([name, text]) => h(`li.${name}`, {}, text)));
 	}
 
 	/** What each agent that touches, or should, is in: "hit" where the models touch as well, "wrong" where they do not, "missed". */
@@ -194,6 +266,9 @@ export class Scene {
 			}));
 	}
 }
+
+/** The breed of a game's main character, whom keys turn and who is alone in it; null if there is none. */
+const mainBreedOf = (program, agents) => breedsThatKeysTurn(program).find((breed) => agents.filter((agent) => agent.breed === breed).length === 1) ?? null;
 
 /** The structures of a tree that a test ends at. */
 function boundsAt(node, level, out = []) {

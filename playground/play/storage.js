@@ -122,9 +122,17 @@ export async function fromLink(text) {
 	return program;
 }
 
-/** Hands a program over as a file. */
-export function download(program, name) {
-	const url = URL.createObjectURL(new Blob([JSON.stringify(program, null, 1)], { type: "application/json" }));
+/** What of a program its game depends on: not where its blocks lie, nor which are folded; nor the collision system, which changes while it is played. */
+export const meaning = (program) => JSON.stringify(program, function meant(key, value) {
+	return key === "system" || key === "languageVersion" || ("type" in this && ["id", "x", "y", "collapsed"].includes(key)) ? undefined : value;
+});
+
+/** A name that every system takes for a file. */
+export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").replaceAll(/\s+/g, " ").trim() || "program";
+
+/** Hands a text over as a file. */
+export function download(text, type, name) {
+	const url = URL.createObjectURL(new Blob([text], { type }));
 	const link = document.createElement("a");
 	link.href = url;
 	link.download = name;

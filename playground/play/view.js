@@ -4,7 +4,7 @@
  * This file is long because what a game's controls do, in which order, is one thing: most of it is their layout and starting, stopping and drawing.
  */
 import { CollisionBlocks, GreatLand } from "starlogo-collision";
-import { button, choice, field, fileButton, h, slider, tick } from "../shared/dom.js";
+import { button, choice, field, h, slider, tick } from "../shared/dom.js";
 import { loadModel } from "../shared/models.js";
 import { SHAPES } from "../shared/names.js";
 import { Stage } from "../shared/stage.js";
@@ -14,8 +14,10 @@ import { Models } from "./kept.js";
 import { loadMessages } from "./messages.js";
 import { Panel } from "./panel.js";
 import { STAGE, Scene } from "./scene.js";
+import { Sound } from "./sound.js";
+import { splitter } from "./splitter.js";
 import { Programs } from "./programs.js";
-import { download } from "./storage.js";
+import { meaning } from "./storage.js";
 import { FRAMES_A_SECOND, World } from "./world.js";
 
 const words = texts.play;
@@ -23,6 +25,8 @@ const words = texts.play;
 const MOST_AT_ONCE = 8;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const PICTURE = [240, 150];
+/** How many pieces of confetti fall, and for how many milliseconds. */
+const [PIECES, CELEBRATED] = [36, 3000];
 
 export async function createView(main, link) {
 	const words = loadMessages();
@@ -30,21 +34,29 @@ export async function createView(main, link) {
 	const greatLand = new GreatLand();
 	for (const model of models.values()) greatLand.addModel(model);
 	const view = new PlayView(main, models, new World(greatLand));
+	const opening = view.open(link);
 	view.preview(await view.programs.first(link));
+	if (view.programs.isHome(link)) await view.programs.openHome();
 	const [{ Editor }] = await Promise.all([words.then(() => import("./editor.js")), view.own.takeKept()]);
 	view.edit(Editor);
-	await view.open(link);
+	await opening;
 	return view;
 }
 
 class PlayView {
 	isRunning = false;
+	#beginEditing;
 	#request = 0;
 	#last = 0;
 	#owed = 0;
 	#speed = 1;
 	isBroken = false;
+	/** Done when there is an editor. */
+	editing = new Promise((resolve) => {
+		this.#beginEditing = resolve;
+	});
 	#begun = "";
+	#isQuiet = false;
 	/** The game beside this one, or null; and the one that was asked for last. */
 	#beside = null;
 	#asked = "";
@@ -55,11 +67,12 @@ class PlayView {
 		this.programs = new Programs(this);
 		this.keys = new Keys(world);
 		this.own = new Models(this);
+		this.sound = new Sound();
 		this.panel = new Panel(world, (agent) => this.#choose(agent));
 		this.#build(main);
 		this.stage = new Stage(this.worldHost, { ...STAGE, label: words.world });
 		this.scene = new Scene(this.stage, world, models, this.screen);
-		this.scene.foot.append(this.keys.legend);
+		this.theatre.append(h("div.foot", {}, this.scene.legend, this.keys.pad));
 		this.keys.listen(this.stage, (agent) => {
 			world.click(agent);
 			this.#choose(agent);
@@ -77,17 +90,9 @@ class PlayView {
 		this.runButton.append(this.runLabel);
 		this.status = h("p.status", { role: "status" }, words.ready);
 		const systems = CollisionBlocks.systemNames.map((name) => [name, texts.systems[name]]);
-		this.system = choice(systems, CollisionBlocks.TIGHTEST_FITS, (name) => {
-			this.world.useSystem(name);
-			// a game that stands still is as the new one sees it
-			if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
-				this.world.collide();
-				this.#beside?.compare();
-				this.#take();
-			});
-			this.draw();
-			this.#playOn();
-		});
+		this.system = choice(systems, CollisionBlocks.TIGHTEST_FITS, (name) => this.#useSystem(name));
+		this.editBar = h("div.edit", { role: "group", "aria-label": words.editor.label });
+		this.programs.element.lastChild.append(this.editBar);
 		this.blocksHost = h("div.blocks", { role: "group", "aria-label": words.blocksKeys });
 		this.worldHost = h("div.world", { tabindex: "0", role: "application", "aria-label": words.world });
 		this.speed = slider(words.speed, { min: 0, max: SPEEDS.length - 1, step: 1, value: SPEEDS.indexOf(1), format: (i) => words.speeds(SPEEDS[i]) }, (i) => {
@@ -95,11 +100,11 @@ class PlayView {
 			this.#playOn();
 		});
 		this.rewind = slider(words.rewind, { min: 0, max: 0, step: 1, value: 0, format: (at) => (at < 0 ? words.rewindBack(fixed(-at / FRAMES_A_SECOND, 1)) : words.rewindNow) }, (at) => this.#goBack(-at));
-		this.screen = h("div.screen", {}, this.worldHost, this.keys.pad);
+		this.screen = h("div.screen", {}, this.worldHost);
 		this.screens = h("div.screens", {}, this.screen);
 		this.theatre = h("div.theatre", {}, this.screens);
 		const besides = choice([["", words.alone], ...systems], "", (name) => this.putBeside(name));
-		const camera = choice(Object.entries(words.cameras), "all", (name) => {
+		this.camera = choice(Object.entries(words.cameras), "all", (name) => {
 			this.scene.camera = name;
 			if (name === "all") this.stage.showAll();
 			this.draw();
@@ -113,28 +118,22 @@ class PlayView {
 		// of the whole screen, Run is a part
 		this.theatre.addEventListener("fullscreenchange", () => {
 			if (document.fullscreenElement === this.theatre) this.theatre.prepend(this.controls);
-			else this.programs.lessons.element.after(this.controls);
+			else this.main.querySelector(".show").prepend(this.controls);
 			this.#playOn();
 		});
 		main.replaceChildren(
-			this.programs.lessons.element,
-			this.controls,
-			h("section.program", { "aria-label": words.blocks },
-				h("div.tools", {}, field(words.program, this.programs.menu), button(texts.gallery.open, () => this.programs.openGallery()),
-					button(words.save, () => download(this.editor.program, words.fileName)),
-					fileButton(words.open, ".json,.obj,.dae,.zae,.glb,.gltf,.stl", (file) => this.openFile(file)),
-					button(words.share, () => this.programs.share()), this.programs.undoButton),
-				this.blocksHost),
-			h("section.game", { "aria-label": words.world },
-				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, camera),
+			h("div.desk", {}, this.programs.lessons.element, h("section.program", { "aria-label": words.blocks }, this.programs.element, this.blocksHost)),
+			splitter(main),
+			h("div.show", {}, this.controls, h("section.game", { "aria-label": words.world },
+				h("div.tools", {}, field(words.system, this.system), field(words.beside, besides), field(words.camera, this.camera),
 					tick(words.sees, false, (on) => {
 						this.scene.isSeen = on;
 						this.draw();
 					})),
 				this.theatre,
-				h("div.time", {}, this.speed.element, this.rewind.element,
+				h("div.time", {}, this.speed.element, this.rewind.element, this.sound.button,
 					button(h("span.icon"), () => this.theatre.requestFullscreen?.(), { class: "fullscreen", "aria-label": words.fullscreen, title: words.fullscreen })),
-				this.panel.element));
+				this.panel.element)));
 	}
 
 	#turnTo(tab) {
@@ -154,17 +153,42 @@ class PlayView {
 		try {
 			this.keys.show(program);
 			this.world.begin(program);
-			this.scene.seeAll();
+			this.lookAt(program);
 		} catch {
 			// which is said when they are there
 		}
 		this.draw();
 	}
 
+	/** Looks at a new program's game as it is best seen. */
+	lookAt(program) {
+		this.camera.value = this.scene.lookAt(program);
+		this.draw();
+	}
+
 	/** Takes the editor, which the page loads last. */
 	edit(Editor) {
-		this.editor = new Editor(this.blocksHost, (isDeletion) => this.programs.changed(isDeletion));
+		this.editor = new Editor(this.blocksHost, this.editBar, {
+			onChange: (deleted) => this.programs.changed(deleted), pictureOf: (shape) => this.scene.pictureOf(shape), say: (text) => this.say(text),
+		});
 		for (const part of [this.controls, this.blocksHost.parentElement]) part.inert = false;
+		this.#beginEditing();
+	}
+
+	/** Plays the game on with another collision system. */
+	#useSystem(name) {
+		const { isStale } = this;
+		this.programs.useSystem(name);
+		if (!isStale) this.#begun = meaning(this.programs.program);
+		this.world.useSystem(name);
+		// a game that stands still is as the new one sees it
+		if (!this.isRunning && this.world.frame > 0 && this.world.history.back === 0) this.#attempt(() => {
+			this.world.collide();
+			this.#beside?.compare();
+			this.#take();
+		});
+		this.draw();
+		this.#playOn();
 	}
 
 	/** Plays the same game under another system as well, from the start and with the same keys; alone for "". */
@@ -194,17 +218,18 @@ class PlayView {
 		} catch {
 			return null;
 		}
-		return this.scene.picture(world.agents, ...PICTURE);
+		return this.scene.pictureOfGame(program, world, ...PICTURE);
 	}
 
-	/** Opens the program of a link, or that which was open last. */
-	open(link) {
-		return this.programs.open(link);
+	/** Opens what an address names. */
+	async open(link) {
+		await this.editing;
+		await this.programs.open(link);
 	}
 
 	/** Opens what the user has chosen, or dropped anywhere on the page. */
-	openFile(file) {
-		return this.programs.openFile(file);
+	openFile(file, files) {
+		return this.programs.openFile(file, files);
 	}
 
 	/** Says something, with what may be done about it. */
@@ -219,7 +244,7 @@ class PlayView {
 		this.editor.mark(null);
 		this.isBroken = false;
 		this.say(words.ready);
-		const { program } = this.editor;
+		const { program } = this.programs;
 		this.#begun = meaning(program);
 		this.keys.show(program);
 		this.#attempt(() => {
@@ -227,10 +252,18 @@ class PlayView {
 			this.world.begin(program);
 		});
 		if (!this.isBroken && this.world.agents.length === 0) this.say(words.empty);
+		this.system.value = this.world.collisions.systemName;
 		this.panel.forget();
 		this.scene.begin();
 		this.programs.lessons.begin();
 		this.draw();
+	}
+
+	/** Shows how the game begins since its program was changed. What is wrong with it is marked where it is. */
+	showBeginning() {
+		this.#isQuiet = true;
+		this.reset();
+		this.#isQuiet = false;
 	}
 
 	run() {
@@ -254,7 +287,7 @@ class PlayView {
 	}
 
 	get isStale() {
-		return this.#begun !== meaning(this.editor.program);
+		return this.#begun !== meaning(this.programs.program);
 	}
 
 	stop() {
@@ -297,13 +330,29 @@ class PlayView {
 	/** Takes a frame into account. */
 	#take() {
 		this.panel.count();
-		if (!this.isBroken && this.programs.lessons.look(this.world)) this.say(texts.lessons.done);
+		this.sound.hear(this.world);
+		if (!this.isBroken && this.programs.lessons.look(this.world)) this.#celebrate(texts.lessons.done);
 	}
 
 	#end() {
-		const { text } = this.world.ended;
+		const { how, text } = this.world.ended;
 		this.#halt();
+		if (how === "won") {
+			this.programs.win();
+			this.#celebrate(text);
+		} else {
+			this.sound.lost();
+			this.say(text);
+		}
+	}
+
+	/** Something is done, or won. */
+	#celebrate(text) {
+		this.sound.done();
 		this.say(text);
+		const confetti = h("div.confetti", { "aria-hidden": "true" }, ...Array.from({ length: PIECES }, () => h("i")));
+		this.screen.append(confetti);
+		setTimeout(() => confetti.remove(), CELEBRATED);
 	}
 
 	#goBack(back) {
@@ -334,7 +383,7 @@ class PlayView {
 		} catch (error) {
 			this.isBroken = true;
 			this.#halt();
-			this.editor.mark(error.block ?? null);
+			this.editor.mark(error.block ?? null, !this.#isQuiet);
 			this.say(words.problem(error.message), true);
 		}
 	}
@@ -352,7 +401,9 @@ class PlayView {
 		});
 		this.#beside?.draw();
 		this.panel.show(this.isRunning ? now : 0);
-		this.rewind.input.min = -world.history.length;
+		const { length } = world.history;
+		this.rewind.input.disabled = length === 0;
+		this.rewind.input.min = -Math.max(1, length);
 		this.rewind.set(-world.history.back);
 	}
 
@@ -360,11 +411,9 @@ class PlayView {
 		this.#halt();
 		this.#asked = null;
 		this.#beside?.close();
+		this.sound.close();
 		this.programs.close();
 		this.editor?.close();
 		this.stage.close();
 	}
 }
-
-/** What of a program its game depends on: not where its blocks lie, nor which are folded. */
-const meaning = (program) => JSON.stringify(program, (key, value) => (["x", "y", "collapsed"].includes(key) ? undefined : value));

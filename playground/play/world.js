@@ -10,6 +10,8 @@ import { Rounds, Thread, compile } from "./program.js";
 export const HALF_WIDTH = 12;
 export const FRAMES_A_SECOND = 60;
 const MOST_AGENTS = 2000;
+/** The ground of games that choose none. */
+const MEADOW = "meadow";
 /** How many meetings are listed. */
 const MOST_EVENTS = 60;
 /** How long what an agent says stays. */
@@ -51,20 +53,21 @@ export class World {
 
 	#forget() {
 		/** What History keeps of a frame, beside the agents. */
-		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ended: null, totals: new Map(), events: [], meetings: 0, made: 0, pairs: new Map() };
+		this.state = { frame: 0, seed: 20150601, variables: {}, threads: [], score: null, goal: null, ground: MEADOW, ended: null, totals: new Map(), events: [], meetings: 0, touching: 0, made: 0, pairs: new Map() };
 		this.agents.length = 0;
 		this.#pressed.clear();
 		this.#clicked = null;
 		this.#areSensesOld = true;
 	}
 
-	/** Makes the world the beginning of a program. */
+	/** Makes the world the beginning of a program, which may name the collision system that it is played with. */
 	begin(program) {
 		this.#forget();
 		this.collisions.forgetScripts();
 		this.traits.forgetBreeds();
 		this.structures.showNone();
 		this.history.clear();
+		if (!this.isSystemFixed) this.useSystem(CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
 		this.#scripts = [];
 		this.#scripts = compile(program, this);
 		// all that touch, whoever has scripts
@@ -137,6 +140,7 @@ export class World {
 		const start = performance.now();
 		this.collisions.collision.update(this.agents);
 		this.collisionMs = performance.now() - start;
+		this.state.touching = this.collisions.collision.statistics.collisions;
 	}
 
 	#isDue(event, fields, seconds) {
@@ -238,11 +242,13 @@ export class World {
 		else agent.jumpTo(wrappedX, wrappedY, agent.z);
 	}
 
-	/** Forward, until it touches one of a breed, or along that. */
+	/** Forward, until it touches one of a breed, or along that; as high as it was, also along something that leans. */
 	advance(agent, steps, breed, how) {
+		const { z } = agent;
 		const angle = (agent.heading * Math.PI) / 180;
 		const filter = breed === Collision.ANY_BREED ? null : AgentFilter.ofBreeds(breed);
 		this.senses.queries[how](agent, steps * Math.cos(angle), steps * Math.sin(angle), 0, filter);
+		agent.z = z;
 		this.#moveInside(agent, agent.x, agent.y);
 	}
 
@@ -326,7 +332,7 @@ export class World {
 	}
 }
 
-for (const name of ["frame", "variables", "threads", "score", "goal", "ended", "totals", "events"]) {
+for (const name of ["frame", "variables", "threads", "score", "goal", "ground", "ended", "totals", "events"]) {
 	Object.defineProperty(World.prototype, name, {
 		get() {
 			return this.state[name];

@@ -1,4 +1,5 @@
 /** Elements in few words. Styles are classes: the page's policy allows no style attributes. */
+import { chiefOf } from "./files.js";
 import { fixed } from "./language.js";
 
 /**
@@ -69,10 +70,11 @@ export function button(text, onclick, properties = {}) {
 	return h("button", { type: "button", onclick, ...properties }, text);
 }
 
-/** Asks for a file of the user's. */
+/** Asks for files of the user's: onFile is called with the chief one and with all. */
 export function fileButton(text, accept, onFile) {
-	const input = h("input.visually-hidden", { type: "file", accept, tabindex: "-1", "aria-hidden": "true", onchange: () => {
-		if (input.files.length > 0) onFile(input.files[0]);
+	const input = h("input.visually-hidden", { type: "file", accept, multiple: true, tabindex: "-1", "aria-hidden": "true", onchange: () => {
+		const files = [...input.files];
+		if (files.length > 0) onFile(chiefOf(files), files);
 		input.value = "";
 	} });
 	return h("span", {}, button(text, () => input.click()), input);

@@ -1,11 +1,25 @@
-/** A stage for a closer look: what has no triangles is drawn as points. */
-import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
+/** A stage for a closer look: what has no triangles is drawn as points, and how deep two touch as an arrow. */
+import { BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Points, PointsMaterial, Quaternion, Vector3 } from "three";
+import { VERDICTS } from "./colours.js";
+import { h } from "./dom.js";
 import { Stage } from "./stage.js";
 
 const POINT_SIZE = 0.025;
+const [SHAFT, HEAD] = [0.014, 0.09];
+const UP = new Vector3(0, 0, 1);
 
 export class Lab extends Stage {
 	#clouds = [];
+	#arrow = null;
+	/** Where its label stands. */
+	#told = null;
+
+	constructor(host, view) {
+		super(host, view);
+		this.label = h("p.bubble.measure", { hidden: true });
+		host.append(this.label);
+		this.onDrawn = () => this.#placeLabel();
+	}
 
 	showAgents(agents, models) {
 		const isCloud = ({ shape }) => !models.get(shape).triangles;
@@ -21,6 +35,48 @@ export class Lab extends Stage {
 		}
 	}
 
+	/**
+	 * Shows how deep two touch: an arrow from the contact's point, whose shaft is as long as they are deep and whose head says where to.
+	 *
+	 * @param {object|null} contact the engine's; nothing is shown for null
+	 */
+	showDepth(contact) {
+		if (!this.renderer) return;
+		if (this.#arrow) this.#arrow.visible = contact !== null;
+		if (contact === null) return;
+		this.#arrow ??= this.#makeArrow();
+		const { point, normal, depth } = contact;
+		const [shaft, head] = this.#arrow.children;
+		shaft.scale.set(1, 1, Math.max(depth, 1e-6));
+		head.position.z = depth;
+		this.#arrow.position.set(point.x, point.y, point.z);
+		this.#arrow.quaternion.copy(turn.setFromUnitVectors(UP, along.set(normal.x, normal.y, normal.z).normalize()));
+	}
+
+	#makeArrow() {
+		const material = new MeshBasicMaterial({ color: VERDICTS.hit, depthTest: false, transparent: true });
+		const shaft = new Mesh(new CylinderGeometry(SHAFT, SHAFT, 1, 10).rotateX(Math.PI / 2).translate(0, 0, 0.5), material);
+		const head = new Mesh(new ConeGeometry(2.6 * SHAFT, HEAD, 14).rotateX(Math.PI / 2).translate(0, 0, HEAD / 2), material);
+		const arrow = new Group().add(shaft, head);
+		for (const mesh of arrow.children) mesh.renderOrder = 8;
+		this.scene.add(arrow);
+		return arrow;
+	}
+
+	/** Says a measure at its place in the picture; nothing for an empty one. */
+	tell(text, x = 0, y = 0, z = 0) {
+		this.label.textContent = text;
+		this.#told = text === "" ? null : [x, y, z];
+		this.label.hidden = true;
+		this.redraw();
+	}
+
+	#placeLabel() {
+		const at = this.#told && this.pixelOf(...this.#told);
+		this.label.hidden = !at?.isSeen;
+		if (at?.isSeen) this.label.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px) translate(-50%, -160%)`;
+	}
+
 	#forgetClouds() {
 		for (const cloud of this.#clouds.splice(0)) {
 			cloud.removeFromParent();
@@ -31,6 +87,10 @@ export class Lab extends Stage {
 
 	close() {
 		this.#forgetClouds();
+		for (const { geometry } of this.#arrow?.children ?? []) geometry.dispose();
 		super.close();
 	}
 }
+
+const turn = new Quaternion();
+const along = new Vector3();

@@ -1,7 +1,7 @@
 /** What agents stand on and beneath: chequered ground, sky, soft shadows where they touch the ground. */
 import {
-	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, RepeatWrapping,
-	RingGeometry, SphereGeometry, BackSide, BufferAttribute, SRGBColorSpace,
+	CanvasTexture, CircleGeometry, Color, DoubleSide, Fog, Group, InstancedMesh, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, NearestFilter, PlaneGeometry, Points, PointsMaterial, RepeatWrapping,
+	RingGeometry, SphereGeometry, BackSide, BufferAttribute, BufferGeometry, SRGBColorSpace,
 } from "three";
 
 const FAR = 360;
@@ -22,7 +22,7 @@ export class Land {
 	}
 
 	/** Makes it anew for light or dark. */
-	dress({ zenith, horizon, field, around, edge }) {
+	dress({ zenith, horizon, field, around, edge, stars = 0 }) {
 		this.dispose();
 		this.group = new Group();
 		this.scene.fog = new Fog(horizon, 2 * this.width, 7 * this.width);
@@ -38,6 +38,7 @@ export class Land {
 		const half = this.width / 2;
 		const frame = new Mesh(new RingGeometry(half * Math.SQRT2, (half + 0.12) * Math.SQRT2, 4, 1, Math.PI / 4), new MeshBasicMaterial({ color: edge }));
 		frame.position.z = 0.002;
+		if (stars > 0) this.group.add(starry(stars));
 		this.group.add(dome, this.#ground(2 * FAR, around, -0.03, 2), this.#ground(this.width, field, -0.006, 1), frame);
 		this.scene.add(this.group);
 	}
@@ -119,4 +120,17 @@ export class Land {
 			material?.dispose();
 		});
 	}
+}
+
+/** Stars all over the sky, each where the golden angle puts it. */
+function starry(count) {
+	const places = Array.from({ length: count }, (_, i) => {
+		const height = (i + 0.5) / count;
+		const [around, across] = [i * 2.399963, Math.sqrt(1 - height * height)];
+		return [Math.cos(around) * across, Math.sin(around) * across, height].map((at) => 0.95 * FAR * at);
+	});
+	const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(Float32Array.from(places.flat()), 3));
+	const stars = new Points(geometry, new PointsMaterial({ color: 0xdfe8ff, size: 1.6, sizeAttenuation: false, fog: false, depthWrite: false }));
+	stars.renderOrder = 4;
+	return stars;
 }

@@ -2,9 +2,11 @@
 import { BoxGeometry, Color, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, SphereGeometry, Vector3 } from "three";
 
 /** One geometry, many places and colours. */
-class Crowd {
+export class Crowd {
 	mesh = null;
 	count = 0;
+	/** What comes later is drawn over what came before. */
+	order = 5;
 
 	constructor(parent, geometry, material) {
 		Object.assign(this, { parent, geometry, material });
@@ -15,7 +17,7 @@ class Crowd {
 			const { mesh: old, count } = this;
 			this.mesh = new InstancedMesh(this.geometry, this.material, 2 * count + 16);
 			this.mesh.frustumCulled = false;
-			this.mesh.renderOrder = 5;
+			this.mesh.renderOrder = this.order;
 			this.mesh.setColorAt(0, tint.set(0));
 			if (old) {
 				this.mesh.instanceMatrix.array.set(old.instanceMatrix.array);
@@ -27,6 +29,11 @@ class Crowd {
 		}
 		this.mesh.setMatrixAt(this.count, matrix);
 		this.mesh.setColorAt(this.count++, tint.set(color));
+	}
+
+	/** One more at a place, turned and as large as told. */
+	addAt(point, rotation, size, color) {
+		this.add(matrix.compose(point, rotation, factors.setScalar(size)), color);
 	}
 
 	finish() {

@@ -117,6 +117,11 @@ export class Agents {
 		};
 	}
 
+	/** Draws outlines in a colour. */
+	outline(ink) {
+		this.materials.outline.color.set(ink);
+	}
+
 	/** Shows exactly these; glow says of an agent how bright its flash is, from 0 to 1. */
 	show(agents, models, glow) {
 		for (const agent of agents) {

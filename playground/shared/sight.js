@@ -1,11 +1,9 @@
 /** Agents on a stage as a collision system sees them. */
 import { AgentQueries, CollisionBlocks, Contact, StructureBlocks, Vector3D } from "starlogo-collision";
 import { fixed, texts } from "./language.js";
+import { LINES, VERDICTS } from "./colours.js";
 import { short } from "./dom.js";
 
-const TESTED = { color: 0xff8a00 };
-const TRIANGLES = { color: 0xff8a00, opacity: 0.4 };
-const MEETING = { color: 0xd81b60, isOnTop: true };
 const contact = new Contact();
 const [from, to] = [new Vector3D(), new Vector3D()];
 
@@ -34,20 +32,24 @@ export class Sight {
 
 	/** Draws what the collision system tests. */
 	showTested(isShown = true) {
-		const lines = this.stage.wireframe("tested", this.system === CollisionBlocks.EXACT ? TRIANGLES : TESTED);
+		const lines = this.stage.wireframe("tested", { color: LINES.tested, opacity: this.system === CollisionBlocks.EXACT ? 0.4 : 1 });
 		for (const agent of isShown ? this.agents : []) lines.showLines(this.structures.linesOf(agent));
 	}
 
 	/** Draws how two agents are apart, or touch; what to say of it. */
 	showMeeting(a, b) {
-		const lines = this.stage.wireframe("meeting", MEETING);
 		const distance = this.queries.distance(a, b, from, to);
+		const lines = this.stage.wireframe("meeting", { color: distance > 0 ? LINES.distance : VERDICTS.hit, isOnTop: true });
+		this.stage.showDepth(null);
 		if (distance > 0) {
 			lines.showLines([from.x, from.y, from.z, to.x, to.y, to.z]);
+			this.stage.tell(texts.meeting.gap(short(distance)), (from.x + to.x) / 2, (from.y + to.y) / 2, (from.z + to.z) / 2);
 			return texts.meeting.apart(short(distance), placeText(from), placeText(to));
 		}
 		this.blocks.collision.collisionSystem.contactOf(a, b, contact);
 		lines.showContact(contact);
+		this.stage.showDepth(contact);
+		this.stage.tell(texts.meeting.deep(short(contact.depth)), contact.point.x, contact.point.y, contact.point.z);
 		return texts.meeting.contact(short(contact.depth), placeText(contact.point), placeText(contact.normal));
 	}
 }

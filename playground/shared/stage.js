@@ -10,7 +10,8 @@ import { h, isDark, onThemeChange } from "./dom.js";
 import { fit, look } from "./fit.js";
 import { Land } from "./land.js";
 import { Marks } from "./marks.js";
-import { LANDS } from "./colours.js";
+import { Signs } from "./signs.js";
+import { GROUNDS } from "./colours.js";
 import { Agents } from "./paint.js";
 import { texts } from "./language.js";
 
@@ -19,11 +20,17 @@ const THEMES = {
 	dark: { sky: 0x171b22, grid: 0x2c3440, middle: 0x46515f, ambient: 1.1, sun: 2.2 },
 };
 
+const STEEPEST = (40 * Math.PI) / 180;
+
 export class Stage {
 	#wireframes = new Map();
+	#colours = new Map();
 	#wanted = 0;
 	#grid = null;
 	#isTouched = false;
+	#width = 1;
+	#height = 1;
+	#land = "meadow";
 
 	/**
 	 * @param {HTMLElement} host what it fills
@@ -60,6 +67,8 @@ export class Stage {
 		this.actors = new Group();
 		this.agents = new Agents(this.actors);
 		this.scene.add(this.ambient, this.sun, this.actors);
+		this.marks = new Marks(this.scene);
+		this.signs = new Signs(this.scene);
 		if (isLand) this.#makeLand();
 		this.controls.update();
 		this.observer = new ResizeObserver(() => this.#fit());
@@ -72,7 +81,6 @@ export class Stage {
 	#makeLand() {
 		const { controls } = this;
 		this.land = new Land(this.scene, this.ground, this.cell);
-		this.marks = new Marks(this.scene);
 		this.home = { from: this.camera.position.clone().sub(controls.target), target: controls.target.clone() };
 		// neither through the ground, nor so far that nothing is left to see
 		controls.maxPolarAngle = Math.PI * 0.485;
@@ -94,13 +102,22 @@ export class Stage {
 		this.canvas.style.touchAction = "pan-y";
 	}
 
+	/** What agents stand on: a name of GROUNDS. */
+	setGround(name) {
+		if (!this.land || this.#land === name) return;
+		this.#land = name;
+		this.#dress();
+	}
+
 	#dress() {
+		for (const wireframe of this.#wireframes.values()) this.#tint(wireframe);
 		const name = isDark() ? "dark" : "light";
-		const theme = this.land ? LANDS[name] : THEMES[name];
+		const theme = this.land ? GROUNDS[this.#land][name] : THEMES[name];
 		this.ambient.intensity = theme.ambient;
 		this.sun.intensity = theme.sun;
 		if (this.land) {
 			this.land.dress(theme);
+			this.agents.outline(theme.ink);
 			this.redraw();
 			return;
 		}
@@ -128,6 +145,8 @@ export class Stage {
 	#resize(width, height, ratio = Math.min(devicePixelRatio, isDrawnSlowly() ? 1 : 2)) {
 		this.renderer.setPixelRatio(ratio);
 		this.renderer.setSize(width, height);
+		// to ask the host in every frame would lay out the page in every frame
+		[this.#width, this.#height] = [width, height];
 		this.camera.aspect = width / height;
 		this.camera.fov = this.land || width < height ? 55 : 40;
 		this.camera.updateProjectionMatrix();
@@ -143,6 +162,7 @@ export class Stage {
 		if (!this.renderer) return;
 		cancelAnimationFrame(this.#wanted);
 		this.#wanted = 0;
+		this.signs.face(this.camera, this.#height);
 		this.renderer.render(this.scene, this.camera);
 		this.onDrawn?.();
 	}
@@ -163,6 +183,8 @@ export class Stage {
 		const isFlat = part !== null && 2 * (endZ - z) < endX - x;
 		const steepness = isFlat ? 1 : Math.min(1, Math.max(0, (1.3 - this.camera.aspect) / 0.4));
 		const from = this.home.from.clone().multiply(new Vector3(1, 1, 1 + 1.2 * steepness));
+		// from higher, who stands seems to lie
+		from.z = Math.min(from.z, Math.hypot(from.x, from.y) * Math.tan(STEEPEST));
 		const corners = [[x, y, z], [endX, y, z], [endX, endY, endZ], [x, endY, endZ]];
 		if (part) corners.push([x, y, endZ], [endX, y, endZ]);
 		const distance = fit(this.camera, from, target, corners, this.controls.maxDistance);
@@ -183,8 +205,7 @@ export class Stage {
 	/** Where a place is drawn, in pixels from the host's corner, and whether it is in sight. */
 	pixelOf(x, y, z) {
 		const { x: across, y: up, z: depth } = this.#seen([x, y, z]);
-		const { clientWidth, clientHeight } = this.host;
-		return { x: ((across + 1) / 2) * clientWidth, y: ((1 - up) / 2) * clientHeight, isSeen: depth < 1 && Math.abs(across) < 1 && Math.abs(up) < 1.05 };
+		return { x: ((across + 1) / 2) * this.#width, y: ((1 - up) / 2) * this.#height, isSeen: depth < 1 && Math.abs(across) < 1 && Math.abs(up) < 1.05 };
 	}
 
 	/** Looks over an agent's shoulder, or through its eyes. */
@@ -267,7 +288,13 @@ export class Stage {
 		this.redraw();
 	}
 
-	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. */
+	/** Shows signs: of a kind each, at a place. */
+	showSigns(signs) {
+		this.signs?.show(signs);
+		this.redraw();
+	}
+
+	/** The wireframe of a name, with nothing in it yet; nothing hides one that is on top. Its colour is a number, or one by day and one by night. */
 	wireframe(name, { color, opacity = 1, isOnTop = false }) {
 		if (!this.#wireframes.has(name)) {
 			const made = new ThreeWireframe({ up: "z" });
@@ -277,10 +304,16 @@ export class Stage {
 			this.scene?.add(made);
 		}
 		const wireframe = this.#wireframes.get(name);
-		wireframe.material.color.set(color);
+		this.#colours.set(wireframe, color);
+		this.#tint(wireframe);
 		Object.assign(wireframe.material, { opacity, transparent: opacity < 1, depthTest: !isOnTop });
 		this.redraw();
 		return wireframe.clearLines();
+	}
+
+	#tint(wireframe) {
+		const colour = this.#colours.get(wireframe);
+		wireframe.material.color.set(typeof colour === "number" ? colour : colour[isDark() ? "dark" : "light"]);
 	}
 
 	/** Leaves nothing in the wireframes of some names. */
@@ -306,13 +339,19 @@ export class Stage {
 		return caster;
 	}
 
-	/** A small picture of a part of the ground, or of all of it, as an address; null where nothing is drawn. The view stays as it is. */
-	picture(width, height, part) {
+	/**
+	 * A small picture, as an address; null where nothing is drawn. The view stays as it is.
+	 *
+	 * @param {number} width in pixels
+	 * @param {number} height in pixels
+	 * @param {() => void} look looks at what is to be seen
+	 */
+	picture(width, height, look) {
 		if (!this.renderer) return null;
 		const { camera, controls, home, renderer } = this;
 		const [position, target, isTouched, shown] = [camera.position.clone(), controls.target.clone(), this.#isTouched, home.part];
 		this.#resize(width, height, 1);
-		this.showAll(part);
+		look();
 		this.draw();
 		const canvas = h("canvas", { width, height });
 		canvas.getContext("2d").drawImage(renderer.domElement, 0, 0);
@@ -331,7 +370,8 @@ export class Stage {
 		this.controls.dispose();
 		this.agents.dispose();
 		this.land?.dispose();
-		this.marks?.dispose();
+		this.marks.dispose();
+		this.signs.dispose();
 		for (const wireframe of this.#wireframes.values()) wireframe.dispose();
 		this.renderer.dispose();
 		this.canvas.remove();

@@ -4,6 +4,9 @@ import { slider } from "./dom.js";
 
 const RANGES = { x: [-2, 2, 0.01], y: [-2, 2, 0.01], z: [-1, 3, 0.01], heading: [-180, 180, 1], pitch: [-180, 180, 1], roll: [-180, 180, 1], size: [0.2, 3, 0.01] };
 
+/** As many as sliders have. */
+const DECIMALS = 2;
+
 /** Sliders for an agent's traits, each with its element. */
 export class TraitSliders {
 	constructor(agent, onChange) {
@@ -47,7 +50,7 @@ export function dragAgents(stage, onMove, onTake = () => {}) {
 		if (!to) return;
 		for (const axis of ["x", "y"]) {
 			const [min, max] = RANGES[axis];
-			held.agent[axis] = Math.min(max, Math.max(min, to[axis] + held[axis]));
+			held.agent[axis] = Number(Math.min(max, Math.max(min, to[axis] + held[axis])).toFixed(DECIMALS));
 		}
 		onMove(held.agent);
 	});

@@ -18,7 +18,7 @@ export function mayTakeMore(handler) {
 }
 
 /** A Contact that is computed when it is looked at, as most of those handlers do not. */
-export class ContactWhenAsked {
+class ContactWhenAsked {
 	#contact = new Contact();
 	#ask = null;
 
@@ -33,20 +33,28 @@ export class ContactWhenAsked {
 		}
 	}
 
-	/** The contact of a pair, as ContactSource.contactOf computes it; after the frame it stays what it was when it was looked at. */
-	of(source, pair, first, second, isBack) {
-		this.#ask = { source, pair, first, second, isBack };
+	/** The contact of a pair; after the frame it stays what it was when it was looked at. */
+	of(contacts, pair, first, second, isBack) {
+		this.#ask = { contacts, pair, first, second, isBack };
 		return this.#contact;
 	}
 
 	#find() {
 		const ask = this.#ask;
 		this.#ask = null;
-		if (ask === null || ask.source.system === null) return;
-		const known = ask.source.contactOf(ask.pair, ask.first, ask.second, ask.isBack);
+		if (ask === null || ask.contacts.system === null) return;
+		const known = ask.contacts.contactOf(ask.pair, ask.first, ask.second, ask.isBack);
 		this.#contact.time = known.time;
 		this.#contact.depth = known.depth;
 		this.#contact.point.copyFrom(known.point);
 		this.#contact.normal.copyFrom(known.normal);
 	}
+}
+
+const whenAsked = new WeakMap();
+
+/** A Contact that is computed when it is looked at, by FrameContacts.contactOf. */
+export function contactWhenAsked(contacts, ...pair) {
+	if (!whenAsked.has(contacts)) whenAsked.set(contacts, new ContactWhenAsked());
+	return whenAsked.get(contacts).of(contacts, ...pair);
 }

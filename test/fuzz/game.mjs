@@ -266,13 +266,31 @@ class Game {
 		assert.equal(JSON.stringify(this.traits()), before, "asking has changed agents");
 	}
 
+	/**
+	 * How deep an agent is in another, as a part of the larger size: no deeper than 5 hairs if one of 26 directions leads out within that. A contact's depth is
+	 * along its normal, which in a corner need not be the shortest way.
+	 */
+	depthOf(system, agent, other) {
+		const size = Math.max(agent.size, other.size);
+		const [x, y, z] = [agent.x, agent.y, agent.z];
+		const { depth } = system.contactOf(agent, other);
+		for (let i = 0; i < 27 && depth > 5 * HAIR * size; i++) {
+			const way = [i % 3 - 1, Math.floor(i / 3) % 3 - 1, Math.floor(i / 9) - 1].map((step) => step * 2.5 * HAIR * size);
+			agent.moveTo(x + way[0], y + way[1], z + way[2]);
+			const isOut = !system.areColliding(agent, other);
+			agent.moveTo(x, y, z);
+			if (isOut) return 5 * HAIR;
+		}
+		return depth / size;
+	}
+
 	/** Goes as far as it is free. */
 	go(place, x, y, z, slides) {
 		if (this.agents.length < 2 || !this.known()) return;
 		const agent = this.at(place);
 		this.queries.update(this.agents);
 		const fresh = this.makeSystem();
-		const deepest = () => Math.max(0, ...this.agents.filter((other) => other !== agent && fresh.areColliding(agent, other)).map((other) => fresh.contactOf(agent, other).depth / Math.max(agent.size, other.size)));
+		const deepest = () => Math.max(0, ...this.agents.filter((other) => other !== agent && fresh.areColliding(agent, other)).map((other) => this.depthOf(fresh, agent, other)));
 		const before = deepest();
 		const [fromX, fromY, fromZ] = [agent.x, agent.y, agent.z];
 		const part = this.queries[slides ? "slide" : "moveUntilTouch"](agent, x, y, z);

@@ -1,12 +1,14 @@
 // What a game in TypeScript does with the engine, and every public class once: tsc --strict has to accept it.
 import {
 	Agent,
-	AgentChoice,
+	AgentBody,
 	AgentFilter,
+	AgentPredicate,
 	AgentQueries,
 	ArgumentError,
 	AxialStructure,
 	AxisAlignedBoxFitter,
+	BaseCollider,
 	BinCollider,
 	BlockError,
 	BoundingStructure,
@@ -27,13 +29,11 @@ import {
 	Collision,
 	CollisionBlocks,
 	CollisionLines,
-	CollisionObserver,
 	CollisionRecorder,
 	CollisionStatistics,
 	CollisionSystem,
 	CombinationCollider,
 	Contact,
-	ContactSystem,
 	ConvexHull,
 	CookedModel,
 	Cylinder,
@@ -75,10 +75,9 @@ import {
 	ObjModel,
 	OrientedBoxFitter,
 	Placement,
-	PreciseCollider,
 	RayHit,
 	RitterSphereFitter,
-	SelectiveCollisionSystem,
+	SearchCounts,
 	ShapeChoice,
 	SharedFitStorage,
 	Slices,
@@ -95,6 +94,7 @@ import {
 	TightestFitCollider,
 	Tolerances,
 	TraitBlocks,
+	TreeCollider,
 	TurnedBoxFitter,
 	Vector3D,
 	Wireframes,
@@ -127,7 +127,8 @@ export function play(bearText: string): number {
 	const bear = new Agent("bear", "bears");
 	const ball = new Agent("sphere", "paintballs");
 	ball.size = 0.2;
-	ball.heading = 30;
+	const body: AgentBody = ball;
+	body.heading = 30;
 	const systems: CollisionSystem[] = [
 		new BinCollider(greatLand),
 		new TightestFitCollider(greatLand),
@@ -136,8 +137,8 @@ export function play(bearText: string): number {
 	];
 	let calls = 0;
 	for (const system of systems) {
-		const recorder: SelectiveCollisionSystem = new CollisionRecorder(system);
-		const observer: CollisionObserver = new CollisionRecorder(recorder);
+		const recorder: BaseCollider = new CollisionRecorder(system);
+		const observer: BaseCollider = new CollisionRecorder(recorder);
 		const collision = new Collision(observer);
 		collision.onCollision("bears", Collision.ANY_BREED, (collider: Agent, collidee: Agent) => {
 			calls++;
@@ -146,7 +147,8 @@ export function play(bearText: string): number {
 		ball.moveTo(0.4, 0, 0.5);
 		collision.update([bear, ball]);
 		const statistics: CollisionStatistics = collision.statistics;
-		log.push(`${statistics.agents} agents, ${statistics.collisions} collisions`);
+		const counts: SearchCounts = statistics;
+		log.push(`${statistics.agents} agents, ${counts.collisions} collisions`);
 		const times: FrameTimes = (observer as CollisionRecorder).frameTimes;
 		if (times.frames !== 1 || collision.lastAgents.length !== 2) log.push("not measured");
 	}
@@ -155,7 +157,7 @@ export function play(bearText: string): number {
 	ask(greatLand, [bear, ball]);
 	const collider: Collider = new Collider(new Bubbles(greatLand));
 	const tests: StructureTests = new TightestFitCollider(greatLand).structureTests;
-	const precise: PreciseCollider = new HierarchicalCollider(greatLand);
+	const precise: TreeCollider = new HierarchicalCollider(greatLand);
 	precise.exact = true;
 	const root: HierarchyNode = greatLand.hierarchies.root("bear");
 	log.push(`${collider.areColliding(bear, ball)}, ${precise.areColliding(bear, ball)}, ${root.vertexCount} vertices`, String(tests));
@@ -168,7 +170,7 @@ function ask(greatLand: GreatLand, agents: Agent[]): void {
 	const queries = new AgentQueries(collision);
 	const filter: AgentFilter = AgentFilter.ofBreeds("paintballs");
 	filter.accepts = (agent: Agent) => agent.size < 1;
-	const choice: AgentChoice = filter;
+	const choice: AgentPredicate = filter;
 	collision.filter = choice;
 	queries.update(agents);
 	queries.moved(agents[1]);
@@ -233,11 +235,11 @@ function passThrough(greatLand: GreatLand): void {
 	ball.moveTo(10, 0, 0);
 	collision.update([bear, ball]);
 	collision.update([bear, ball]);
-	const contacts: ContactSystem = system;
+	const contacts: BaseCollider = system;
 	ball.moveTo(0, 0, 0);
 	log.push(touch, String(contacts.contactOf(ball, bear).depth > 0));
 	const filter: AgentFilter = AgentFilter.ofBreeds("bears");
-	const choice: AgentChoice = filter;
+	const choice: AgentPredicate = filter;
 	collision.filter = choice;
 	const queries = new AgentQueries(system);
 	queries.update([bear, ball]);

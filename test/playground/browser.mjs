@@ -17,9 +17,12 @@ export const SIZES = {
 	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, ...(isChromium && { isMobile: true }) },
 };
 
-/** Lets a browser's context draw nothing in 3D, for what is no matter of pictures: the processor draws, and slowly. */
+/** How long anything may take, in milliseconds. */
+export const PATIENCE = 120000;
+
+/** Lets a browser's context draw nothing in 3D, though all is as if it did: for what is no matter of pictures. The processor draws, and slowly. */
 export const drawNothing = (context) => context.addInitScript(() => {
-	HTMLCanvasElement.prototype.getContext = () => null;
+	for (const name of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) WebGL2RenderingContext.prototype[name] = () => {};
 });
 
 /** Begins: a server below a path of its own, and a browser. */
@@ -49,6 +52,8 @@ export async function begin() {
  */
 export async function open(site, hash, { isDrawn = true, ...options } = SIZES.desktop) {
 	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...options });
+	// a machine that has other things to do is slow, and not broken
+	context.setDefaultTimeout(PATIENCE);
 	if (!isDrawn) await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];
@@ -97,4 +102,4 @@ export async function hold(page, address) {
 	return release;
 }
 
-export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: 60000 });
+export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: PATIENCE });

@@ -10,7 +10,11 @@ import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
 import { SIZES, begin, hold, open, ready, root } from './browser.mjs';
 
-const VIEWS = ['play', 'inspect', 'compare'];
+const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
+/** What is looked at of Play: a game, not the first screen. */
+const ADDRESSES = { play: 'play/paintball' };
+/** What else a view shows, by what is there then. */
+const MORE = { play: { '.gallery [data-drawn], .gallery[data-drawn]': 'play/all', '.lesson:visible': 'play/lesson-wing' }, teach: { '[data-drawn]': 'teach/see' } };
 const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
 const counts = JSON.parse(readFileSync(path.join(root, 'test/fixtures/playground/scattered.json'), 'utf8'));
 
@@ -24,14 +28,14 @@ const pages = {};
 
 /** The page that tests of a view share, at the size of a small laptop. */
 async function shared(view) {
-	pages[view] ??= await open(site, view, { viewport: { width: 1366, height: 768 } });
+	pages[view] ??= await open(site, ADDRESSES[view] ?? view, { viewport: { width: 1366, height: 768 } });
 	return pages[view];
 }
 
 /** A page of a view, in which nothing may be said on the console and nothing comes from elsewhere, whatever is tried there. */
 for (const view of VIEWS) {
 	test(`${view} on a desktop`, async (t) => {
-		const { page, context, said } = await open(site, view);
+		const { page, context, said } = await open(site, ADDRESSES[view] ?? view);
 		await t.test('what is there stays where it is', () => staysInPlace(page));
 		await t.test('Blockly comes with Play alone', async () => {
 			const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname));
@@ -57,13 +61,18 @@ for (const view of VIEWS) {
 			});
 		}
 		if (view === 'play') {
-			await t.test('axe-core finds no fault in a lesson and the gallery', async () => {
-				await page.getByRole('button', { name: 'Lessons' }).click();
+			await t.test('axe-core finds no fault in the first screen and in a lesson', async () => {
+				await page.getByRole('button', { name: 'Lessons and games' }).click();
+				await page.waitForSelector('.gallery');
+				await faultless(page, 'dark');
+				await page.locator('.gallery .open').first().click();
 				await page.waitForSelector('.lesson:visible');
 				await faultless(page, 'light');
-				await page.getByRole('button', { name: 'Gallery' }).click();
-				await page.waitForSelector('.gallery img');
-				await faultless(page, 'dark');
+			});
+			await t.test('nor in its program as JavaScript', async () => {
+				await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+				await page.waitForSelector('dialog pre');
+				await faultless(page, 'light');
 				await page.keyboard.press('Escape');
 			});
 			await t.test('nor in two systems beside each other, with an agent that is looked at', async () => {
@@ -85,11 +94,33 @@ for (const view of VIEWS) {
 		await context.close();
 	});
 
-	test(`${view} on a phone`, async () => {
-		const { page, context, said } = await open(site, view, SIZES.phone);
+	test(`${view} on a phone, in German`, async () => {
+		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de' });
+		assert.equal(await page.getAttribute('html', 'lang'), 'de');
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 		await staysInPlace(page);
-		await faultless(page, 'light');
+		assert.ok(await page.evaluate(() => {
+			const { left, right } = document.querySelector('#views [aria-current]').getBoundingClientRect();
+			const nav = document.querySelector('#views').getBoundingClientRect();
+			return left >= nav.left - 1 && right <= nav.right + 1;
+		}), 'the name of the view is in sight');
+		for (const scheme of ['light', 'dark']) await faultless(page, scheme);
+		for (const [name, address] of Object.entries(MORE[view] ?? {})) {
+			await page.evaluate((hash) => {
+				location.hash = hash;
+			}, address);
+			await page.waitForSelector(name);
+			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, address);
+			for (const scheme of ['light', 'dark']) await faultless(page, scheme);
+		}
+		if (view === 'compare') {
+			await page.locator('.modes input').last().check();
+			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
+			await faultless(page, 'dark');
+		}
+		await page.setViewportSize({ width: 1366, height: 768 });
+		await page.waitForTimeout(100);
+		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, 'and on a laptop');
 		assert.deepEqual(said, []);
 		await context.close();
 	});
@@ -108,7 +139,8 @@ async function staysInPlace(page) {
 		new PerformanceObserver((list) => resolve(list.getEntries().reduce((sum, { value }) => sum + value, 0))).observe({ type: 'layout-shift', buffered: true });
 		setTimeout(() => resolve(0), 300);
 	}));
-	// a time, which says nothing on a busy machine
+	// a time, which says nothing on a busy machine, where the first picture may be yet to come
+	await page.waitForFunction(() => performance.getEntriesByName('first-contentful-paint').length > 0);
 	const paint = await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime);
 	console.log(`first paint after ${Math.round(paint)} ms`);
 	assert.ok(jumps < 0.05, `what was there moved: ${jumps}`);
@@ -133,8 +165,8 @@ async function reachesAll(page, showsFocus = true) {
 	const wanted = await page.evaluate(() => {
 		const groups = new Set();
 		const controls = [...document.querySelectorAll('a[href], button, select, summary, input:not([tabindex="-1"]), .world[tabindex]')]
-			// of radio buttons of one name, one is reached, and arrows do the rest; what is folded is not there
-			.filter((each) => each.checkVisibility() && !each.closest('.blocks') && !(each.type === 'radio' && (groups.has(each.name) || !groups.add(each.name))));
+			// of radio buttons of one name, one is reached, and arrows do the rest; what is folded is not there, and what is disabled is no control yet
+			.filter((each) => each.checkVisibility() && !each.disabled && !each.closest('.blocks') && !(each.type === 'radio' && (groups.has(each.name) || !groups.add(each.name))));
 		controls.forEach((each, i) => {
 			each.dataset.control = each.type === 'radio' ? each.name : i;
 		});
@@ -328,6 +360,7 @@ test('Compare: the counts are those of the engine\'s own test', async () => {
 	const table = async () => Object.fromEntries(await page.locator('tr[data-system]').evaluateAll((rows) => rows.map((row) => [
 		row.dataset.system, [...row.querySelectorAll('td')].slice(0, 3).map((cell) => Number(cell.textContent)),
 	])));
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
 	await page.getByLabel('Beside').selectOption('exact');
 	await page.getByRole('button', { name: 'From the start' }).click();
 	for (const frame of counts.frames) {
@@ -463,6 +496,7 @@ test('Inspect: no column of its table is cut off', async () => {
 
 test('Compare: the verdicts are in sight while every slider moves', async () => {
 	const { page, said } = await shared('compare');
+	await page.getByRole('radio', { name: 'Two agents' }).check();
 	let moved = 0;
 	for (const agent of ['Agent A', 'Agent B']) {
 		await page.getByText(agent).click();
@@ -484,6 +518,7 @@ test('Compare: the verdicts are in sight while every slider moves', async () => 
 
 test('Compare: of the exact system the triangles are drawn', async () => {
 	const { page } = await shared('compare');
+	await page.getByRole('radio', { name: 'Two agents' }).check();
 	await page.locator('.verdict', { hasText: 'Exact' }).click();
 	const { drawn, edges } = await page.evaluate(() => {
 		const { agents, models, stage } = globalThis.playground;
@@ -503,12 +538,11 @@ test('Compare: of the exact system the triangles are drawn', async () => {
 });
 
 test('a near miss that stands still is coloured as the chosen system sees it, and tests are counted', async () => {
-	const { page, context, said } = await open(site, 'play');
-	await page.getByLabel('Program', { exact: true }).selectOption('wing');
+	const { page, context, said } = await open(site, 'play/wing');
 	await page.getByRole('button', { name: 'Step', exact: true }).click();
 	const seen = () => page.evaluate(() => {
 		const { world, panel: { figures } } = globalThis.playground;
-		return { isRed: world.agents.find(({ breed }) => breed === 'turtles').color === 0xe5484d, tests: Number(figures.tests.textContent) };
+		return { isRed: world.agents.find(({ breed }) => breed === 'dragons').color === 0xe5484d, tests: Number(figures.tests.textContent) };
 	});
 	for (const [system, isRed] of [['hierarchies', false], ['tightest fits', true], ['exact', false], ['unit spheres', true]]) {
 		await page.getByLabel('Collision system').selectOption(system);
@@ -554,8 +588,9 @@ test('forced colours leave what is chosen, wrong and meant to be seen', { skip: 
 	}, [selector, pseudo]);
 	assert.notEqual((await style('.bar a[aria-current]')).outlineStyle, 'none', 'the view that is shown');
 	assert.equal((await style('.bar a:not([aria-current])')).outlineStyle, 'none');
-	assert.notEqual((await style('.verdict.wrong')).borderStyle, (await style('.verdict:not(.wrong)')).borderStyle, 'a verdict that is wrong');
-	const dots = await Promise.all(['right', 'wrong', 'missed', 'none'].map(async (name) => (await style(`.legend .${name}`, '::before')).backgroundColor));
+	assert.notEqual((await style('.verdict.differs')).borderStyle, (await style('.verdict:not(.differs)')).borderStyle, 'a verdict that is wrong');
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
+	const dots = await Promise.all(['hit', 'wrong', 'missed', 'none'].map(async (name) => (await style(`.legend .${name}`, '::before')).backgroundColor));
 	assert.equal(new Set(dots).size, 4, 'the legend has the colours of the picture');
 	await context.close();
 });

@@ -34,10 +34,10 @@ async function freePort() {
 	return port;
 }
 
-/** Opens a view, from then on with a list of what goes wrong in the page. */
-async function open(view) {
+/** Opens a view, with what its address names, from then on with a list of what goes wrong in the page. */
+async function open(view, argument = '') {
 	await page.goto(site.url);
-	await page.goto(`${site.url}playground/#${view}`);
+	await page.goto(`${site.url}playground/#${view}${argument}`);
 	await page.until((name) => document.querySelector(`main[data-ready="${name}"]`) !== null, view);
 	await page.evaluate(() => {
 		globalThis.wrong = [];
@@ -76,7 +76,7 @@ test('the package decides in WebKit what it decides in Node', { skip }, async ()
 });
 
 test('Play: a game runs, is steered by keys, and counts', { skip }, async () => {
-	await open('play');
+	await open('play', '/paintball');
 	await page.click('button.primary');
 	await page.evaluate(() => document.querySelector('.world').focus());
 	const balls = () => /paintballs \d/.test(document.querySelector('main').innerText);

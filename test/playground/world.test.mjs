@@ -1,27 +1,31 @@
 /** The worlds that programs of the playground move, without a page. */
 import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
 import { deflateRawSync } from 'node:zlib';
 import { models } from '../../assets/generator/models/index.mjs';
 import { palette } from '../../assets/generator/palette.mjs';
 import { flatten } from '../../assets/generator/scene.mjs';
+import { serve } from '../headless/server.mjs';
 import { root } from './browser.mjs';
 
 const { buildSync } = createRequire(path.join(root, 'playground/package.json'))('esbuild');
-const FILES = { bear: 'bear.obj', seagull: 'seagull.dae', fireman: 'fireman.dae', dragon: 'dragon.dae' };
+const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
 const FRAME_MS = 1000 / 60;
 let parts;
 let greatLand;
+const made = new Map();
 
 before(async () => {
 	const out = path.join(root, 'bin/generated/playground-world.mjs');
 	const { exports } = JSON.parse(readFileSync(path.join(root, 'bin/module/package.json'), 'utf8'));
-	const names = ['play/world.js', 'play/examples.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
+	const names = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	// words come before what is made of them
 	const english = path.join(root, 'bin/generated/english.mjs');
 	const from = (file) => JSON.stringify(path.join(root, 'playground', file));
@@ -35,12 +39,15 @@ before(async () => {
 	parts = await import(pathToFileURL(out).href);
 	greatLand = new parts.GreatLand();
 	greatLand.addModel(parts.BuiltInModel.sphere());
-	for (const [name, file] of Object.entries(FILES)) {
+	greatLand.addModel(parts.BuiltInModel.cylinder());
+	for (const file of FILES) {
+		const [name] = file.split('.');
 		const bytes = new Uint8Array(readFileSync(path.join(root, 'assets', file)));
 		greatLand.addModel(file.endsWith('.obj') ? parts.ObjModel.fromBytes(name, bytes) : parts.ColladaModel.fromBytes(name, bytes));
 	}
 	for (const name of ['turtle', 'wall']) {
-		greatLand.addModel(parts[name]());
+		made.set(name, parts[name]());
+		greatLand.addModel(made.get(name));
 	}
 });
 
@@ -57,10 +64,7 @@ const value = (type, fields, inputs) => ({ block: { type, fields, inputs } });
 /** A world after some frames of a program. */
 function played(state, frames, system) {
 	const world = new parts.World(greatLand);
-	if (system) {
-		world.useSystem(system);
-	}
-	world.begin(state);
+	world.begin(system ? { ...state, system } : state);
 	for (let i = 0; i < frames; i++) {
 		world.step();
 	}
@@ -95,7 +99,7 @@ for (const [what, count, hierarchical, system] of [['tightest fits', 300, false,
 }
 
 test('the same program plays the same game', () => {
-	const places = () => played(parts.EXAMPLES.paintball, 100).agents.map(({ x, y, heading }) => `${x} ${y} ${heading}`).join();
+	const places = () => played(parts.GAMES.paintball, 100).agents.map(({ x, y, heading }) => `${x} ${y} ${heading}`).join();
 	assert.equal(places(), places());
 });
 
@@ -314,7 +318,7 @@ test('set back by frames, the game goes on as it did', () => {
 });
 
 test('one game hears the keys of another: under the same system it is the same, under another one others touch', () => {
-	const game = program(...parts.EXAMPLES.paintball.blocks.blocks, start({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }));
+	const game = program(...parts.GAMES.paintball.blocks.blocks, start({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }));
 	const play = (system) => {
 		const [first, second] = [new parts.World(greatLand), new parts.World(greatLand)];
 		first.useSystem('exact');
@@ -373,7 +377,7 @@ test('what agents know of others, and how they move by it', () => {
 });
 
 test('the paintball game is won by painting all turtles', () => {
-	const world = played(parts.EXAMPLES.paintball, 5);
+	const world = played(parts.GAMES.paintball, 5);
 	assert.equal(world.score, 0);
 	assert.match(world.goal, /turtles/);
 	const turtles = world.agents.filter(({ breed }) => breed === 'turtles');
@@ -390,13 +394,13 @@ test('the paintball game is won by painting all turtles', () => {
 test('links are a third of what they were, and bring the same program', async () => {
 	// the paintball game's link of the release before, with Blockly's names and places
 	let n = 0;
-	const named = JSON.parse(JSON.stringify(parts.EXAMPLES.paintball), (key, each) => (each !== null && typeof each === 'object' && 'type' in each
+	const named = JSON.parse(JSON.stringify(parts.GAMES.paintball), (key, each) => (each !== null && typeof each === 'object' && 'type' in each
 		? { ...each, id: createHash('sha1').update(String(n++)).digest('base64').slice(0, 20), ...(['starlogo_start', 'starlogo_each'].includes(each.type) && { x: n * 10.5, y: n * 101.5 }) } : each));
 	const before = deflateRawSync(JSON.stringify(named)).toString('base64url').length;
 	const link = await parts.toLink(named);
 	console.log(`a link of ${link.length} characters, before ${before}`);
 	assert.ok(link.length * 3 <= before, `${link.length} of ${before}`);
-	assert.deepEqual((await parts.fromLink(link)).blocks.blocks, parts.EXAMPLES.paintball.blocks.blocks);
+	assert.deepEqual((await parts.fromLink(link)).blocks.blocks, parts.GAMES.paintball.blocks.blocks);
 	assert.deepEqual(await parts.fromLink(deflateRawSync(JSON.stringify(named)).toString('base64url')), named, 'links of before');
 });
 
@@ -418,44 +422,211 @@ function append(scripts, type, ...blocks) {
 	last.next = { block: chain(...blocks) };
 }
 
-/** What does each lesson: a change of its program, and the system that is chosen. */
-const SOLUTIONS = {
-	blocks: [(scripts) => append(scripts, 'starlogo_each', forward(0.05))],
-	helmet: [null, 'tightest fits'],
-	wing: [null, 'hierarchies'],
-	main: [(scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_hierarchical', fields: { WHO: 'turtles', ON: 'on' } })],
-	fast: [(scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_sweep', fields: { WHO: 'paintballs', ON: 'on' } })],
-	starts: [(scripts) => {
-		scripts.find(({ type }) => type === 'starlogo_collision').type = 'starlogo_touch_start';
-	}],
-	room: [(scripts) => scripts.push({ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_bounce' }) })],
-	near: [(scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) }))))],
-	see: [(scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: nearestTurtle }))))],
-	hunt: [(scripts) => {
-		scripts.find(({ type, fields }) => type === 'starlogo_each' && fields.BREED === 'bears').inputs = inside({ type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.15));
-	}],
-};
+const SYSTEMS = ['unit spheres', 'tightest fits', 'hierarchies', 'combination', 'exact'];
+const NONE = [];
 
-test('each lesson is done by what it teaches, and not before', () => {
-	assert.deepEqual(Object.keys(SOLUTIONS), parts.LESSON_NAMES);
-	assert.equal(parts.LESSON_NAMES.length, 10);
-	for (const [name, [change, system]] of Object.entries(SOLUTIONS)) {
-		const { program: given, isDone } = parts.LESSONS[name];
-		for (const [state, chosen, done] of [[given, null, false], [change ? changed(given, change) : given, system, true]]) {
-			const world = played(state, 0);
-			if (chosen) {
-				world.useSystem(chosen);
-			}
-			const memory = {};
-			let frame = 0;
-			do {
-				world.step();
-				frame++;
-			} while (!isDone(world, memory) && frame < 1900);
-			assert.equal(frame < 1900, done, `${name}: ${done ? 'not done' : 'done without doing'} (${frame} frames)`);
-			assert.ok(parts.texts.lessons.list[name].challenge.length > 10);
+/**
+ * What does each lesson: a change of its program; the systems in which the changed program does it, and those in which the given one does it. Unit
+ * spheres of the walls fill the whole room, so that nobody walks in it.
+ */
+const SOLUTIONS = {
+	blocks: { change: (scripts) => append(scripts, 'starlogo_each', forward(0.05)), solved: SYSTEMS, given: NONE },
+	helmet: { solved: SYSTEMS.slice(1), given: SYSTEMS.slice(1) },
+	wing: { solved: ['hierarchies', 'exact'], given: ['hierarchies', 'exact'] },
+	main: { change: (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_hierarchical', fields: { WHO: 'dragons', ON: 'on' } }), solved: ['combination'], given: NONE },
+	fast: { change: (scripts) => append(scripts, 'starlogo_start', { type: 'starlogo_sweep', fields: { WHO: 'paintballs', ON: 'on' } }), solved: SYSTEMS, given: NONE },
+	starts: {
+		change: (scripts) => {
+			scripts.find(({ type }) => type === 'starlogo_collision').type = 'starlogo_touch_start';
+		},
+		solved: SYSTEMS, given: NONE,
+	},
+	room: {
+		change: (scripts) => scripts.push({ type: 'starlogo_collision', fields: { BREED: 'bears', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_bounce' }) }),
+		solved: SYSTEMS.slice(1), given: NONE,
+	},
+	near: { change: (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_count', { BREED: 'turtles' }, { DISTANCE: number(5) })))), solved: SYSTEMS, given: NONE },
+	see: { change: (scripts) => scripts.push(script('starlogo_each', 'bears', say(value('starlogo_can_see', {}, { AGENT: nearestTurtle })))), solved: SYSTEMS, given: NONE },
+	hunt: {
+		change: (scripts) => {
+			scripts.find(({ type, fields }) => type === 'starlogo_each' && fields.BREED === 'bears').inputs = inside({ type: 'starlogo_face', inputs: { AGENT: nearestTurtle } }, forward(0.15));
+		},
+		solved: SYSTEMS, given: NONE,
+	},
+};
+const LONGEST_LESSON = 1900;
+
+/** Whether a lesson is done by a program, which a system plays; the lesson main names its own in a block. */
+function does(name, state, system, most) {
+	const world = played(state, 0);
+	world.useSystem(system);
+	const memory = {};
+	for (let frame = 0; frame < most; frame++) {
+		world.step();
+		if (parts.LESSONS[name].isDone(world, memory)) {
+			return true;
 		}
 	}
+	return false;
+}
+
+for (const [name, { change, solved, given }] of Object.entries(SOLUTIONS)) {
+	test(`the lesson ${name} is done by what it teaches, and not before, in every collision system`, () => {
+		const { program: state } = parts.LESSONS[name];
+		assert.deepEqual(SYSTEMS.filter((system) => does(name, state, system, 620)), given, 'as it is given');
+		assert.deepEqual(SYSTEMS.filter((system) => does(name, change ? changed(state, change) : state, system, LONGEST_LESSON)), solved, 'solved');
+		const { challenge, why } = parts.texts.lessons.list[name];
+		assert.ok(challenge.length > 10 && why.length > 10);
+	});
+}
+
+test('all lessons are tried, and begin with a system in which they are not done yet', () => {
+	assert.deepEqual(Object.keys(SOLUTIONS), Object.keys(parts.LESSONS));
+	assert.deepEqual(Object.keys(parts.LESSONS), Object.keys(parts.texts.lessons.list));
+	assert.equal(Object.keys(SOLUTIONS).length, 10);
+	for (const [name, { given }] of Object.entries(SOLUTIONS)) {
+		assert.ok(!given.includes(played(parts.LESSONS[name].program, 0).collisions.systemName), name);
+	}
+});
+
+test('a program is played with its own collision system, or else with the default one, whatever was played before', () => {
+	const world = new parts.World(greatLand);
+	world.begin({ ...parts.EXAMPLES.helmet, system: 'exact' });
+	assert.equal(world.collisions.systemName, 'exact');
+	world.begin(parts.EXAMPLES.wing);
+	assert.equal(world.collisions.systemName, 'tightest fits');
+	world.begin({ ...parts.EXAMPLES.wing, system: 'none that there is' });
+	assert.equal(world.collisions.systemName, 'tightest fits');
+	// its blocks have the last word
+	world.begin({ ...parts.LESSONS.main.program, system: 'exact' });
+	assert.equal(world.collisions.systemName, 'combination');
+});
+
+test('a link brings the collision system and the name of a program', async () => {
+	const { name, system, blocks } = await parts.fromLink(await parts.toLink({ name: 'Mine', ...parts.EXAMPLES.wing, system: 'exact' }));
+	assert.deepEqual([name, system, blocks.blocks.length], ['Mine', 'exact', parts.EXAMPLES.wing.blocks.blocks.length]);
+});
+
+const all = (world, breed) => world.agents.filter((agent) => agent.breed === breed);
+const angleTo = (from, to) => ((((Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI - from.heading) % 360) + 540) % 360 - 180;
+
+/** Turns and walks an agent towards a place with the arrow keys. */
+function steer(world, agent, to, isWalking = true) {
+	const angle = angleTo(agent, to);
+	world.releaseAll();
+	if (Math.abs(angle) > 2) {
+		world.press(angle > 0 ? 'left' : 'right');
+	}
+	if (isWalking && Math.abs(angle) < 40) {
+		world.press('up');
+	}
+	return Math.abs(angle);
+}
+
+const nearestTo = (agent, others) => others.reduce((best, other) => (Math.hypot(other.x - agent.x, other.y - agent.y) < Math.hypot(best.x - agent.x, best.y - agent.y) ? other : best));
+
+const awayFrom = (one, other) => Math.hypot(other.x - one.x, other.y - one.y);
+
+/** Whether a place is further away than so much from all of the way between two others. */
+function isFar(place, from, to, distance) {
+	const [x, y] = [to.x - from.x, to.y - from.y];
+	const part = Math.min(1, Math.max(0, ((place.x - from.x) * x + (place.y - from.y) * y) / (x * x + y * y)));
+	return awayFrom(place, { x: from.x + part * x, y: from.y + part * y }) > distance;
+}
+
+/** Players that win the games by keys alone. */
+const PLAYERS = {
+	paintball(world) {
+		const [bear] = all(world, 'bears');
+		const left = all(world, 'turtles').filter(({ color }) => color === -1);
+		if (left.length > 0 && steer(world, bear, nearestTo(bear, left)) < 8 && world.frame % 20 === 0) {
+			world.press('space');
+		}
+	},
+	chase(world) {
+		const [[person], [dragon], [fortress]] = ['people', 'dragons', 'fortresses'].map((breed) => all(world, breed));
+		const gems = all(world, 'gems');
+		const ring = Array.from({ length: 12 }, (_, i) => ({ x: 9 * Math.cos((i * Math.PI) / 6), y: 9 * Math.sin((i * Math.PI) / 6) }));
+		// where the dragon does not come first, nor is on the way
+		const isFree = (place) => isFar(dragon, person, place, 3) && awayFrom(dragon, place) > 0.4 * awayFrom(person, place) + 3;
+		const free = (gems.length > 0 ? gems : [fortress]).filter(isFree);
+		const safe = ring.filter(isFree).sort((one, other) => awayFrom(dragon, other) - awayFrom(dragon, one));
+		steer(world, person, free.length > 0 ? nearestTo(person, free) : safe[0] ?? { x: 2 * person.x - dragon.x, y: 2 * person.y - dragon.y });
+	},
+	maze(world, memory) {
+		const [person] = all(world, 'people');
+		memory.way ??= [];
+		if (memory.way.length === 0 || (person.x === -9 && person.y === -9)) {
+			memory.way = [[-9, 7], [-6, 7], [-3, 6], [-1.7, 1], [-1.7, -4], [-1.5, -7], [1, -7], [4.5, -5], [4.5, 0], [3, 7], [6, 7], [10, 6], [10, 2], [10, -3], [9, -9]].map(([x, y]) => ({ x, y }));
+		}
+		const [next] = memory.way;
+		if (Math.hypot(next.x - person.x, next.y - person.y) < 0.8 && memory.way.length > 1) {
+			memory.way.shift();
+		}
+		steer(world, person, memory.way[0]);
+	},
+	space(world) {
+		const [ship] = all(world, 'spaceships');
+		const rocks = all(world, 'rocks');
+		if (rocks.length > 0 && steer(world, ship, nearestTo(ship, rocks), false) < 10 && world.frame % 12 === 0) {
+			world.press('space');
+		}
+	},
+	catch(world) {
+		const [turtle] = all(world, 'turtles');
+		const [pearl] = all(world, 'pearls').sort((a, b) => a.z - b.z);
+		world.releaseAll();
+		if (pearl && Math.abs(pearl.x - turtle.x) > 0.3) {
+			world.press(pearl.x > turtle.x ? 'right' : 'left');
+		}
+	},
+	tag(world) {
+		const [player] = all(world, 'players');
+		const people = all(world, 'people');
+		if (people.length > 0) {
+			steer(world, player, nearestTo(player, people));
+		}
+	},
+	pinball(world) {
+		const [[paddle], [ball]] = [all(world, 'paddles'), all(world, 'balls')];
+		world.releaseAll();
+		if (Math.abs(ball.x - paddle.x) > 0.3) {
+			world.press(ball.x > paddle.x ? 'right' : 'left');
+		}
+	},
+};
+const LONGEST_GAME = 180 * 60;
+
+for (const name of Object.keys(PLAYERS)) {
+	test(`the game ${name} has a goal, is won by who plays it with keys, and not by who does nothing`, () => {
+		const idle = played(parts.GAMES[name], LONGEST_GAME / 4);
+		assert.equal(idle.goal, parts.texts.programs[name].goal);
+		assert.notEqual(idle.ended?.how, 'won', 'nobody plays');
+		const world = played(parts.GAMES[name], 0);
+		const memory = {};
+		while (!world.ended && world.frame < LONGEST_GAME) {
+			PLAYERS[name](world, memory);
+			world.step();
+		}
+		console.log(`${name}: ${world.ended?.text} after ${world.seconds.toFixed(1)} s, score ${world.score}; left alone: ${idle.ended?.text}`);
+		assert.equal(world.ended?.how, 'won', `${world.ended?.text} after ${world.seconds} s, score ${world.score}`);
+	});
+}
+
+test('who slides along something that leans stays on the ground', () => {
+	const world = played(program(start(create(1, 'people', 'person'), create(1, 'trees', 'tree', { type: 'starlogo_go', inputs: { X: number(3), Y: number(0.3), Z: number(0) } })),
+		each('people', { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'trees' }, inputs: { STEPS: number(0.1) } })), 60);
+	assert.equal(all(world, 'people')[0].z, 0);
+});
+
+test('the page has a game for each name, with idle models among them', () => {
+	assert.deepEqual(Object.keys(parts.GAMES), Object.keys(parts.texts.play.games));
+	assert.deepEqual(Object.keys(PLAYERS), Object.keys(parts.GAMES));
+	const used = JSON.stringify(parts.GAMES);
+	for (const shape of ['fortress', 'spaceship', 'kelp', 'tree', 'person']) {
+		assert.ok(used.includes(`"SHAPE":"${shape}"`), shape);
+	}
+	assert.deepEqual(Object.keys(parts.texts.blocks.grounds), Object.keys(parts.GROUNDS));
 });
 
 test('models are drawn in the colours that their parts have', () => {
@@ -496,10 +667,104 @@ test('outlines stand out from ground and sky three to one, by day and at dusk', 
 		const [red, green, blue] = [16, 8, 0].map((shift) => ((colour >> shift) & 255) / 255).map((each) => (each <= 0.04045 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4));
 		return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 	};
-	for (const [name, { zenith, horizon, field, around }] of Object.entries(parts.LANDS)) {
+	for (const [name, theme] of Object.entries(parts.GROUNDS).flatMap(([ground, byLight]) => Object.entries(byLight).map(([light, each]) => [`${ground}, ${light}`, each]))) {
+		const { zenith, horizon, field, around, ink } = theme;
 		for (const colour of [zenith, horizon, ...[...field, ...around].map((each) => Number.parseInt(each.slice(1), 16))]) {
-			const ratio = (bright(colour) + 0.05) / (bright(parts.INK) + 0.05);
-			assert.ok(ratio >= 3, `${name} ${colour.toString(16)}: ${ratio}`);
+			const [low, high] = [bright(colour), bright(ink)].sort((one, other) => one - other);
+			assert.ok((high + 0.05) / (low + 0.05) >= 3, `${name} ${colour.toString(16)}: ${(high + 0.05) / (low + 0.05)}`);
 		}
+	}
+});
+
+/** A program with all that blocks are: each in a place where it has a meaning. */
+const everything = () => {
+	const set = (id, VALUE) => ({ type: 'variables_set', fields: { VAR: { id } }, inputs: { VALUE } });
+	const get = (id) => value('variables_get', { VAR: { id } });
+	const op = (OP, A, B) => value('math_arithmetic', { OP }, { A, B });
+	const nearest = value('starlogo_nearest', { BREED: 'anyone' }, { DISTANCE: number(9) });
+	const paint = (WHO, COLOUR) => ({ type: 'starlogo_colour', fields: { WHO }, inputs: { COLOUR } });
+	const any = value('starlogo_any_colour');
+	const grow = (by) => ({ type: 'starlogo_size', inputs: { SIZE: by } });
+	return { system: 'combination', variables: [{ id: 'a', name: 'n' }, { id: 'b', name: 'my own' }], ...program(
+		start(
+			create(4, 'turtles', 'turtle', { type: 'starlogo_scatter' }, grow(number(2)), wait(0.5), create(2, 'balls', 'sphere', go(1, 2, 0), { type: 'starlogo_heading', inputs: { HEADING: value('math_random_int', {}, { FROM: number(1), TO: number(90) }) } })),
+			create(2, 'walls', 'wall', grow(number(5)), { type: 'starlogo_scatter' }),
+			create(1, 'bears', 'bear', grow(number(2))),
+			...[['starlogo_hierarchical', { WHO: 'bears', ON: 'on' }], ['starlogo_collide_as', { WHO: 'turtles', AS: 'sphere' }], ['starlogo_sweep', { WHO: 'balls', ON: 'on' }], ['starlogo_show', { WHO: 'bears', ON: 'on' }]].map(([type, fields]) => ({ type, fields })),
+			{ type: 'starlogo_depth', fields: { WHO: 'bears' }, inputs: { DEPTH: number(3) } },
+			{ type: 'starlogo_goal', fields: { TEXT: 'A "goal"' } }, { type: 'starlogo_ground', fields: { GROUND: 'sea' } }, set('a', number(3)), set('b', op('POWER', number(-2), number(2))),
+		),
+		each('balls', forward(0.1), { type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: op('MINUS', get('a'), number(-1)) } }, {
+			type: 'controls_if', extraState: { elseIfCount: 1, hasElse: true }, inputs: {
+				IF0: value('logic_operation', { OP: 'AND' }, { A: value('starlogo_touching', { BREED: 'walls' }), B: value('logic_negate', {}, { BOOL: value('logic_boolean', { BOOL: 'FALSE' }) }) }), DO0: { block: paint('me', any) },
+				IF1: value('logic_compare', { OP: 'GT' }, { A: value('starlogo_count', { BREED: 'balls' }, { DISTANCE: number(3) }), B: number(2) }), DO1: { block: { type: 'starlogo_up', inputs: { STEPS: number(0.01) } } },
+				ELSE: { block: paint('turtles', any) },
+			},
+		}),
+		{ type: 'starlogo_timer', fields: { BREED: 'turtles' }, inputs: { SECONDS: number(0.7), ...inside({ type: 'starlogo_hatch', fields: { BREED: 'balls', SHAPE: 'sphere' }, inputs: inside(forward(1)) },
+			{ type: 'starlogo_face', inputs: { AGENT: nearest } }, { type: 'starlogo_until', fields: { HOW: 'slide', BREED: 'walls' }, inputs: { STEPS: number(0.4) } }) } },
+		{ type: 'starlogo_key', fields: { KEY: 'up', MODE: 'held', BREED: 'bears' }, inputs: inside({ type: 'starlogo_until', fields: { HOW: 'moveUntilTouch', BREED: 'anyone' }, inputs: { STEPS: number(0.15) } }) },
+		{ type: 'starlogo_click', fields: { BREED: 'anyone' }, inputs: inside(grow(number(3))) },
+		{ type: 'starlogo_touch_start', fields: { BREED: 'balls', OTHER: 'turtles' }, inputs: inside({ type: 'starlogo_score_change', inputs: { SCORE: number(1) } }, wait(0.2), { type: 'starlogo_bounce' }, { type: 'math_change', fields: { VAR: { id: 'a' } }, inputs: { DELTA: number(0.5) } }) },
+		{ type: 'starlogo_touch_end', fields: { BREED: 'balls', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_become', fields: { WHO: 'me', BREED: 'old' } }, paint('me', value('starlogo_colour_of', { WHO: 'collidee' }))) },
+		{ type: 'starlogo_collision', fields: { BREED: 'turtles', OTHER: 'walls' }, inputs: inside({ type: 'starlogo_back' }, { type: 'starlogo_ask', inputs: { AGENT: nearest, ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'right' }, inputs: { DEGREES: number(7) } }) } }) },
+		each('old', { type: 'controls_repeat_ext', inputs: { TIMES: op('DIVIDE', number(5), number(2)), ...inside(forward(0.02)) } }, { type: 'controls_whileUntil', fields: { MODE: 'UNTIL' }, inputs: { BOOL: value('logic_compare', { OP: 'LTE' }, { A: value('starlogo_trait', { TRAIT: 'heading' }), B: number(0) }), ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'right' }, inputs: { DEGREES: number(40) } }) } },
+			{ type: 'controls_ifelse', inputs: { IF0: value('starlogo_can_see', {}, { AGENT: nearest }), DO0: { block: paint('me', value('starlogo_pick', { COLOUR: 'red' })) }, ELSE: { block: paint('me', any) } } },
+			{ type: 'starlogo_say', inputs: { TEXT: value('starlogo_distance', {}, { AGENT: nearest }) } }),
+		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(2), ...inside({ type: 'starlogo_system', fields: { SYSTEM: 'exact' } }, { type: 'starlogo_score_set', inputs: { SCORE: value('math_modulo', {}, { DIVIDEND: value('starlogo_clock'), DIVISOR: number(3) }) } }) } },
+		{ type: 'starlogo_timer', fields: { BREED: 'bears' }, inputs: { SECONDS: number(4), ...inside({ type: 'starlogo_delete', fields: { WHO: 'old' } }, { type: 'starlogo_end', fields: { HOW: 'won', TEXT: 'x' } }) } },
+		each('bears', { type: 'controls_if', inputs: { IF0: value('starlogo_key_down', { KEY: 'space' }), DO0: { block: forward(0.05) } } },
+			{ type: 'starlogo_score_change', inputs: { SCORE: value('starlogo_number_of', { BREED: 'balls' }, { COLOUR: value('starlogo_pick', { COLOUR: 'own' }) }) } },
+			{ type: 'controls_if', inputs: { IF0: value('logic_compare', { OP: 'GT' }, { A: value('starlogo_mouse', { MOUSE: 'x' }), B: number(2) }), DO0: { block: forward(-0.05) } } },
+			{ type: 'starlogo_ask', inputs: { AGENT: value('starlogo_agent', { WHO: 'me' }), ...inside({ type: 'starlogo_turn', fields: { DIRECTION: 'left' }, inputs: { DEGREES: value('starlogo_score') } }) } }, { type: 'starlogo_say', inputs: { TEXT: value('text', { TEXT: 'Hi' }) } }),
+	) };
+};
+
+test('a program as JavaScript is a module on the package that plays the same game', async () => {
+	const assets = await serve(null, { '/assets': path.join(root, 'assets') });
+	const folder = path.join(root, 'bin/generated/javascript');
+	mkdirSync(folder, { recursive: true });
+	const engine = pathToFileURL(path.join(root, 'bin/module/starlogo-collision.js')).href;
+	const written = (name, state) => {
+		const file = path.join(folder, `${name}.mjs`);
+		const text = parts.javascriptOf(state, name, made);
+		writeFileSync(file, text.replace('"starlogo-collision"', JSON.stringify(engine)).replace('"assets/"', JSON.stringify(`${assets.url}assets/`)));
+		return { file, text };
+	};
+	const all = { everything: everything(), ...parts.GAMES, ...Object.fromEntries(Object.entries(parts.LESSONS).map(([name, { program: state }]) => [`lesson-${name}`, state])) };
+	const types = new Set(JSON.stringify(all.everything).match(/"type":"\w+"/g).map((each) => each.slice(8, -1)));
+	assert.deepEqual(parts.DEFINITIONS.map(({ type }) => type).filter((type) => !types.has(type) && type !== 'math_number'), [], 'every block is tried');
+	const seen = ({ agents, score, frame, ended }) => [frame, score ?? 0, ended?.how, ...agents.map(({ breed, x, y, z, heading, size, color }) => [breed, x, y, z, heading, size, color].join(' '))].join('\n');
+	const keys = ['up', 'left', 'space', 'right', 'down'];
+	try {
+		for (const [name, state] of Object.entries(all)) {
+			const { file } = written(name, state);
+			// the same without the ten seconds that it plays by itself
+			writeFileSync(file, readFileSync(file, 'utf8').replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, ''));
+			const world = played(state, 0);
+			const module = await import(pathToFileURL(file).href);
+			let moved = 0;
+			for (let frame = 0; frame < 300; frame++) {
+				if (frame % 25 === 0) {
+					const key = keys[(frame / 25) % keys.length];
+					for (const each of keys) [world, module].forEach((game) => game.release(each));
+					[world, module].forEach((game) => game.press(key));
+				}
+				if (frame === 40) [world, module].forEach((game) => game.click(game.agents[0]));
+				if (frame === 60 && module.mouse) [world, module].forEach(({ mouse }) => Object.assign(mouse, { x: 3 }));
+				const places = () => world.agents.map(({ x, y, z }) => `${x} ${y} ${z}`).join();
+				const before = places();
+				world.step();
+				module.step();
+				moved += places() === before ? 0 : 1;
+				assert.equal(seen({ ...module.game, agents: module.agents }), seen(world), `${name}, frame ${frame + 1}`);
+			}
+			if (name in parts.GAMES || name === 'everything') assert.ok(moved > 30, `${name}: ${moved} frames in which somebody moved`);
+		}
+		// as its user runs it
+		const { stdout } = await promisify(execFile)(process.execPath, [written('chase', parts.GAMES.chase).file]);
+		assert.match(stdout, /^\d+ agents after \d+ frames/);
+	} finally {
+		assets.close();
 	}
 });

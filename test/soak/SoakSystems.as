@@ -5,7 +5,7 @@ package soak
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.collision.Collider;
-    import starlogo.collision.PreciseCollider;
+    import starlogo.collision.TreeCollider;
     import support.BruteForce;
 
     /** The collision systems of a soak, in turn: new ones, and those of before, which other settings may have now. */
@@ -54,11 +54,11 @@ package soak
         internal function beginReference(system:Collider):void
         {
             _reference = make();
-            var precise:PreciseCollider = system as PreciseCollider;
+            var precise:TreeCollider = system as TreeCollider;
             if (precise != null)
             {
-                PreciseCollider(_reference).exact = precise.exact;
-                PreciseCollider(_reference).maxDepth = precise.maxDepth;
+                TreeCollider(_reference).exact = precise.exact;
+                TreeCollider(_reference).maxDepth = precise.maxDepth;
             }
         }
 
@@ -81,7 +81,7 @@ package soak
 
         private function choose(system:Collider):void
         {
-            var precise:PreciseCollider = system as PreciseCollider;
+            var precise:TreeCollider = system as TreeCollider;
             if (precise != null)
             {
                 precise.exact = name.indexOf("exact") > 0;

@@ -18,7 +18,6 @@ const HOT = ['starlogo.agents', 'starlogo.bounding', 'starlogo.broadphase', 'sta
 
 /** Classes of those packages that do not, and why. */
 const COLD = {
-	'starlogo.collision.BreedInterests': 'made when handlers or breeds change',
 	'starlogo.handlers.HandlerTable': 'made when handlers change',
 	'starlogo.handlers.PairHandlers': 'made when handlers change',
 	'starlogo.hierarchy.HierarchyBuilder': 'when a model loads',
@@ -39,7 +38,7 @@ const COLD = {
 	'starlogo.solid.SurfaceNotes': 'when a model loads',
 	'starlogo.solid.Welding': 'when a model loads',
 	'starlogo.search.ModelShapes': 'when agents get other models, and when models are replaced',
-	'starlogo.search.BreedPairs': 'made when handlers change',
+	'starlogo.search.BreedInterests': 'made when handlers change',
 };
 
 /** How many there may be in a function: none of them is of a Number. */
@@ -48,10 +47,8 @@ export const ALLOWED = {
 	'starlogo.agents.Agent.requireName': { count: 2, why: 'the text of an error' },
 	'starlogo.collision.Snapshots.read': { count: 1, why: 'what a finally throws again' },
 	'starlogo.collision.Collision.update': { count: 1, why: 'what a finally throws again' },
-	'starlogo.collision.Collision.applyFilter': { count: 1, why: 'what a finally throws again' },
-	'starlogo.queries.Answers.keepAccepted': { count: 1, why: 'what a finally throws again' },
-	'starlogo.queries.DistanceQuestions.findRows': { count: 2, why: 'the text of an error' },
-	'starlogo.handlers.HandlerCalls.callThrough': { count: 2, why: 'what a handler threw' },
+	'starlogo.queries.FoundRows.keepAccepted': { count: 1, why: 'what a finally throws again' },
+	'starlogo.handlers.HandlerCalls.takeTurnsBefore': { count: 2, why: 'what a handler threw' },
 };
 
 const FEWEST_FUNCTIONS = 150;

@@ -4,7 +4,7 @@ package support
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.intersection.distance.ClosestPair;
-    import starlogo.queries.RowDistances;
+    import starlogo.queries.DistanceQuestions;
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShapes;
     import starlogo.search.RowPairs;
@@ -22,14 +22,14 @@ package support
         public var areTouching:Boolean;
 
         private var _pairs:RowPairs;
-        private var _distances:RowDistances;
+        private var _distances:DistanceQuestions;
         private var _table:AgentTable;
 
         /** As a collider of these shapes and these settings sees agents. */
         public function AskedDistance(choice:ShapeChoice, pairs:RowPairs)
         {
             _pairs = pairs;
-            _distances = new RowDistances();
+            _distances = new DistanceQuestions(null);
             _table = new AgentTable(new ModelShapes(choice), null);
             closest = _distances.closest;
         }
@@ -40,7 +40,7 @@ package support
             _table.readGuest(0, a);
             _table.readGuest(1, b);
             areTouching = _pairs.areTouching(_table, 0, 1);
-            _distances.find(_pairs, _table, 0, 1, true);
+            _distances.measure(_pairs, _table, 0, 1, true);
             _table.endGuests();
             return closest.distance;
         }

@@ -7,11 +7,11 @@ package starlogo.agents
      */
     public final class Breeds
     {
-        // Stands before every key, because a breed may be called "hasOwnProperty" or "__proto__".
-        private static const PREFIX:String = ":";
-
-        private static var sNumbers:Object = {};
         private static var sNames:Vector.<String> = new Vector.<String>();
+
+        // The numbers in the order of the names: so a name is found without a text that is made for a key. The last that was asked for.
+        private static var sOrder:Vector.<int> = new Vector.<int>();
+        private static var sLast:int = 0;
 
         /** Has only static members. */
         public function Breeds()
@@ -27,13 +27,29 @@ package starlogo.agents
         /** The number of a name, from 0 on. A new name gets the next one. */
         public static function numberOf(name:String):int
         {
-            var key:String = PREFIX + name;
-            if (!(key in sNumbers))
+            if (sNames.length == 0 || sNames[sLast] != name)
             {
-                sNumbers[key] = sNames.length;
-                sNames.push(name);
+                var low:int = 0;
+                var high:int = sOrder.length;
+                while (low < high)
+                {
+                    var middle:int = (low + high) >> 1;
+                    if (sNames[sOrder[middle]] < name)
+                    {
+                        low = middle + 1;
+                    }
+                    else
+                    {
+                        high = middle;
+                    }
+                }
+                if (low == sOrder.length || sNames[sOrder[low]] != name)
+                {
+                    sOrder.splice(low, 0, sNames.push(name) - 1);
+                }
+                sLast = sOrder[low];
             }
-            return sNumbers[key];
+            return sLast;
         }
 
         /** The name that has a number. */

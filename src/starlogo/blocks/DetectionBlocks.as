@@ -14,7 +14,6 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _queries:AgentQueries;
         private var _updatedIn:int = -1;
-        private var _touched:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * Blocks for the agents of a game.
@@ -135,12 +134,9 @@ package starlogo.blocks
         public function isTouching(agent:Agent, subject:Object):Boolean
         {
             BlockSubject.check("touching?", subject);
-            var breed:String = subject is String ? subject as String : Collision.ANY_BREED;
+            var breed:String = subject is Agent ? Collision.ANY_BREED : subject as String;
             check("touching?", agent, breed);
-            queries.touching(agent, filterFor(breed), _touched);
-            var isTouching:Boolean = subject is String ? _touched.length > 0 : _touched.indexOf(subject as Agent) >= 0;
-            _touched.length = 0;
-            return isTouching;
+            return queries.touchesAny(agent, filterFor(breed, subject is Agent ? isOne(subject) : null));
         }
 
         /**
@@ -176,6 +172,14 @@ package starlogo.blocks
             var filter:AgentFilter = breed == Collision.ANY_BREED ? new AgentFilter() : AgentFilter.ofBreeds(breed);
             filter.accepts = accepts;
             return filter;
+        }
+
+        private static function isOne(wanted:Object):Function
+        {
+            return function(agent:Agent):Boolean
+            {
+                return agent === wanted;
+            };
         }
 
         private static function testFor(block:String, asker:Agent, trait:String, value:Object):Function

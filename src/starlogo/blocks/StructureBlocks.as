@@ -10,7 +10,7 @@ package starlogo.blocks
         private var _collisions:CollisionBlocks;
         private var _breeds:Vector.<String> = new Vector.<String>();
 
-        // By the ids of agents: agents that leave the game are not kept.
+        // By the ids of agents, 1 for those that are shown: agents that leave the game are not kept.
         private var _agents:IdTable = new IdTable();
         private var _lines:CollisionLines;
 
@@ -42,11 +42,17 @@ package starlogo.blocks
             BlockSubject.check("show bounding structures", subject);
             if (subject is Agent)
             {
-                showAgent(subject as Agent, isOn);
+                _agents.set (Agent(subject).id, isOn ? 1 : 0);
+                return;
             }
-            else
+            var index:int = _breeds.indexOf(subject as String);
+            if (index >= 0)
             {
-                showBreed(subject as String, isOn);
+                _breeds.splice(index, 1);
+            }
+            if (isOn)
+            {
+                _breeds.push(subject);
             }
         }
 
@@ -60,7 +66,7 @@ package starlogo.blocks
         /** Whether an agent's structures are shown, for itself or for its breed. */
         public function isShown(agent:Agent):Boolean
         {
-            return _agents.valueOf(agent.id) >= 0 || _breeds.indexOf(agent.breed) >= 0;
+            return _agents.valueOf(agent.id) == 1 || _breeds.indexOf(agent.breed) >= 0;
         }
 
         /**
@@ -94,31 +100,6 @@ package starlogo.blocks
         public function linesOf(agent:Agent, out:Vector.<Number> = null):Vector.<Number>
         {
             return _lines.linesOf(agent, _collisions.collision.collisionSystem, out);
-        }
-
-        private function showAgent(agent:Agent, isOn:Boolean):void
-        {
-            if (isOn)
-            {
-                _agents.set (agent.id, 1);
-            }
-            else
-            {
-                _agents.remove(agent.id);
-            }
-        }
-
-        private function showBreed(breed:String, isOn:Boolean):void
-        {
-            var place:int = _breeds.indexOf(breed);
-            if (isOn && place < 0)
-            {
-                _breeds.push(breed);
-            }
-            else if (!isOn && place >= 0)
-            {
-                _breeds.splice(place, 1);
-            }
         }
     }
 }

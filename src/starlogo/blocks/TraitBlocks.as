@@ -14,6 +14,8 @@ package starlogo.blocks
         private static const STRUCTURES:Array = [Agent.TIGHTEST, Agent.SPHERE, Agent.BOX, Agent.CAPSULE];
 
         private var _agents:Vector.<Agent>;
+
+        // By breed, the traits that were set, by their names.
         private var _breeds:Object = {};
 
         /**
@@ -47,7 +49,7 @@ package starlogo.blocks
         public function setHierarchical(subject:Object, isOn:Boolean):void
         {
             BlockSubject.check("set hierarchical", subject);
-            apply(subject, new BreedTraits(isOn));
+            apply(subject, "hierarchical", isOn);
         }
 
         /**
@@ -65,7 +67,7 @@ package starlogo.blocks
                 throw new BlockError("set collision depth", "needs a whole number: 1 is the coarsest, greater is more precise, and 0 leaves it to the"
                         + " collision system. It got " + levels + ".");
             }
-            apply(subject, new BreedTraits(null, int(levels)));
+            apply(subject, "traversalDepth", levels);
         }
 
         /**
@@ -82,16 +84,16 @@ package starlogo.blocks
             {
                 throw new BlockError("collide as", "does not know " + BlockSubject.nameOf(structure) + ". Choose one of these: " + STRUCTURES.join(", ") + ".");
             }
-            apply(subject, new BreedTraits(null, -1, structure));
+            apply(subject, "collideAs", structure);
         }
 
         /** Gives an agent that joins the game, or has changed its breed, what was set for the breed. */
         public function welcome(agent:Agent):void
         {
-            var traits:BreedTraits = _breeds[PREFIX + agent.breed] as BreedTraits;
-            if (traits != null)
+            var traits:Object = _breeds[PREFIX + agent.breed];
+            for (var trait:String in traits)
             {
-                traits.applyTo(agent);
+                agent[trait] = traits[trait];
             }
         }
 
@@ -101,21 +103,21 @@ package starlogo.blocks
             _breeds = {};
         }
 
-        private function apply(subject:Object, traits:BreedTraits):void
+        private function apply(subject:Object, trait:String, value:Object):void
         {
             if (subject is Agent)
             {
-                traits.applyTo(subject as Agent);
+                subject[trait] = value;
                 return;
             }
             var key:String = PREFIX + subject;
-            var older:BreedTraits = _breeds[key] as BreedTraits;
-            _breeds[key] = older == null ? traits : traits.over(older);
+            _breeds[key] ||= {};
+            _breeds[key][trait] = value;
             for each (var agent:Agent in _agents)
             {
                 if (agent.breed == subject)
                 {
-                    traits.applyTo(agent);
+                    agent[trait] = value;
                 }
             }
         }

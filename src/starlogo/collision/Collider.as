@@ -4,7 +4,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.search.BreedPairs;
+    import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.FoundPairs;
     import starlogo.search.RowPairs;
@@ -26,7 +26,7 @@ package starlogo.collision
      * <p>An agent whose model a ModelLoader is still loading collides with nothing, and is counted in the statistics. Models
      * may be replaced and removed at any time.</p>
      */
-    public class Collider implements ContactSystem
+    public class Collider extends BaseCollider
     {
         /** @private Finds the shapes of agents, for questions too. */
         engine var choice:ShapeChoice;
@@ -34,8 +34,11 @@ package starlogo.collision
         /** @private Decides which of them touch, for questions too. */
         engine var pairs:RowPairs;
 
-        private var _search:CollisionSearch;
+        /** @private The search that the collider makes. */
+        engine var search:CollisionSearch;
+
         private var _statistics:CollisionStatistics = new CollisionStatistics();
+        private var _found:FoundPairs = new FoundPairs();
         private var _contactPoint:ContactPoint = new ContactPoint();
 
         /**
@@ -45,91 +48,92 @@ package starlogo.collision
          */
         public function Collider(choice:ShapeChoice)
         {
+            super();
             pairs = new RowPairs(choice);
-            _search = new CollisionSearch(choice, pairs);
+            search = new CollisionSearch(choice, pairs);
             this.choice = choice;
         }
 
         /** @inheritDoc */
-        public function get statistics():CollisionStatistics
+        override public function get statistics():CollisionStatistics
         {
             return _statistics;
         }
 
         /** @inheritDoc */
-        public function areColliding(a:Agent, b:Agent):Boolean
+        override public function areColliding(a:Agent, b:Agent):Boolean
         {
             requireTwo(a, b);
-            return _search.areColliding(a, b);
+            return search.areColliding(a, b);
         }
 
         /** @inheritDoc */
-        public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+        override public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            return find(agents, null, out || new Vector.<Agent>());
+            return findCollisionsAmong(agents, null, out);
         }
 
         /** @inheritDoc */
-        public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
+        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            if (out == null)
+            if (agents == null)
             {
-                throw new ArgumentError("out must not be null");
+                throw new ArgumentError("agents must not be null");
             }
-            return find(agents, interests == null ? null : interests.breedPairs, out);
+            var found:Vector.<Agent> = out || new Vector.<Agent>();
+            measure(agents, interests, null, _found, found);
+            if (found.length > 2 * _found.count)
+            {
+                found.length = 2 * _found.count;
+            }
+            return found;
         }
 
-        /** @inheritDoc */
-        public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+        /**
+         * How two agents touch: as they were in the last search, whatever has changed since; or, if not both were in it, as they are now.
+         *
+         * @param collider the normal points to it
+         * @param collidee another agent
+         * @param out takes the contact; made if null
+         * @return out, or the new one. For two that do not touch: where they are nearest, or overlap the least, with a depth of 0
+         * @throws ArgumentError if one is null, both are one, or a model is unknown or still loading
+         */
+        override public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
         {
             requireTwo(collider, collidee);
             var contact:Contact = out || new Contact();
             var contactPoint:ContactPoint = _contactPoint;
-            contact.time = _search.findContact(collider, collidee, contactPoint);
+            contact.time = search.findContact(collider, collidee, contactPoint);
             contact.depth = contactPoint.depth;
             contact.normal.setTo(contactPoint.normalX, contactPoint.normalY, contactPoint.normalZ);
             contact.point.setTo(contactPoint.x, contactPoint.y, contactPoint.z);
             return contact;
         }
 
-        /**
-         * As findCollisionsAmong, with the agents' places in the list and their breeds' numbers.
-         *
-         * @param takePart which agents do, by their places in the list; null for all
-         */
-        internal function findPairsAmong(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
+        /** @private */
+        override engine function get collider():Collider
         {
-            var start:Number = getTimer();
-            _search.findPairs(agents, breeds, takePart, out);
-            _statistics.setCounts(_search.counts, getTimer() - start);
+            return this;
         }
 
-        /** @private The engine's collider that finds what a collision system finds: itself, or the one that observers are put around; or null. */
+        /** @private */
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        {
+            measure(agents, interests, takePart, out, null);
+        }
+
+        /** @private The engine's collider that finds what a collision system finds, or null. */
         engine static function behind(system:Object):Collider
         {
-            while (system is CollisionObserver)
-            {
-                system = CollisionObserver(system).collisionSystem;
-            }
-            return system as Collider;
+            return system is BaseCollider ? BaseCollider(system).collider : null;
         }
 
-        /** The search that the collider makes. */
-        internal function get search():CollisionSearch
+        private function measure(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, outAgents:Vector.<Agent>):void
         {
-            return _search;
-        }
-
-        private function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):Vector.<Agent>
-        {
-            if (agents == null)
-            {
-                throw new ArgumentError("agents must not be null");
-            }
             var start:Number = getTimer();
-            _search.find(agents, breeds, out);
-            _statistics.setCounts(_search.counts, getTimer() - start);
-            return out;
+            search.find(agents, interests, takePart, out, _statistics, outAgents);
+            _statistics.handlerCalls = _statistics.frameMs = 0;
+            _statistics.findMs = getTimer() - start;
         }
 
         private static function requireTwo(a:Agent, b:Agent):void

@@ -1,15 +1,15 @@
-// This file is long because it is the class that clients name, and most of its lines tell how to use it.
 package starlogo.collision
 {
     import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
-    import starlogo.agents.AgentChoice;
+    import starlogo.agents.AgentPredicate;
     import starlogo.engine;
     import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.HandlerCalls;
     import starlogo.handlers.HandlerTable;
+    import starlogo.search.BreedInterests;
     import starlogo.search.CollisionSearch;
     import starlogo.search.textOf;
 
@@ -42,13 +42,13 @@ package starlogo.collision
          * list; but an agent that takes part again has moved from where the last frame saw it. It is asked once a frame of each agent, before
          * anything is tested; an error that it throws ends the frame, and no handler runs.
          */
-        public var filter:AgentChoice = null;
+        public var filter:AgentPredicate = null;
 
         private var _collisionSystem:CollisionSystem;
+        private var _system:BaseCollider;
         private var _statistics:CollisionStatistics = new CollisionStatistics();
         private var _handlers:Vector.<CollisionHandler> = new Vector.<CollisionHandler>();
         private var _handlerErrors:Vector.<Error> = new Vector.<Error>();
-        private var _interests:BreedInterests = null;
         private var _table:HandlerTable = null;
         private var _tableIsStale:Boolean = true;
         private var _touchesAreStale:Boolean = false;
@@ -62,11 +62,8 @@ package starlogo.collision
         private var _isRefused:Boolean = false;
         private var _lastAgents:Vector.<Agent> = new Vector.<Agent>();
 
-        private var _agentPairs:Vector.<Agent> = new Vector.<Agent>();
-
-        // By place in the list, whether the filter lets the agent take part; and those that do.
+        // By index in the list, whether the filter lets the agent take part.
         private var _takePart:Vector.<Boolean> = new Vector.<Boolean>();
-        private var _admitted:Vector.<Agent> = new Vector.<Agent>();
 
         /**
          * Collisions without handlers.
@@ -92,6 +89,7 @@ package starlogo.collision
                 throw new ArgumentError("collisionSystem must not be null");
             }
             _collisionSystem = value;
+            _system = BaseCollider.of(value);
         }
 
         /** What the last frame did; the next overwrites it. */
@@ -209,7 +207,8 @@ package starlogo.collision
             _handlers.length = 0;
             _tableIsStale = _touchesAreStale = true;
             _searched = null;
-            _lastAgents.length = 0;
+            // a handler may call this, and the frame goes on with its list
+            _lastAgents = new Vector.<Agent>();
         }
 
         /**
@@ -234,21 +233,18 @@ package starlogo.collision
             var start:Number = getTimer();
             _handlerErrors.length = 0;
             readHandlers();
-            if (filter != null)
-            {
-                applyFilter(agents);
-            }
-            var system:CollisionSystem = _collisionSystem;
-            _isRefused = true;
-            findPairs(system, agents, start);
-            _isRefused = false;
-            keepList(agents);
-            _searched = Collider.behind(system);
-            _contacts.system = system;
+            var system:BaseCollider = _system;
             _isUpdating = true;
             try
             {
-                _calls.make(_table, agents, _handlerErrors);
+                applyFilter(agents);
+                _isRefused = true;
+                findPairs(system, agents);
+                _isRefused = false;
+                keepList(agents);
+                _searched = system.collider;
+                _contacts.system = system;
+                _calls.make(_table, _lastAgents, agents, _handlerErrors);
             }
             finally
             {
@@ -257,10 +253,7 @@ package starlogo.collision
             }
             _statistics.handlerCalls = _calls.count;
             _statistics.frameMs = getTimer() - start;
-            for (var around:CollisionObserver = system as CollisionObserver; around != null; around = around.collisionSystem as CollisionObserver)
-            {
-                around.onFrame(_statistics);
-            }
+            system.onFrame(_statistics);
             if (_handlerErrors.length > 0)
             {
                 throw _handlerErrors[0];
@@ -270,7 +263,7 @@ package starlogo.collision
         /**
          * What the next frame depends on besides the agents and the handlers: where the last frame saw the agents of its list, and which touch.
          * <code>restore()</code> makes it the last frame again, in this Collision or in another with the same handlers and a collision system of
-         * the same kind. Agents are told by their places in <code>lastAgents</code>: a copy of that has to be kept, and the agents' traits.
+         * the same kind. The bytes name agents by their indices in <code>lastAgents</code>: keep a copy of that, and the agents' traits.
          *
          * @return the bytes, about 29 for each agent of the list and 17 for each pair that touches and has handlers for starts or ends
          * @throws IllegalOperationError if called from a handler or the filter, if the collision system is none of the engine's, or has searched
@@ -285,7 +278,7 @@ package starlogo.collision
             }
             readHandlers();
             var search:CollisionSearch = _searched == null ? null : _searched.search;
-            return _snapshots.write(_calls.tracker, search, _lastAgents, _searched == Collider.behind(_collisionSystem));
+            return _snapshots.write(_calls.tracker, search, _lastAgents, _searched == _system.collider);
         }
 
         /**
@@ -310,7 +303,7 @@ package starlogo.collision
             {
                 throw new ArgumentError("agents must not be null");
             }
-            var collider:Collider = Collider.behind(_collisionSystem);
+            var collider:Collider = _system.collider;
             _calls.tracker = _snapshots.read(bytes, agents, collider.search, _calls.tracker);
             _searched = collider;
             keepList(agents);
@@ -326,8 +319,7 @@ package starlogo.collision
             }
             if (_tableIsStale)
             {
-                _interests = new BreedInterests();
-                _table = new HandlerTable(_handlers, _interests.breedPairs);
+                _table = new HandlerTable(_handlers);
                 _tableIsStale = false;
             }
         }
@@ -335,6 +327,11 @@ package starlogo.collision
         private function keepList(agents:Vector.<Agent>):void
         {
             var length:int = agents.length;
+            if (agents === _lastAgents)
+            {
+                // from now on it is the game's own list
+                _lastAgents = agents.concat();
+            }
             if (_lastAgents.length != length)
             {
                 _lastAgents.length = length;
@@ -354,63 +351,29 @@ package starlogo.collision
             {
                 throw new IllegalOperationError(what + " must not be called from a handler, or from the filter");
             }
-            if (Collider.behind(_collisionSystem) == null)
+            if (_system.collider == null)
             {
                 throw new IllegalOperationError(what + " needs one of the engine's collision systems, not " + textOf(_collisionSystem, "a Collider"));
             }
         }
 
-        private function findPairs(system:CollisionSystem, agents:Vector.<Agent>, start:Number):void
+        private function findPairs(system:BaseCollider, agents:Vector.<Agent>):void
         {
-            var collider:Collider = Collider.behind(system);
-            if (collider != null)
-            {
-                collider.findPairsAmong(agents, _interests.breedPairs, filter == null ? null : _takePart, _calls.pairs);
-                for (var around:CollisionObserver = system as CollisionObserver; around != null; around = around.collisionSystem as CollisionObserver)
-                {
-                    around.onPairs(_calls.pairs.agents, _calls.pairs.length);
-                }
-                _statistics.copyFrom(collider.statistics);
-                return;
-            }
-            // a client's system may return a vector of its own, and need not count
-            var admitted:Vector.<Agent> = filter == null ? agents : _admitted;
-            _calls.setPairs(BreedInterests.findIn(system, admitted, _interests, _agentPairs), agents);
+            var start:Number = getTimer();
+            system.findPairs(agents, _table.interests, filter == null ? null : _takePart, _calls.pairs);
             _statistics.copyFrom(system.statistics);
             _statistics.agents = agents.length;
-            _statistics.collisions = _calls.pairs.length >> 1;
+            _statistics.collisions = _calls.pairs.count;
             _statistics.findMs = getTimer() - start;
         }
 
-        // An agent that is null is left to the collision system, which refuses it.
+        // The collision system refuses an agent that is null.
         private function applyFilter(agents:Vector.<Agent>):void
         {
-            _isUpdating = true;
-            try
+            for (var i:int = 0; filter != null && i < agents.length; i++)
             {
-                admit(agents);
+                _takePart[i] = agents[i] == null || filter.admits(agents[i]);
             }
-            finally
-            {
-                _isUpdating = false;
-            }
-        }
-
-        private function admit(agents:Vector.<Agent>):void
-        {
-            var admitted:int = 0;
-            for (var i:int = 0; i < agents.length; i++)
-            {
-                var agent:Agent = agents[i];
-                var takesPart:Boolean = agent == null || filter.admits(agent);
-                _takePart[i] = takesPart;
-                if (takesPart)
-                {
-                    _admitted[admitted] = agent;
-                    admitted++;
-                }
-            }
-            _admitted.length = admitted;
         }
 
         private function addHandler(kind:int, breed:String, otherBreed:String, handler:Function):void

@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.engine;
+    import starlogo.search.StructureTests;
     import starlogo.search.TreesAndFits;
 
     use namespace engine;
@@ -16,10 +17,8 @@ package starlogo.collision
      *
      * <p>Models of hierarchical agents need their hierarchies, other models their tightest fits.</p>
      */
-    public class CombinationCollider extends PreciseCollider
+    public class CombinationCollider extends TreeCollider
     {
-        private var _structureTests:StructureTests;
-
         /**
          * A collider for the agents of a game.
          *
@@ -29,13 +28,12 @@ package starlogo.collision
         public function CombinationCollider(greatLand:GreatLand)
         {
             super(new TreesAndFits(greatLand));
-            _structureTests = new StructureTests(pairs.structures);
         }
 
         /** How the structures of two agents that are not hierarchical are tested. */
         public function get structureTests():StructureTests
         {
-            return _structureTests;
+            return pairs.structures;
         }
     }
 }

@@ -17,8 +17,8 @@ package starlogo.collision
      * <p>For spheres, capsules and boxes the normal is the shortest way out. For hierarchies and triangles it is a short one: where the two overlap by
      * less than 1/256 of the larger extent, the normal of the first two nodes or triangles that touch; else what is found from that, from the shortest
      * way out of the structures around both, and from the surfaces where these ways end. The way ends at the first place that is free, which
-     * may be a hollow. This takes as long as 30 to 135 tests of whether the two touch. Where the collision system is no ContactSystem, the contact is half
-     * way between the agents, with a depth of 0.</p>
+     * may be a hollow. This takes as long as 30 to 135 tests of whether the two touch. A collision system of a game's own that tells no
+     * contacts has them half way between the agents, with a depth of 0.</p>
      */
     public final class Contact
     {
@@ -48,20 +48,9 @@ package starlogo.collision
         {
         }
 
-        /**
-         * Sets this to the contact of two agents: the collision system's own, or, if it is no ContactSystem, half way between the agents along the
-         * line from one to the other.
-         *
-         * @private
-         */
-        engine function readFrom(system:CollisionSystem, collider:Agent, collidee:Agent):void
+        /** @private Half way between two agents, along the line from one to the other. */
+        engine function setBetween(collider:Agent, collidee:Agent):void
         {
-            var contactSystem:ContactSystem = system as ContactSystem;
-            if (contactSystem != null)
-            {
-                contactSystem.contactOf(collider, collidee, this);
-                return;
-            }
             var x:Number = collider.x - collidee.x;
             var y:Number = collider.y - collidee.y;
             var z:Number = collider.z - collidee.z;

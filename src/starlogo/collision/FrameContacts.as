@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.agents.Agent;
     import starlogo.engine;
+    import starlogo.handlers.CollisionHandler;
     import starlogo.handlers.ContactSource;
 
     use namespace engine;
@@ -10,7 +11,7 @@ package starlogo.collision
     internal final class FrameContacts implements ContactSource
     {
         /** The collision system that has found the pairs. */
-        public var system:CollisionSystem = null;
+        public var system:BaseCollider = null;
 
         // By the numbers of the pairs; there may be more entries than the frame has pairs.
         private var _contacts:Vector.<Contact> = new Vector.<Contact>();
@@ -18,9 +19,6 @@ package starlogo.collision
 
         // The contact that handlers get.
         private var _given:Contact = new Contact();
-
-        // What handlers get that may not look at it.
-        private var _whenAsked:ContactWhenAsked = new ContactWhenAsked();
 
         /** No contacts yet. */
         public function FrameContacts()
@@ -30,10 +28,6 @@ package starlogo.collision
         /** @inheritDoc */
         public function beginFrame(pairCount:int):void
         {
-            if (_areKnown.length < pairCount)
-            {
-                _areKnown.length = pairCount;
-            }
             for (var i:int = 0; i < pairCount; i++)
             {
                 _areKnown[i] = false;
@@ -47,35 +41,33 @@ package starlogo.collision
             {
                 _contacts.push(new Contact());
             }
-            _contacts[pair].readFrom(system, first, second);
-            _areKnown[pair] = true;
-        }
-
-        /** @inheritDoc */
-        public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
-        {
             if (!_areKnown[pair])
             {
-                // its breeds have changed since the frame began
-                find(pair, first, second);
+                system.contactOf(first, second, _contacts[pair]);
+                _areKnown[pair] = true;
             }
-            var known:Contact = _contacts[pair];
-            var given:Contact = _given;
-            given.time = known.time;
-            given.depth = known.depth;
-            given.point.copyFrom(known.point);
-            given.normal.copyFrom(known.normal);
-            if (isBack)
-            {
-                given.normal.negate();
-            }
-            return given;
         }
 
         /** @inheritDoc */
-        public function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object
+        public function contactFor(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):Object
         {
-            return _whenAsked.of(this, pair, first, second, isBack);
+            return handler.takesContact ? contactOf(pair, first, second, isBack) : contactWhenAsked(this, pair, first, second, isBack);
+        }
+
+        /** The contact of a pair, for <code>contactWhenAsked()</code> too. */
+        public function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Contact
+        {
+            find(pair, first, second);
+            var known:Contact = _contacts[pair];
+            _given.time = known.time;
+            _given.depth = known.depth;
+            _given.point.copyFrom(known.point);
+            _given.normal.copyFrom(known.normal);
+            if (isBack)
+            {
+                _given.normal.negate();
+            }
+            return _given;
         }
     }
 }

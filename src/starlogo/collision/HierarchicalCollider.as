@@ -20,7 +20,7 @@ package starlogo.collision
      * <p>With models that have triangles, no depth ever misses a collision of the surfaces, or a model that is inside of a closed
      * one; a greater depth finds fewer false collisions, and never more. See HierarchiesLibrary.</p>
      */
-    public class HierarchicalCollider extends PreciseCollider
+    public class HierarchicalCollider extends TreeCollider
     {
         /**
          * A collider for the agents of a game.

@@ -14,20 +14,24 @@ package starlogo.collision
      */
     public final class SnapshotAgents
     {
-        // The number of the Collision, and how many agents there were.
+        // So few that an origin is a whole number that a Number holds exactly.
+        private static const COUNTS:int = 4096;
+
+        // The bytes of the origin, and of how many agents there were.
         private static const HEAD:int = 12;
         private static const BYTES_PER_ID:int = 4;
         private static const NAMED:int = 10;
 
-        // Of agents.
-        private var _ids:Vector.<int> = new Vector.<int>();
-        private var _origin:Number;
-        private var _created:int;
+        private static var sCount:int = 0;
 
-        /** @param origin the number of the Collision, which no other has, on no machine */
-        public function SnapshotAgents(origin:Number)
+        // Tells this Collision's snapshots from those of all others: in this program by the count, elsewhere by the clock.
+        private var _origin:Number;
+
+        /** For the snapshots of a new Collision. */
+        public function SnapshotAgents()
         {
-            _origin = origin;
+            sCount++;
+            _origin = new Date().getTime() * COUNTS + sCount % COUNTS;
         }
 
         /** How many bytes the ids of so many agents take. */
@@ -50,51 +54,39 @@ package starlogo.collision
         /**
          * Compares a list with the agents of a snapshot.
          *
-         * @param bytes at the place where <code>write()</code> began
+         * @param bytes at the position where <code>write()</code> began
          * @param count how many agents the snapshot is of
          * @throws ArgumentError if the list is another one
          */
         public function check(bytes:ByteArray, count:int, agents:Vector.<Agent>):void
         {
             var isOwn:Boolean = bytes.readDouble() == _origin;
-            _created = bytes.readInt();
+            var created:int = bytes.readInt();
+            var ids:Vector.<int> = new Vector.<int>();
+            var other:int = -1;
+            var areNew:Boolean = true;
             for (var i:int = 0; i < count; i++)
             {
-                _ids[i] = bytes.readInt();
+                ids[i] = bytes.readInt();
+                var number:int = i < agents.length ? agents[i].number : 0;
+                areNew = areNew && number > created;
+                other = other < 0 && number != ids[i] ? i : other;
             }
             if (count != agents.length)
             {
-                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted);
+                throw new ArgumentError("bytes are no snapshot of " + agents.length + " agents, but of " + wanted(ids));
             }
-            var other:int = isOwn ? firstOther(agents) : -1;
-            if (other >= 0)
+            if (isOwn && !areNew && other >= 0)
             {
-                throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted + "; at place " + other
+                throw new ArgumentError("bytes are no snapshot of these " + count + " agents, but of " + wanted(ids) + "; at place " + other
                         + " the list has " + agents[other]);
             }
         }
 
-        // The first place with another agent than the snapshot's; -1 if there is none, or all agents were made since.
-        private function firstOther(agents:Vector.<Agent>):int
+        private static function wanted(ids:Vector.<int>):String
         {
-            var first:int = -1;
-            var areNew:Boolean = true;
-            for (var i:int = agents.length - 1; i >= 0; i--)
-            {
-                areNew = areNew && agents[i].number > _created;
-                if (agents[i].number != _ids[i])
-                {
-                    first = i;
-                }
-            }
-            return areNew ? -1 : first;
-        }
-
-        private function get wanted():String
-        {
-            var named:String = _ids.slice(0, NAMED).join(", ");
-            var more:String = _ids.length > NAMED ? " and " + (_ids.length - NAMED) + " more" : "";
-            return "the " + _ids.length + " that its frame's collision.lastAgents had: those with the ids " + named + more;
+            var more:String = ids.length > NAMED ? " and " + (ids.length - NAMED) + " more" : "";
+            return "the " + ids.length + " that its frame's collision.lastAgents had: those with the ids " + ids.slice(0, NAMED).join(", ") + more;
         }
     }
 }

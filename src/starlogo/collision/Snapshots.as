@@ -1,67 +1,217 @@
 package starlogo.collision
 {
+    import flash.errors.EOFError;
+    import flash.errors.IllegalOperationError;
     import flash.utils.ByteArray;
     import flash.utils.Endian;
     import starlogo.agents.Agent;
-    import starlogo.handlers.ContactTracker;
+    import starlogo.agents.Breeds;
+    import starlogo.handlers.Touch;
+    import starlogo.handlers.TouchTracker;
+    import starlogo.search.AgentTable;
     import starlogo.search.CollisionSearch;
 
-    /** Writes and reads the snapshots of one Collision. */
+    /**
+     * Writes and reads the snapshots of one Collision: what the next frame depends on besides the agents. Agents are numbers, their indices in the
+     * last frame's list.
+     *
+     * <p>The bytes: a mark; how many agents; of each whether it has a motion from where it was seen, and its position; how many names of breeds, and
+     * the names; how many pairs touch, and of each its agents, their breeds, and whether it touches both ways; which agents they are
+     * (SnapshotAgents).</p>
+     */
     internal final class Snapshots
     {
-        // As many as leave a whole number that a Number holds exactly.
-        private static const COUNTS:int = 4096;
+        // "SLF1"
+        private static const MARK:uint = 0x534C4631;
+        private static const AGENTS_AT:int = 8;
+        private static const BYTES_PER_AGENT:int = 25;
 
-        private static var sCount:int = 0;
-
-        // Tells this Collision's snapshots from those of all others: in this program by the count, elsewhere by the clock.
-        private var _origin:Number;
-
-        // Takes what is read; empty in between.
-        private var _read:ContactTracker = new ContactTracker();
+        // Takes which pairs touch when a snapshot is read; empty in between.
+        private var _read:TouchTracker = new TouchTracker();
+        private var _who:SnapshotAgents = new SnapshotAgents();
 
         /** No snapshot has been taken yet. */
         public function Snapshots()
         {
-            sCount++;
-            _origin = new Date().getTime() * COUNTS + sCount % COUNTS;
-        }
-
-        /** The bytes of a snapshot; parameters as for FrameRecord. */
-        public function write(tracker:ContactTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean):ByteArray
-        {
-            return new FrameRecord(tracker, new SnapshotAgents(_origin)).write(search, agents, keepsMotions);
         }
 
         /**
-         * Makes the positions of a snapshot those of the last search.
+         * The bytes of a snapshot.
+         *
+         * @param tracker knows which pairs touch
+         * @param search of the last frame; null if there was none
+         * @param agents its list
+         * @param keepsMotions whether agents have the motions from there that they had
+         * @throws IllegalOperationError if the collision system has searched another list
+         */
+        public function write(tracker:TouchTracker, search:CollisionSearch, agents:Vector.<Agent>, keepsMotions:Boolean):ByteArray
+        {
+            if (search != null && !search.table.isListed(agents))
+            {
+                throw new IllegalOperationError("the collision system has searched another list since the last frame");
+            }
+            var bytes:ByteArray = newBytes();
+            bytes.writeUnsignedInt(MARK);
+            bytes.writeInt(agents.length);
+            if (search == null)
+            {
+                // no names, no pairs
+                bytes.writeInt(0);
+                bytes.writeInt(0);
+            }
+            else
+            {
+                writePairs(bytes, tracker, search.table, search.table.writePositions(bytes, keepsMotions));
+            }
+            _who.write(bytes, agents);
+            bytes.position = 0;
+            return bytes;
+        }
+
+        /**
+         * Goes back to a snapshot: the last search then is the one before it was taken.
          *
          * @param tracker knows which pairs touch now; it is empty afterwards, and used in the next call
          * @return what knows which pairs touched then
          * @throws ArgumentError as Collision.restore does; nothing has changed then
          */
-        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:ContactTracker):ContactTracker
+        public function read(bytes:ByteArray, agents:Vector.<Agent>, search:CollisionSearch, tracker:TouchTracker):TouchTracker
         {
-            var position:uint = bytes.position;
-            var endian:String = bytes.endian;
-            var found:ContactTracker = _read;
-            bytes.position = 0;
-            bytes.endian = Endian.LITTLE_ENDIAN;
+            var copy:ByteArray = newBytes();
+            copy.writeBytes(bytes);
+            copy.position = 0;
+            if (copy.length < AGENTS_AT || copy.readUnsignedInt() != MARK)
+            {
+                throw new ArgumentError("bytes are no snapshot: they do not begin as one");
+            }
+            var found:TouchTracker = _read;
             try
             {
-                search.check(agents);
-                new FrameRecord(found, new SnapshotAgents(_origin), bytes).read(agents);
-                bytes.position = FrameRecord.AGENTS_AT;
-                search.restorePositions(agents, bytes);
+                search.table.check(agents);
+                check(readAll(copy, agents, found));
+                copy.position = AGENTS_AT;
+                search.restorePositions(agents, copy);
                 _read = tracker;
+            }
+            catch (error:EOFError)
+            {
+                check(false);
             }
             finally
             {
                 _read.clear();
-                bytes.position = position;
-                bytes.endian = endian;
             }
             return found;
+        }
+
+        private static function writePairs(bytes:ByteArray, tracker:TouchTracker, table:AgentTable, indices:Vector.<int>):void
+        {
+            var breeds:Vector.<int> = new Vector.<int>();
+            var pairs:ByteArray = newBytes();
+            for (var i:int = 0; i < tracker.count; i++)
+            {
+                var pair:Touch = tracker.pairAt(i);
+                pairs.writeInt(indices[table.rowOf(pair.first)]);
+                pairs.writeInt(indices[table.rowOf(pair.second)]);
+                pairs.writeInt(indexIn(breeds, pair.firstBreed));
+                pairs.writeInt(indexIn(breeds, pair.secondBreed));
+                pairs.writeBoolean(pair.isBothWays);
+            }
+            bytes.writeInt(breeds.length);
+            for (i = 0; i < breeds.length; i++)
+            {
+                var name:ByteArray = newBytes();
+                name.writeUTFBytes(Breeds.nameOf(breeds[i]));
+                bytes.writeInt(name.length);
+                bytes.writeBytes(name);
+            }
+            bytes.writeInt(tracker.count);
+            bytes.writeBytes(pairs);
+        }
+
+        // Looks at everything, and reads the pairs into a tracker that has none. False, or an EOFError, for bytes that are no snapshot.
+        private function readAll(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
+        {
+            var count:int = bytes.readInt();
+            if (count < 0 || count > (bytes.length - AGENTS_AT) / BYTES_PER_AGENT)
+            {
+                return false;
+            }
+            var end:int = bytes.length - SnapshotAgents.lengthOf(count);
+            bytes.position = Math.max(AGENTS_AT, end);
+            _who.check(bytes, count, agents);
+            bytes.position = AGENTS_AT;
+            return arePositions(bytes, count) && readPairs(bytes, agents, tracker) && bytes.position == end;
+        }
+
+        private static function arePositions(bytes:ByteArray, count:int):Boolean
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                if (bytes.readUnsignedByte() > 1 || !isCoordinate(bytes.readDouble()) || !isCoordinate(bytes.readDouble())
+                        || !isCoordinate(bytes.readDouble()))
+                {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        private static function readPairs(bytes:ByteArray, agents:Vector.<Agent>, tracker:TouchTracker):Boolean
+        {
+            var breeds:Vector.<int> = new Vector.<int>();
+            for (var left:uint = bytes.readUnsignedInt(); left > 0; left--)
+            {
+                var name:String = bytes.readUTFBytes(bytes.readUnsignedInt());
+                if (name == "")
+                {
+                    return false;
+                }
+                breeds.push(Breeds.numberOf(name));
+            }
+            var pairs:uint = bytes.readUnsignedInt();
+            for (left = pairs; left > 0; left--)
+            {
+                var first:uint = bytes.readUnsignedInt();
+                var second:uint = bytes.readUnsignedInt();
+                var firstBreed:uint = bytes.readUnsignedInt();
+                var secondBreed:uint = bytes.readUnsignedInt();
+                var flag:int = bytes.readUnsignedByte();
+                if (first >= agents.length || second >= agents.length || first == second || firstBreed >= breeds.length || secondBreed >= breeds.length || flag > 1)
+                {
+                    return false;
+                }
+                tracker.start(agents[first], agents[second], breeds[firstBreed], breeds[secondBreed], flag == 1);
+            }
+            // each once
+            return tracker.count == pairs;
+        }
+
+        private static function check(isSnapshot:Boolean):void
+        {
+            if (!isSnapshot)
+            {
+                throw new ArgumentError("bytes are no snapshot any more: they begin as one, but something in them was changed or cut off");
+            }
+        }
+
+        private static function indexIn(breeds:Vector.<int>, breed:int):int
+        {
+            var index:int = breeds.indexOf(breed);
+            return index < 0 ? breeds.push(breed) - 1 : index;
+        }
+
+        private static function newBytes():ByteArray
+        {
+            var bytes:ByteArray = new ByteArray();
+            bytes.endian = Endian.LITTLE_ENDIAN;
+            return bytes;
+        }
+
+        // False for NaN too.
+        private static function isCoordinate(value:Number):Boolean
+        {
+            return value >= -Agent.LARGEST_COORDINATE && value <= Agent.LARGEST_COORDINATE;
         }
     }
 }

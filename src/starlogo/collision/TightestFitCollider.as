@@ -2,6 +2,7 @@ package starlogo.collision
 {
     import starlogo.GreatLand;
     import starlogo.engine;
+    import starlogo.search.StructureTests;
     import starlogo.search.TightestFits;
 
     use namespace engine;
@@ -15,8 +16,6 @@ package starlogo.collision
      */
     public class TightestFitCollider extends Collider
     {
-        private var _structureTests:StructureTests;
-
         /**
          * A collider for the agents of a game.
          *
@@ -26,13 +25,12 @@ package starlogo.collision
         public function TightestFitCollider(greatLand:GreatLand)
         {
             super(new TightestFits(greatLand));
-            _structureTests = new StructureTests(pairs.structures);
         }
 
         /** How two structures are tested. */
         public function get structureTests():StructureTests
         {
-            return _structureTests;
+            return pairs.structures;
         }
     }
 }

@@ -9,7 +9,7 @@ package starlogo.debug
     import starlogo.collision.Collider;
     import starlogo.collision.CollisionSystem;
     import starlogo.collision.CombinationCollider;
-    import starlogo.collision.PreciseCollider;
+    import starlogo.collision.TreeCollider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.models.Model;
@@ -61,10 +61,10 @@ package starlogo.debug
                 return Wireframes.ofStructure(new Sphere(new Vector3D(agent.x, agent.y, agent.z + radius), radius), out);
             }
             var all:Vector.<Number> = out || new Vector.<Number>();
-            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, collider as PreciseCollider), agent.worldPlacement(), all) : all;
+            return _greatLand.hasModel(agent.shape) ? placed(linesOfModel(agent, collider as TreeCollider), agent.worldPlacement(), all) : all;
         }
 
-        private function linesOfModel(agent:Agent, trees:PreciseCollider):Vector.<Number>
+        private function linesOfModel(agent:Agent, trees:TreeCollider):Vector.<Number>
         {
             if (_revision != _greatLand.revision)
             {
@@ -89,7 +89,7 @@ package starlogo.debug
         }
 
         // All levels where triangles decide.
-        private static function levelOf(agent:Agent, trees:PreciseCollider):int
+        private static function levelOf(agent:Agent, trees:TreeCollider):int
         {
             if (trees.exact)
             {

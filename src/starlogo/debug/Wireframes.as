@@ -109,56 +109,73 @@ package starlogo.debug
                 if (!drawn[key])
                 {
                     drawn[key] = true;
-                    pen.drawLine(vertices[3 * a], vertices[3 * a + 1], vertices[3 * a + 2], vertices[3 * b], vertices[3 * b + 1], vertices[3 * b + 2]);
+                    pen.drawLine(vertexAt(vertices, a), vertexAt(vertices, b));
                 }
             }
             return pen.lines;
         }
 
+        private static function vertexAt(vertices:Vector.<Number>, index:int):Vector3D
+        {
+            return new Vector3D(vertices[3 * index], vertices[3 * index + 1], vertices[3 * index + 2]);
+        }
+
         private static function drawSphere(pen:LinePen, sphere:Sphere):void
         {
-            pen.moveTo(sphere.center);
-            pen.setAxes(1, 0, 0, 0, 1, 0);
-            pen.drawCircle(sphere.radius);
-            pen.setAxes(0, 1, 0, 0, 0, 1);
-            pen.drawCircle(sphere.radius);
-            pen.setAxes(0, 0, 1, 1, 0, 0);
-            pen.drawCircle(sphere.radius);
+            pen.drawArc(sphere.center, Vector3D.X_AXIS, Vector3D.Y_AXIS, sphere.radius);
+            pen.drawArc(sphere.center, Vector3D.Y_AXIS, Vector3D.Z_AXIS, sphere.radius);
+            pen.drawArc(sphere.center, Vector3D.Z_AXIS, Vector3D.X_AXIS, sphere.radius);
         }
 
         private static function drawBox(pen:LinePen, box:Box):void
         {
-            pen.moveTo(box.center);
-            for (var i:int = -1; i <= 1; i += 2)
+            drawEdges(pen, box.center, box.axisX, box.halfX, box.axisY, box.halfY, box.axisZ, box.halfZ);
+            drawEdges(pen, box.center, box.axisY, box.halfY, box.axisZ, box.halfZ, box.axisX, box.halfX);
+            drawEdges(pen, box.center, box.axisZ, box.halfZ, box.axisX, box.halfX, box.axisY, box.halfY);
+        }
+
+        // The four edges of a box that are parallel to axis a.
+        private static function drawEdges(pen:LinePen, center:Vector3D, a:Vector3D, halfA:Number, b:Vector3D, halfB:Number, c:Vector3D, halfC:Number):void
+        {
+            for (var i:int = 0; i < 4; i++)
             {
-                for (var j:int = -1; j <= 1; j += 2)
-                {
-                    pen.drawEdge(box.axisX, box.halfX, box.axisY, i * box.halfY, box.axisZ, j * box.halfZ);
-                    pen.drawEdge(box.axisY, box.halfY, box.axisZ, i * box.halfZ, box.axisX, j * box.halfX);
-                    pen.drawEdge(box.axisZ, box.halfZ, box.axisX, i * box.halfX, box.axisY, j * box.halfY);
-                }
+                var middle:Vector3D = LinePen.along(center, b, i < 2 ? halfB : -halfB, c, i % 2 == 0 ? halfC : -halfC);
+                pen.drawLine(LinePen.along(middle, a, -halfA, b, 0), LinePen.along(middle, a, halfA, b, 0));
             }
         }
 
         // A capsule, or a cylinder.
         private static function drawRound(pen:LinePen, start:Vector3D, end:Vector3D, radius:Number, isCapsule:Boolean):void
         {
-            if (!pen.setAxesAcross(start, end) && !isCapsule)
+            var w:Vector3D = end.subtract(start);
+            // the largest first: squares neither vanish nor overflow
+            var largest:Number = Math.max(Math.abs(w.x), Math.abs(w.y), Math.abs(w.z));
+            if (largest == 0 && !isCapsule)
             {
                 return;
             }
-            pen.drawSides(start, end, radius);
-            pen.moveTo(start);
-            pen.drawCircle(radius);
-            if (isCapsule)
+            w = largest == 0 ? new Vector3D(0, 0, 1) : new Vector3D(w.x / largest, w.y / largest, w.z / largest);
+            w.normalize();
+            var u:Vector3D = (Math.abs(w.z) < 0.7 ? Vector3D.Z_AXIS : Vector3D.X_AXIS).crossProduct(w);
+            u.normalize();
+            var v:Vector3D = w.crossProduct(u);
+            for (var i:int = 0; i < (radius > 0 ? 4 : 1); i++)
             {
-                pen.drawDome(-radius);
+                var across:Vector3D = i < 2 ? u : v;
+                var distance:Number = i % 2 == 0 ? radius : -radius;
+                pen.drawLine(LinePen.along(start, across, distance, w, 0), LinePen.along(end, across, distance, w, 0));
             }
-            pen.moveTo(end);
-            pen.drawCircle(radius);
+            drawEnd(pen, start, u, v, w, -radius, isCapsule);
+            drawEnd(pen, end, u, v, w, radius, isCapsule);
+        }
+
+        private static function drawEnd(pen:LinePen, center:Vector3D, u:Vector3D, v:Vector3D, w:Vector3D, radius:Number, isCapsule:Boolean):void
+        {
+            pen.drawArc(center, u, v, radius);
             if (isCapsule)
             {
-                pen.drawDome(radius);
+                pen.drawArc(center, u, w, radius, 180);
+                pen.drawArc(center, v, w, radius, 180);
             }
         }
     }

@@ -63,7 +63,6 @@ package starlogo.diagnostics
         private var _bar:Rectangle = new Rectangle(GRAPH_WIDTH - 1, 0, 1, 0);
         private var _headline:TextField;
         private var _rate:TextField;
-        private var _labels:TextField;
         private var _numbers:TextField;
         private var _isShown:Boolean = true;
 
@@ -122,11 +121,11 @@ package starlogo.diagnostics
             if (value && stage != null)
             {
                 restart();
-                addEventListener(Event.ENTER_FRAME, onEnterFrame);
+                addEventListener(Event.ENTER_FRAME, onFrame);
             }
             else
             {
-                removeEventListener(Event.ENTER_FRAME, onEnterFrame);
+                removeEventListener(Event.ENTER_FRAME, onFrame);
             }
         }
 
@@ -145,7 +144,7 @@ package starlogo.diagnostics
         private function onRemoved(event:Event):void
         {
             stage.removeEventListener(KeyboardEvent.KEY_DOWN, onKeyDown);
-            removeEventListener(Event.ENTER_FRAME, onEnterFrame);
+            removeEventListener(Event.ENTER_FRAME, onFrame);
         }
 
         private function onKeyDown(event:KeyboardEvent):void
@@ -166,13 +165,8 @@ package starlogo.diagnostics
             stopDrag();
         }
 
-        private function onEnterFrame(event:Event):void
-        {
-            onFrame();
-        }
-
         /** @private Counts one frame. */
-        engine function onFrame():void
+        engine function onFrame(event:Event = null):void
         {
             var start:int = getTimer();
             var ms:Number = _collision.statistics.frameMs;
@@ -229,24 +223,23 @@ package starlogo.diagnostics
             graph.x = MARGIN;
             graph.y = GRAPH_TOP;
             addChild(graph);
-            addText(MARGIN - 2, 8, 11, QUIET, TextFormatAlign.LEFT).text = "collisions";
-            _headline = addText(MARGIN - 2, 22, 22, TEXT, TextFormatAlign.LEFT);
-            _rate = addText(MARGIN - 2, 22, 11, QUIET, TextFormatAlign.RIGHT);
-            _labels = addText(MARGIN - 2, LINES_TOP, 12, QUIET, TextFormatAlign.LEFT);
-            _labels.text = LABELS.join("\n");
-            _numbers = addText(MARGIN - 2, LINES_TOP, 12, TEXT, TextFormatAlign.RIGHT);
+            addText(8, 11, QUIET, TextFormatAlign.LEFT).text = "collisions";
+            _headline = addText(22, 22, TEXT, TextFormatAlign.LEFT);
+            _rate = addText(22, 11, QUIET, TextFormatAlign.RIGHT);
+            addText(LINES_TOP, 12, QUIET, TextFormatAlign.LEFT).text = LABELS.join("\n");
+            _numbers = addText(LINES_TOP, 12, TEXT, TextFormatAlign.RIGHT);
             mouseChildren = false;
         }
 
-        private function addText(x:int, y:int, size:int, color:uint, align:String):TextField
+        private function addText(y:int, size:int, color:uint, align:String):TextField
         {
             var format:TextFormat = new TextFormat("_sans", size, color);
             format.align = align;
             var field:TextField = new TextField();
             field.defaultTextFormat = format;
-            field.x = x;
+            field.x = MARGIN - 2;
             field.y = y;
-            field.width = WIDTH - 2 * x;
+            field.width = WIDTH - 2 * field.x;
             field.height = HEIGHT - y;
             field.selectable = false;
             addChild(field);

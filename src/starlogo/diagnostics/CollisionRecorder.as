@@ -2,12 +2,13 @@ package starlogo.diagnostics
 {
     import flash.utils.getTimer;
     import starlogo.agents.Agent;
-    import starlogo.collision.BreedInterests;
-    import starlogo.collision.CollisionObserver;
+    import starlogo.collision.BaseCollider;
+    import starlogo.collision.Collider;
     import starlogo.collision.CollisionStatistics;
     import starlogo.collision.CollisionSystem;
-    import starlogo.collision.Contact;
     import starlogo.engine;
+    import starlogo.search.BreedInterests;
+    import starlogo.search.FoundPairs;
 
     use namespace engine;
 
@@ -27,9 +28,9 @@ package starlogo.diagnostics
      * <p>A frame is a call of findCollisions or findCollisionsAmong. Pairs of breeds without handlers count only in the former. The cost is
      * in proportion to the collisions: some ten-thousandths of a millisecond for each.</p>
      */
-    public final class CollisionRecorder implements CollisionObserver
+    public final class CollisionRecorder extends BaseCollider
     {
-        private var _collisionSystem:CollisionSystem;
+        private var _system:BaseCollider;
         private var _frames:int = 0;
         private var _all:Tally = new Tally();
         private var _pairs:Vector.<Tally> = new Vector.<Tally>();
@@ -45,17 +46,12 @@ package starlogo.diagnostics
          */
         public function CollisionRecorder(collisionSystem:CollisionSystem)
         {
+            super(collisionSystem);
             if (collisionSystem == null)
             {
                 throw new ArgumentError("collisionSystem must not be null");
             }
-            _collisionSystem = collisionSystem;
-        }
-
-        /** @inheritDoc */
-        public function get collisionSystem():CollisionSystem
-        {
-            return _collisionSystem;
+            _system = BaseCollider.of(collisionSystem);
         }
 
         /** How many frames were recorded. */
@@ -83,57 +79,47 @@ package starlogo.diagnostics
         }
 
         /** @inheritDoc */
-        public function get statistics():CollisionStatistics
-        {
-            return _collisionSystem.statistics;
-        }
-
-        /** @inheritDoc */
-        public function areColliding(a:Agent, b:Agent):Boolean
-        {
-            return _collisionSystem.areColliding(a, b);
-        }
-
-        /** @inheritDoc */
-        public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+        override public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
         {
             var start:Number = getTimer();
-            out = _collisionSystem.findCollisions(agents, out);
-            record(out, out.length, getTimer() - start);
-            return out;
-        }
-
-        /**
-         * @inheritDoc
-         *
-         * <p>With a system that is not selective, all pairs are found.</p>
-         */
-        public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent>):Vector.<Agent>
-        {
-            var start:Number = getTimer();
-            out = BreedInterests.findIn(_collisionSystem, agents, interests, out);
-            record(out, out.length, getTimer() - start);
+            out = _system.findCollisions(agents, out);
+            countPairs(out, getTimer() - start);
             return out;
         }
 
         /** @inheritDoc */
-        public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+        override public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
         {
-            var contact:Contact = out || new Contact();
-            contact.readFrom(_collisionSystem, collider, collidee);
-            return contact;
+            var start:Number = getTimer();
+            out = _system.findCollisionsAmong(agents, interests, out);
+            countPairs(out, getTimer() - start);
+            return out;
         }
 
-        /** @inheritDoc */
-        public function onPairs(pairs:Vector.<Agent>, length:int):void
+        /** @private */
+        override engine function get collider():Collider
         {
-            record(pairs, length, _collisionSystem.statistics.findMs);
+            return _system.collider;
         }
 
-        /** @inheritDoc */
-        public function onFrame(statistics:CollisionStatistics):void
+        /** @private */
+        override engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        {
+            var start:Number = getTimer();
+            _system.findPairs(agents, interests, takePart, out);
+            _findTimes.add(getTimer() - start);
+            for (var i:int = 0; i < out.count; i++)
+            {
+                countPair(agents[out.indices[2 * i]], agents[out.indices[2 * i + 1]]);
+            }
+            endFrame(out.count);
+        }
+
+        /** @private */
+        override engine function onFrame(statistics:CollisionStatistics):void
         {
             _frameTimes.add(statistics.frameMs);
+            _system.onFrame(statistics);
         }
 
         /** Forgets all frames. */
@@ -181,25 +167,33 @@ package starlogo.diagnostics
             return JSON.stringify(toObject(), null, 2);
         }
 
-        private function record(pairs:Vector.<Agent>, length:int, milliseconds:Number):void
+        private function countPairs(pairs:Vector.<Agent>, milliseconds:Number):void
         {
             _findTimes.add(milliseconds);
-            for (var i:int = 0; i < length; i += 2)
+            for (var i:int = 0; i < pairs.length; i += 2)
             {
-                var breed:String = pairs[i].breed;
-                var otherBreed:String = pairs[i + 1].breed;
-                var tally:Tally = _lastPair;
-                // mostly the same pair of breeds as the one before
-                if (tally == null || tally.breed != breed || tally.otherBreed != otherBreed)
-                {
-                    tally = _lastPair = pairOf(breed, otherBreed);
-                }
-                tally.inFrame++;
+                countPair(pairs[i], pairs[i + 1]);
             }
+            endFrame(pairs.length >> 1);
+        }
+
+        private function countPair(a:Agent, b:Agent):void
+        {
+            var tally:Tally = _lastPair;
+            // mostly the same pair of breeds as the one before
+            if (tally == null || tally.breed != a.breed || tally.otherBreed != b.breed)
+            {
+                tally = _lastPair = pairOf(a.breed, b.breed);
+            }
+            tally.inFrame++;
+        }
+
+        private function endFrame(collisions:int):void
+        {
             _frames++;
-            _all.inFrame = length >> 1;
+            _all.inFrame = collisions;
             _all.endFrame();
-            for (i = 0; i < _pairs.length; i++)
+            for (var i:int = 0; i < _pairs.length; i++)
             {
                 _pairs[i].endFrame();
             }
@@ -224,6 +218,8 @@ package starlogo.diagnostics
 /** How often two breeds have collided, or all breeds. */
 final class Tally
 {
+    private static const EXACT:int = 16;
+
     /** The name of one breed, or null. */
     public var breed:String;
 
@@ -236,8 +232,11 @@ final class Tally
     /** The collisions in all frames before it. */
     public var collisions:Number = 0;
 
-    // of the frames in which there were any
-    private var _histogram:Histogram = new Histogram();
+    private var _most:int = 0;
+
+    // How many frames had any; how many had so many: exact up to 16, then in classes whose widths double.
+    private var _counted:int = 0;
+    private var _histogram:Vector.<int> = new Vector.<int>();
 
     /** No collisions yet. */
     public function Tally(breed:String = null, otherBreed:String = null)
@@ -249,12 +248,24 @@ final class Tally
     /** Counts the frame under way. */
     public function endFrame():void
     {
-        if (inFrame > 0)
+        if (inFrame == 0)
         {
-            _histogram.add(inFrame);
-            collisions += inFrame;
-            inFrame = 0;
+            return;
         }
+        var index:int = Math.min(inFrame, EXACT);
+        for (var number:int = inFrame; number > EXACT; number >>= 1)
+        {
+            index++;
+        }
+        while (_histogram.length <= index)
+        {
+            _histogram.push(0);
+        }
+        _histogram[index]++;
+        _counted++;
+        _most = Math.max(_most, inFrame);
+        collisions += inFrame;
+        inFrame = 0;
     }
 
     /** Adds its numbers, of so many frames, to an object for JSON, which it returns. */
@@ -262,66 +273,16 @@ final class Tally
     {
         record.collisions = collisions;
         record.mean = frames == 0 ? 0 : collisions / frames;
-        record.most = _histogram.most;
-        record.histogram = _histogram.toArray(frames);
+        record.most = _most;
+        record.histogram = frames > _counted ? [ {collisions : 0, frames: frames - _counted}]: [];
+        for (var i:int = 1; i < _histogram.length; i++)
+        {
+            if (_histogram[i] > 0)
+            {
+                // 17 to 33 halve once to 16 or less, then 34 to 67, and so on
+                record.histogram.push({collisions: i <= EXACT ? i : ((EXACT + 1) << (i - EXACT)) >> 1, frames: _histogram[i]});
+            }
+        }
         return record;
-    }
-}
-
-/** In how many frames there were so many collisions: exact up to 16, then in classes whose widths double. */
-final class Histogram
-{
-    private static const EXACT:int = 16;
-
-    /** The most of any frame. */
-    public var most:int = 0;
-
-    private var _frames:Vector.<int> = new Vector.<int>();
-    private var _added:int = 0;
-
-    /** Nothing yet. */
-    public function Histogram()
-    {
-    }
-
-    /** Counts a frame with a number of collisions. */
-    public function add(number:int):void
-    {
-        most = Math.max(most, number);
-        var index:int = number;
-        if (number > EXACT)
-        {
-            for (index = EXACT; number > EXACT; number >>= 1)
-            {
-                index++;
-            }
-        }
-        while (_frames.length <= index)
-        {
-            _frames.push(0);
-        }
-        _frames[index]++;
-        _added++;
-    }
-
-    /** The classes that have frames, of so many frames in all: those that were not added had no collisions. */
-    public function toArray(frames:int):Array
-    {
-        var classes:Array = [];
-        for (var i:int = 0; i < _frames.length; i++)
-        {
-            var count:int = i == 0 ? _frames[i] + frames - _added : _frames[i];
-            if (count > 0)
-            {
-                classes.push({collisions: i <= EXACT ? i : leastOf(i), frames: count});
-            }
-        }
-        return classes;
-    }
-
-    private static function leastOf(index:int):int
-    {
-        // 17 to 33 halve once to 16 or less, then 34 to 67, and so on
-        return ((EXACT + 1) << (index - EXACT)) >> 1;
     }
 }

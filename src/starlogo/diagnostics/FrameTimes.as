@@ -13,7 +13,7 @@ package starlogo.diagnostics
         /**
          * Times of no frames yet.
          *
-         * @param capacity of how many frames times are kept: later ones take the place of the oldest
+         * @param capacity how many times are kept: a new one overwrites the oldest
          * @throws RangeError if it is less than 1
          */
         public function FrameTimes(capacity:int = 10000)

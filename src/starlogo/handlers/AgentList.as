@@ -6,7 +6,7 @@ package starlogo.handlers
     /**
      * Tells whether an agent still is in the list that handlers change. An agent that is not where it was is looked for towards the beginning,
      * where agents move when others are taken out, and then in the whole list. When these searches have looked at as many entries as the list
-     * has, the places of all agents are read again.
+     * has, the indices of all agents are read again.
      *
      * @private
      */
@@ -20,14 +20,14 @@ package starlogo.handlers
         private var _readAt:int;
 
         // By the agents' ids: where they were seen last. Agents that have been found missing are taken out.
-        private var _places:IdTable = new IdTable();
+        private var _indices:IdTable = new IdTable();
 
         /** No list yet. */
         public function AgentList()
         {
         }
 
-        /** Sets the list of a frame; its places are read when the first question is asked. */
+        /** Sets the list of a frame; the indices of its agents are read when the first question is asked. */
         public function setAgents(agents:Vector.<Agent>):void
         {
             _agents = agents;
@@ -42,66 +42,66 @@ package starlogo.handlers
         }
 
         /** Where an agent was seen last; -1 if it has been found missing. */
-        public function placeOf(agent:Agent):int
+        public function indexOf(agent:Agent):int
         {
             if (!_isKnown)
             {
-                _places.clear();
-                readPlaces();
+                _indices.clear();
+                readIndices();
                 _isKnown = true;
             }
-            return _places.valueOf(agent.id);
+            return _indices.valueOf(agent.id);
         }
 
         /** Whether an agent is in the list, and was at every question about it in this frame. */
         public function contains(agent:Agent):Boolean
         {
-            var before:int = placeOf(agent);
+            var before:int = indexOf(agent);
             if (before < 0)
             {
                 return false;
             }
-            var place:int = before;
-            if (place >= _agents.length)
+            var index:int = before;
+            if (index >= _agents.length)
             {
-                place = _agents.length - 1;
+                index = _agents.length - 1;
             }
-            while (place >= 0 && _agents[place] !== agent)
+            while (index >= 0 && _agents[index] !== agent)
             {
-                place--;
+                index--;
             }
-            looked += before - place;
-            if (place < 0)
+            looked += before - index;
+            if (index < 0)
             {
-                place = _agents.indexOf(agent);
-                if (place < 0)
+                index = _agents.indexOf(agent);
+                if (index < 0)
                 {
                     looked += _agents.length;
-                    _places.remove(agent.id);
+                    _indices.remove(agent.id);
                     return false;
                 }
-                looked += place;
+                looked += index;
             }
-            if (place != before)
+            if (index != before)
             {
-                _places.set (agent.id, place);
+                _indices.set (agent.id, index);
             }
             if (looked - _readAt >= _agents.length)
             {
-                readPlaces();
+                readIndices();
             }
             return true;
         }
 
-        // Reads the places of all agents, except those that were added after the first reading.
-        private function readPlaces():void
+        // Reads the indices of all agents, except those that were added after the first reading.
+        private function readIndices():void
         {
             for (var i:int = 0; i < _agents.length; i++)
             {
                 var agent:Agent = _agents[i];
-                if (agent != null && (!_isKnown || _places.valueOf(agent.id) >= 0))
+                if (agent != null && (!_isKnown || _indices.valueOf(agent.id) >= 0))
                 {
-                    _places.set (agent.id, i);
+                    _indices.set (agent.id, i);
                 }
             }
             looked += _agents.length;

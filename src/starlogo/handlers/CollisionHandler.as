@@ -1,7 +1,5 @@
 package starlogo.handlers
 {
-    import starlogo.agents.Agent;
-
     /**
      * What the agents of a breed do when they collide with those of another.
      *
@@ -9,13 +7,13 @@ package starlogo.handlers
      */
     public final class CollisionHandler
     {
-        /** Called in the first frame of a contact. */
+        /** Called in the first frame of a touch. */
         public static const START:int = 0;
 
-        /** Called in every frame of a contact, after those of its start. */
+        /** Called in every frame of a touch; in its first frame, after the handlers for starts. */
         public static const COLLISION:int = 1;
 
-        /** Called in the first frame without the contact. */
+        /** Called in the first frame in which the two do not touch any more. */
         public static const END:int = 2;
 
         /** When it is called: one of the constants. */
@@ -33,8 +31,8 @@ package starlogo.handlers
         /** Whether it takes a contact. */
         public var takesContact:Boolean;
 
-        /** Whether it may look at a third argument, though it does not say so: see mayTakeMore. */
-        public var maySeeContact:Boolean;
+        /** Whether it takes a contact, or may look at one though it does not say so: see mayTakeMore. */
+        public var mayTakeContact:Boolean;
 
         /** Whether it was removed, perhaps by another handler: then it is not called any more. */
         public var isRemoved:Boolean = false;
@@ -47,31 +45,7 @@ package starlogo.handlers
             this.otherBreed = otherBreed;
             this.handler = handler;
             takesContact = handler.length >= 3;
-            maySeeContact = !takesContact && mayTakeMore(handler);
-        }
-
-        /**
-         * Calls it, with the contact if it takes one.
-         *
-         * @param first the collider
-         * @param second the collidee
-         * @param isBack whether the two are the other way round
-         * @param contact how they touch, or null
-         */
-        public function call(first:Agent, second:Agent, isBack:Boolean, contact:Object):void
-        {
-            // not as a method of this
-            var toCall:Function = handler;
-            var collider:Agent = isBack ? second : first;
-            var collidee:Agent = isBack ? first : second;
-            if (takesContact || contact != null)
-            {
-                toCall(collider, collidee, contact);
-            }
-            else
-            {
-                toCall(collider, collidee);
-            }
+            mayTakeContact = takesContact || mayTakeMore(handler);
         }
     }
 }

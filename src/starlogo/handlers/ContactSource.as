@@ -3,7 +3,7 @@ package starlogo.handlers
     import starlogo.agents.Agent;
 
     /**
-     * Where the handlers' third argument comes from: how the agents of a frame's pairs touch.
+     * Computes the handlers' third argument: how the agents of a frame's pairs touch.
      *
      * @private
      */
@@ -12,20 +12,18 @@ package starlogo.handlers
         /** Begins a frame: there are so many pairs, numbered from 0, and none of their contacts is known. */
         function beginFrame(pairCount:int):void;
 
-        /** Finds the contact of a pair, before the first handler runs: it may move the agents of other pairs. */
+        /** Computes the contact of a pair, unless it is known. A handler may move agents, so contacts are computed before the first handler runs. */
         function find(pair:int, first:Agent, second:Agent):void;
 
         /**
-         * The contact of a pair, in an object that the next call overwrites; computed now, if it has not been.
+         * The contact of a pair, in an object that the next call overwrites. If its breeds have changed since the frame began, it is computed now.
          *
+         * @param handler will get it. If it need not look at it, it is computed when it does
          * @param pair its number
          * @param first the first agent of the pair
-         * @param second the collidee
-         * @param isBack whether it is to be that of the second as the collider
+         * @param second the other
+         * @param isBack whether the second agent is the collider
          */
-        function contactOf(pair:int, first:Agent, second:Agent, isBack:Boolean):Object;
-
-        /** The same for a handler that may not look at it: computed when it does. */
-        function contactWhenAsked(pair:int, first:Agent, second:Agent, isBack:Boolean):Object;
+        function contactFor(handler:CollisionHandler, pair:int, first:Agent, second:Agent, isBack:Boolean):Object;
     }
 }

@@ -1,6 +1,9 @@
 package starlogo.handlers
 {
-    import starlogo.search.BreedPairs;
+    import starlogo.engine;
+    import starlogo.search.BreedInterests;
+
+    use namespace engine;
 
     /**
      * The handlers of each pair of breeds, by the breeds' numbers. It does not change: when handlers are added or removed, a new table is made.
@@ -10,9 +13,9 @@ package starlogo.handlers
     public final class HandlerTable
     {
         /** The pairs of breeds that have handlers. */
-        public var breedPairs:BreedPairs;
+        public var interests:BreedInterests = new BreedInterests();
 
-        /** Whether no handler asks for contacts, or when touches begin or end. */
+        /** Whether no handler takes contacts, and none is for starts or ends of touches. */
         public var isPlain:Boolean = true;
 
         // In the order of their kinds; handlers of one kind in the order in which they were added.
@@ -24,11 +27,9 @@ package starlogo.handlers
 
         /**
          * @param handlers in the order in which they were added
-         * @param breedPairs gets the pairs of breeds that have handlers; it has none yet
          */
-        public function HandlerTable(handlers:Vector.<CollisionHandler>, breedPairs:BreedPairs)
+        public function HandlerTable(handlers:Vector.<CollisionHandler>)
         {
-            this.breedPairs = breedPairs;
             for (var kind:int = CollisionHandler.START; kind <= CollisionHandler.END; kind++)
             {
                 for each (var handler:CollisionHandler in handlers)
@@ -36,24 +37,33 @@ package starlogo.handlers
                     if (handler.kind == kind)
                     {
                         _handlers.push(handler);
-                        breedPairs.add(handler.breed, handler.otherBreed);
-                        isPlain = isPlain && kind == CollisionHandler.COLLISION && !handler.takesContact && !handler.maySeeContact;
+                        interests.add(handler.breed, handler.otherBreed);
+                        isPlain = isPlain && kind == CollisionHandler.COLLISION && !handler.mayTakeContact;
                     }
                 }
             }
-            _rowLength = breedPairs.breedCount + 1;
+            _rowLength = interests.breedCount + 1;
             _pairs = new Vector.<PairHandlers>(_rowLength * _rowLength, true);
         }
 
-        /** The handlers of two agents of these breeds that collide; none where a breed is -1. */
-        public function handlersOf(breed:int, otherBreed:int):PairHandlers
+        /**
+         * The handlers of two agents that collide; none for breeds that are in no pair.
+         *
+         * @param breedNumber of the first agent
+         * @param otherNumber of the other
+         */
+        public function handlersOf(breedNumber:int, otherNumber:int):PairHandlers
         {
-            var place:int = (breed + 1) * _rowLength + otherBreed + 1;
-            if (_pairs[place] == null)
+            var numbers:Vector.<int> = interests.numbers;
+            if (breedNumber >= numbers.length || otherNumber >= numbers.length)
             {
-                _pairs[place] = make(breed, otherBreed);
+                // a handler may have made a new breed
+                interests.follow();
             }
-            return _pairs[place];
+            var breed:int = numbers[breedNumber];
+            var otherBreed:int = numbers[otherNumber];
+            var index:int = (breed + 1) * _rowLength + otherBreed + 1;
+            return _pairs[index] || (_pairs[index] = make(breed, otherBreed));
         }
 
         private function make(breed:int, otherBreed:int):PairHandlers
@@ -86,7 +96,7 @@ package starlogo.handlers
 
         private function standsFor(name:String, breed:int):Boolean
         {
-            return name == BreedPairs.ANY_BREED || breedPairs.numberOf(name) == breed;
+            return name == BreedInterests.ANY_BREED || interests.indexOf(name) == breed;
         }
     }
 }

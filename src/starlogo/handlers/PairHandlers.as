@@ -8,19 +8,19 @@ package starlogo.handlers
      */
     public final class PairHandlers
     {
-        /** Those of a frame in which the two collide. */
+        /** The handlers that are called in a frame in which the two touch. */
         public var handlers:Vector.<CollisionHandler>;
 
         /** How many of them, at the beginning, have the first agent for their collider; the rest have the second. */
         public var forwardCount:int;
 
-        /** Whether any takes a contact, those of the first frame included. */
+        /** Whether any handler takes a contact, in the first frame of a touch or later. */
         public var takesContacts:Boolean = false;
 
-        /** Those of the first frame of a contact; null if there are none for starts or ends of contacts. */
+        /** The handlers of the first frame of a touch. Null if no handler is for starts or ends of touches. */
         public var ofStart:PairHandlers = null;
 
-        /** Those of the first frame without the contact; null in the same case. */
+        /** The handlers of the first frame after a touch. Null if no handler is for starts or ends of touches. */
         public var ofEnd:PairHandlers = null;
 
         /**

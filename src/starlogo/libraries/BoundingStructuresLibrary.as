@@ -26,12 +26,6 @@ package starlogo.libraries
         private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         /**
-         * The algorithms whose results are compared when a model is added; to be changed or replaced at any time. At
-         * first: the naive sphere, the oriented box, and the capsule of that box (which then is computed once).
-         */
-        public var fitters:Vector.<Fitter>;
-
-        /**
          * Whether the smallest sphere, box and capsule found are kept beside the tightest fit
          * (loadAllBoundingStructures, thesis §3.8).
          */
@@ -46,6 +40,7 @@ package starlogo.libraries
 
         private var _cheaperTestsFactor:Number = 1;
         private var _orientedBoxFitter:OrientedBoxFitter;
+        private var _fitters:Vector.<Fitter>;
 
         /**
          * A library without models, with the three fitters of the thesis.
@@ -56,7 +51,27 @@ package starlogo.libraries
         public function BoundingStructuresLibrary(orientedBoxDegIncrement:Number = 10)
         {
             _orientedBoxFitter = new OrientedBoxFitter(orientedBoxDegIncrement);
-            fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
+            _fitters = new <Fitter>[new NaiveSphereFitter(), _orientedBoxFitter, new CapsuleFitter(_orientedBoxFitter)];
+        }
+
+        /**
+         * The algorithms whose results are compared when a model is added; to be changed or replaced at any time. At
+         * first: the naive sphere, the oriented box, and the capsule of that box (which then is computed once).
+         *
+         * @throws ArgumentError if it is set to null, to an empty list or to one that has null in it
+         */
+        public function get fitters():Vector.<Fitter>
+        {
+            return _fitters;
+        }
+
+        public function set fitters(value:Vector.<Fitter>):void
+        {
+            if (value == null || value.length == 0 || value.indexOf(null) >= 0)
+            {
+                throw new ArgumentError("fitters must be a list of at least one Fitter, without null: " + value);
+            }
+            _fitters = value;
         }
 
         /**

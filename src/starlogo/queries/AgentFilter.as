@@ -1,7 +1,7 @@
 package starlogo.queries
 {
     import starlogo.agents.Agent;
-    import starlogo.agents.AgentChoice;
+    import starlogo.agents.AgentPredicate;
 
     /**
      * Says which agents count in a question, or in a Collision. What is null says nothing; an agent counts if all that is set lets it.
@@ -9,7 +9,7 @@ package starlogo.queries
      * <p>An agent that does not count costs a question no more than these comparisons, and a Collision no test. Everything may be changed between
      * questions, and between frames.</p>
      */
-    public final class AgentFilter extends AgentChoice
+    public final class AgentFilter extends AgentPredicate
     {
         /** Only agents of these breeds; none at all if it is empty. */
         public var breeds:Vector.<String> = null;

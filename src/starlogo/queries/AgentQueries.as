@@ -45,13 +45,11 @@ package starlogo.queries
         public function AgentQueries(collisionOrSystem:Object)
         {
             _seen = new SeenAgents(collisionOrSystem);
-            var filters:FilteredRows = new FilteredRows(_seen);
-            var answers:Answers = new Answers(_seen);
-            _places = new PlaceQuestions(_seen, filters, answers);
-            _touches = new TouchQuestions(_seen, filters, answers);
+            _places = new PlaceQuestions(_seen);
+            _touches = new TouchQuestions(_seen);
             _distances = new DistanceQuestions(_seen);
-            _rays = new RayQuestions(_seen, filters, answers);
-            _moves = new MoveQuestions(_seen, filters, answers);
+            _rays = new RayQuestions(_seen);
+            _moves = new MoveQuestions(_seen);
         }
 
         /**
@@ -342,8 +340,8 @@ package starlogo.queries
          *
          * @param agent moves; its model may be loading, and touches nothing then
          * @param dx how far along x, in patches
-         * @param dy likewise
-         * @param dz likewise
+         * @param dy how far along y
+         * @param dz how far along z
          * @param filter which agents count; null for all. Its <code>accepts</code> is asked of those whose extents are near the way
          * @param contact takes how the two touch, its time being the part; only its time, 1, is set where the way is free. Or null
          * @return the part of the way that is free, from 0 to 1
@@ -354,7 +352,8 @@ package starlogo.queries
         public function moveUntilTouch(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null, contact:Contact = null):Number
         {
             _seen.requireMovable(agent, "moveUntilTouch");
-            return _moves.move(agent, dx, dy, dz, filter, contact, false);
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.move(agent, filter, contact, false);
         }
 
         /**
@@ -364,8 +363,8 @@ package starlogo.queries
          *
          * @param agent moves
          * @param dx how far along x, in patches
-         * @param dy likewise
-         * @param dz likewise
+         * @param dy how far along y
+         * @param dz how far along z
          * @param filter which agents count; null for all
          * @return the length of its way, bends included, as a part of the length of the motion, from 0 to 1
          * @throws ArgumentError as moveUntilTouch does
@@ -375,7 +374,8 @@ package starlogo.queries
         public function slide(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter = null):Number
         {
             _seen.requireMovable(agent, "slide");
-            return _moves.move(agent, dx, dy, dz, filter, null, true);
+            _moves.way.setTo(dx, dy, dz);
+            return _moves.move(agent, filter, null, true);
         }
 
         private static function requirePoint(point:Vector3D):void

@@ -1,11 +1,7 @@
 package starlogo.queries
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.bounding.Box;
-    import starlogo.bounding.Capsule;
-    import starlogo.bounding.Sphere;
     import starlogo.engine;
-    import flash.geom.Vector3D;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.intersects;
@@ -23,25 +19,8 @@ package starlogo.queries
      */
     public final class AskedStructure
     {
-        /** Its middle. */
-        public var x:Number = 0;
-
-        /** @copy #x */
-        public var y:Number = 0;
-
-        /** @copy #x */
-        public var z:Number = 0;
-
-        /** Half its length along x. */
-        public var halfX:Number = 0;
-
-        /** Half its length along y. */
-        public var halfY:Number = 0;
-
-        /** Half its length along z. */
-        public var halfZ:Number = 0;
-
-        private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
+        /** The middle, then half the lengths along the axes. */
+        public var extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // By kind: as wide as it is for touching; with its middle at the origin of a space that is placed where it is.
         private var _inWorld:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
@@ -71,8 +50,7 @@ package starlogo.queries
             {
                 throw new ArgumentError("a sphere, box or capsule is needed, not " + structure);
             }
-            var extents:Vector.<Number> = _extents;
-            structure.extentsInto(extents);
+            structure.turnedExtentsInto(_toWorld, extents);
             for (var i:int = 0; i < 6; i++)
             {
                 if (!isFinite(extents[i]))
@@ -80,14 +58,10 @@ package starlogo.queries
                     throw new RangeError("a structure must be finite: " + structure);
                 }
             }
-            halfX = (extents[1] - extents[0]) / 2;
-            halfY = (extents[3] - extents[2]) / 2;
-            halfZ = (extents[5] - extents[4]) / 2;
             _kind = structure.kind;
-            findMiddle(structure);
-            _placement.x = x;
-            _placement.y = y;
-            _placement.z = z;
+            var x:Number = _placement.x = extents[0];
+            var y:Number = _placement.y = extents[1];
+            var z:Number = _placement.z = extents[2];
             _toCentre.x = -x;
             _toCentre.y = -y;
             _toCentre.z = -z;
@@ -106,30 +80,6 @@ package starlogo.queries
             }
             return _traversal.structureOverlaps(shape.hierarchy, table.placementOf(row, _rowPlacement), trees.depthOf(table, row),
                     _centred[_kind], _placement, trees.exact);
-        }
-
-        private function findMiddle(structure:BoundingStructure):void
-        {
-            var middle:Vector3D;
-            if (structure.kind == BoundingStructure.CAPSULE)
-            {
-                var capsule:Capsule = Capsule(structure);
-                x = (capsule.start.x + capsule.end.x) / 2;
-                y = (capsule.start.y + capsule.end.y) / 2;
-                z = (capsule.start.z + capsule.end.z) / 2;
-                return;
-            }
-            if (structure.kind == BoundingStructure.SPHERE)
-            {
-                middle = Sphere(structure).center;
-            }
-            else
-            {
-                middle = Box(structure).center;
-            }
-            x = middle.x;
-            y = middle.y;
-            z = middle.z;
         }
     }
 }

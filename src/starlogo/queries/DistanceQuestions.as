@@ -2,32 +2,39 @@ package starlogo.queries
 {
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
+    import starlogo.broadphase.Extents;
     import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
     import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
+    import starlogo.search.ModelShape;
+    import starlogo.search.RowPairs;
+    import starlogo.solid.HierarchyDistances;
 
     use namespace engine;
 
     /**
-     * The question how far two agents are apart.
+     * The question how far two agents are apart, as a collider sees them: 0 where its pairs say that they touch, more everywhere else. The
+     * shapes count as wide as they are for touching (Tolerances.PLACES): by what the rounding of places comes to.
      *
      * @private
      */
     public final class DistanceQuestions
     {
-        /** What was found last. */
-        public var closest:ClosestPair;
+        /** The distance that was found last, and the closest points, in the world. */
+        public var closest:ClosestPair = new ClosestPair();
 
         private var _seen:SeenAgents;
-        private var _rows:RowDistances = new RowDistances();
+        private var _hierarchies:HierarchyDistances = new HierarchyDistances();
+        private var _placementA:Placement = new Placement();
+        private var _placementB:Placement = new Placement();
 
-        /**
-         * @param seen the agents that are asked about
-         */
+        /** @param seen the agents that are asked about */
         public function DistanceQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            closest = _rows.closest;
         }
 
         /**
@@ -38,31 +45,13 @@ package starlogo.queries
          */
         public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):void
         {
-            findRows(a, b, pointA != null || pointB != null);
-            if (closest.distance == Infinity)
+            if (a == null || b == null)
             {
-                return;
+                throw new ArgumentError("two agents are needed, not " + a + " and " + b);
             }
-            if (pointA != null)
+            if (a === b)
             {
-                pointA.x = closest.aX;
-                pointA.y = closest.aY;
-                pointA.z = closest.aZ;
-            }
-            if (pointB != null)
-            {
-                pointB.x = closest.bX;
-                pointB.y = closest.bY;
-                pointB.z = closest.bZ;
-            }
-        }
-
-        private function findRows(a:Agent, b:Agent, withPoints:Boolean):void
-        {
-            if (a == null || b == null || a === b)
-            {
-                throw new ArgumentError(a == null || b == null ? "two agents are needed, not " + a + " and " + b
-                        : "two agents are needed: " + a + " is no pair with itself");
+                throw new ArgumentError("two agents are needed: " + a + " is no pair with itself");
             }
             var table:AgentTable = _seen.table;
             var rowA:int = _seen.rowOfNow(a, 0);
@@ -71,19 +60,76 @@ package starlogo.queries
             {
                 rowB = _seen.rowOfNow(b, 1);
             }
-            measure(table, rowA, rowB, withPoints);
+            closest.distance = Infinity;
+            if (table.shapes[rowA] != null && table.shapes[rowB] != null)
+            {
+                measure(_seen.pairs, table, rowA, rowB, pointA != null || pointB != null);
+                writePoints(pointA, pointB);
+            }
             table.endGuests();
         }
 
-        private function measure(table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        /**
+         * Finds how far two rows of a table are apart: <code>closest</code>.
+         *
+         * @param pairs say whether rows touch
+         * @param table has both, with shapes
+         * @param withPoints whether the points are needed too
+         */
+        public function measure(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            if (table.shapes[a] == null || table.shapes[b] == null)
+            if (RowPairs.isSecondFirst(table, a, b))
             {
-                closest.distance = Infinity;
+                measureInOrder(pairs, table, b, a, withPoints);
+                closest.turn();
             }
             else
             {
-                _rows.find(_seen.pairs, table, a, b, withPoints);
+                measureInOrder(pairs, table, a, b, withPoints);
+            }
+        }
+
+        private function measureInOrder(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
+        {
+            var shapeA:ModelShape = table.shapes[a];
+            var shapeB:ModelShape = table.shapes[b];
+            if (shapeA.hierarchy == null)
+            {
+                findClosest(table.structureOf(a), table.structureOf(b), closest);
+                var extents:Extents = table.extents;
+                var size:Number = extents.halfX[a] + extents.halfY[a] + extents.halfZ[a] + extents.halfX[b] + extents.halfY[b] + extents.halfZ[b];
+                // boxes of which only the faces are tested may touch across a gap
+                var isNear:Boolean = pairs.structures.boxFacesOnly || closest.distance <= Tolerances.APART * size;
+                closest.settle(isNear && pairs.areTouching(table, a, b));
+                return;
+            }
+            var areTouching:Boolean = pairs.areTouching(table, a, b);
+            if (areTouching && !withPoints)
+            {
+                closest.distance = 0;
+                return;
+            }
+            var placementA:Placement = table.placementOf(a, _placementA);
+            var placementB:Placement = table.placementOf(b, _placementB);
+            var depthA:int = pairs.trees.depthOf(table, a);
+            if (shapeB.hierarchy == null)
+            {
+                _hierarchies.toStructure(shapeA.hierarchy, placementA, depthA, shapeB.structure, placementB, areTouching, closest);
+                return;
+            }
+            _hierarchies.betweenHierarchies(shapeA.hierarchy, placementA, depthA, shapeB.hierarchy, placementB, pairs.trees.depthOf(table, b),
+                    pairs.trees.exact, areTouching, closest);
+        }
+
+        private function writePoints(pointA:Vector3D, pointB:Vector3D):void
+        {
+            if (pointA != null)
+            {
+                pointA.setTo(closest.aX, closest.aY, closest.aZ);
+            }
+            if (pointB != null)
+            {
+                pointB.setTo(closest.bX, closest.bY, closest.bZ);
             }
         }
     }

@@ -3,7 +3,6 @@ package starlogo.queries
     import starlogo.agents.Agent;
     import starlogo.agents.Breeds;
     import starlogo.engine;
-    import starlogo.search.AgentTable;
 
     use namespace engine;
 
@@ -16,24 +15,17 @@ package starlogo.queries
     public final class FilteredRows extends RowTest
     {
         private var _seen:SeenAgents;
-        private var _table:AgentTable = null;
+        private var _agents:Vector.<Agent>;
 
         // By row: the last question that excepted its agent.
         private var _excepted:Vector.<int> = new Vector.<int>();
 
-        // By the number of a breed: the last question that chose it, and the last that refused it.
-        private var _chosen:Vector.<int> = new Vector.<int>();
-        private var _refused:Vector.<int> = new Vector.<int>();
+        // By the number of a breed: the last question that marked it, or 0.
+        private var _marks:Vector.<int> = new Vector.<int>();
 
-        // The names that filters had, in their order, and their numbers: to look a name up makes a text for its key.
-        private var _names:Vector.<String> = new Vector.<String>();
-        private var _numbers:Vector.<int> = new Vector.<int>();
-        private var _nameCount:int = 0;
-
-        // The question's number, and what it has to look at.
+        // The number of the question, from 1 on; whether it marks the breeds that count, or those that do not.
         private var _question:int = 0;
-        private var _choosesBreeds:Boolean = false;
-        private var _refusesBreeds:Boolean = false;
+        private var _marksChosen:Boolean = false;
         private var _excepts:Boolean = false;
 
         /** @param seen the agents that are asked about */
@@ -45,38 +37,36 @@ package starlogo.queries
         /**
          * Makes a filter ready; the one before is not any more.
          *
-         * @param filter null for all agents
+         * @param filter not null
          * @return this test; null if all rows count
          */
         public function of(filter:AgentFilter):RowTest
         {
-            if (filter == null || (filter.breeds == null && filter.exceptBreeds == null && filter.except == null))
+            if (filter.breeds == null && filter.exceptBreeds == null && filter.except == null)
             {
                 return null;
             }
-            _table = _seen.table;
+            _agents = _seen.table.agents;
             _question++;
-            _choosesBreeds = filter.breeds != null;
-            _refusesBreeds = filter.exceptBreeds != null;
             _excepts = filter.except != null;
-            _nameCount = 0;
-            if (_choosesBreeds)
+            _marksChosen = filter.breeds != null;
+            if (_marksChosen)
             {
-                mark(filter.breeds, _chosen);
+                mark(filter.breeds, _question);
             }
-            if (_refusesBreeds)
+            if (filter.exceptBreeds != null)
             {
-                mark(filter.exceptBreeds, _refused);
+                mark(filter.exceptBreeds, _marksChosen ? 0 : _question);
             }
             makeRoom();
-            if (_excepted.length < _table.agents.length)
+            if (_excepted.length < _agents.length)
             {
-                _excepted.length = _table.agents.length;
+                _excepted.length = _agents.length;
             }
             var except:Vector.<Agent> = filter.except;
             for (var i:int = 0; _excepts && i < except.length; i++)
             {
-                var row:int = except[i] == null ? -1 : _table.rowOf(except[i]);
+                var row:int = except[i] == null ? -1 : _seen.table.rowOf(except[i]);
                 if (row >= 0)
                 {
                     _excepted[row] = _question;
@@ -88,49 +78,35 @@ package starlogo.queries
         /** @inheritDoc */
         override public function accepts(row:int):Boolean
         {
-            if (_excepts && _excepted[row] == _question)
+            if (_excepts)
             {
-                return false;
+                if (_excepted[row] == _question)
+                {
+                    return false;
+                }
             }
-            if (!_choosesBreeds && !_refusesBreeds)
-            {
-                return true;
-            }
-            var breed:int = _table.agents[row].breedNumber;
-            return (!_choosesBreeds || _chosen[breed] == _question) && (!_refusesBreeds || _refused[breed] != _question);
+            return _marks[_agents[row].breedNumber] == _question ? _marksChosen : !_marksChosen;
         }
 
-        private function mark(names:Vector.<String>, marks:Vector.<int>):void
+        private function mark(names:Vector.<String>, by:int):void
         {
             for (var i:int = 0; i < names.length; i++)
             {
                 if (names[i] != null)
                 {
-                    var number:int = numberOf(names[i]);
+                    var number:int = Breeds.numberOf(names[i]);
                     makeRoom();
-                    marks[number] = _question;
+                    _marks[number] = by;
                 }
             }
         }
 
         private function makeRoom():void
         {
-            if (_chosen.length < Breeds.count)
+            if (_marks.length < Breeds.count)
             {
-                _chosen.length = _refused.length = Breeds.count;
+                _marks.length = Breeds.count;
             }
-        }
-
-        private function numberOf(name:String):int
-        {
-            var at:int = _nameCount;
-            _nameCount++;
-            if (at == _names.length || _names[at] != name)
-            {
-                _names[at] = name;
-                _numbers[at] = Breeds.numberOf(name);
-            }
-            return _numbers[at];
         }
     }
 }

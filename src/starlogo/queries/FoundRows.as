@@ -1,9 +1,15 @@
 package starlogo.queries
 {
+    import starlogo.agents.Agent;
+    import starlogo.engine;
     import starlogo.search.KeyOrder;
 
+    use namespace engine;
+
     /**
-     * Collects what a search finds: all rows, some of the nearest, the nearest alone, or only their number.
+     * Collects the rows that a question finds: all, some of the nearest, the nearest alone, or only their number. Then it lists their agents, sorted by
+     * distance, without those that the filter's <code>accepts</code> refuses. <code>accepts</code> is asked when the search is over, so that it may ask
+     * questions of its own.
      *
      * @private
      */
@@ -36,16 +42,26 @@ package starlogo.queries
         /** A row that does not count; or -1. */
         public var skipped:int = -1;
 
+        /** By row: where its agent is in the list. Of rows that are equally far, the first in the list comes first. */
+        public var ranks:Vector.<int>;
+
         private var _seen:SeenAgents;
+        private var _filtered:FilteredRows;
+        private var _accepts:Function = null;
         private var _order:KeyOrder = new KeyOrder();
 
         // When so many are there the nearest of them are kept.
         private var _room:int = ALL;
 
+        // By how many questions are under way: the agents that accepts is asked of.
+        private var _asked:Vector.<Vector.<Agent>> = new Vector.<Vector.<Agent>>();
+
         /** @param seen the agents whose rows these are */
         public function FoundRows(seen:SeenAgents)
         {
             _seen = seen;
+            ranks = seen.ranks;
+            _filtered = new FilteredRows(seen);
         }
 
         /**
@@ -54,14 +70,15 @@ package starlogo.queries
          * @param most how many rows are wanted, of the nearest; or ALL, or NUMBER
          * @param limit the square of the greatest distance
          * @param skipped a row that does not count; or -1
-         * @param test says which others count; null for all
+         * @param filter says which others count; null for all
          */
-        public function begin(most:int, limit:Number, skipped:int, test:RowTest):void
+        public function begin(most:int, limit:Number, skipped:int, filter:AgentFilter):void
         {
             this.most = most;
             this.limit = limit;
             this.skipped = skipped;
-            this.test = test;
+            test = filter == null ? null : _filtered.of(filter);
+            _accepts = filter == null ? null : filter.accepts;
             count = 0;
             _room = most < 1 || most > ALL / 2 ? ALL : 2 * most;
         }
@@ -72,23 +89,9 @@ package starlogo.queries
             return row != skipped && (test == null || test.accepts(row));
         }
 
-        /**
-         * Takes a row that is not beyond the limit.
-         *
-         * @return the limit from now on
-         */
-        public function add(row:int, square:Number):Number
+        /** Takes a row that is not beyond the limit. The limit may become less by that. */
+        public function add(row:int, square:Number):void
         {
-            if (most == 1)
-            {
-                if (count == 0 || square < limit || isBefore(row, rows[0]))
-                {
-                    rows[0] = row;
-                    squares[0] = limit = square;
-                    count = 1;
-                }
-                return limit;
-            }
             rows[count] = row;
             squares[count] = square;
             count++;
@@ -96,13 +99,12 @@ package starlogo.queries
             {
                 sort();
             }
-            return limit;
         }
 
-        /** Puts the rows in the order of their distances, those that are equally far in the order of the list; more than are wanted are left out. */
+        /** Puts the rows in the order of their distances. More than are wanted are left out. */
         public function sort():void
         {
-            _order.sort(rows, squares, count, _seen.ranks);
+            _order.sort(rows, squares, count, ranks);
             if (count > most)
             {
                 count = most;
@@ -110,9 +112,91 @@ package starlogo.queries
             }
         }
 
-        private function isBefore(row:int, other:int):Boolean
+        /**
+         * Lists the agents, sorted, those that are accepted.
+         *
+         * @param out takes the list; null for a new one
+         * @return out
+         */
+        public function list(out:Vector.<Agent>):Vector.<Agent>
         {
-            return _seen.ranks[row] < _seen.ranks[other];
+            var listed:Vector.<Agent> = out || new Vector.<Agent>();
+            sort();
+            if (_accepts == null)
+            {
+                write(0, listed);
+                return listed;
+            }
+            var accepted:Vector.<Agent> = keepAccepted(0, ALL);
+            shorten(listed, accepted.length);
+            for (var i:int = 0; i < accepted.length; i++)
+            {
+                listed[i] = accepted[i];
+            }
+            shorten(accepted, 0);
+            return listed;
+        }
+
+        /**
+         * Asks <code>accepts</code> of the agents, in the order of the rows. It may ask questions that begin new searches with this.
+         *
+         * @param first how many of the first are not asked
+         * @param most when so many are accepted no more are asked
+         * @return those that are accepted; overwritten by the next call
+         */
+        public function keepAccepted(first:int, most:int):Vector.<Agent>
+        {
+            if (_seen.asking >= _asked.length)
+            {
+                _asked.length = _seen.asking + 1;
+            }
+            var asked:Vector.<Agent> = _asked[_seen.asking] ||= new Vector.<Agent>();
+            write(first, asked);
+            _seen.asking++;
+            try
+            {
+                ask(asked, _accepts, most);
+            }
+            finally
+            {
+                _seen.asking--;
+            }
+            return asked;
+        }
+
+        // Leaves the accepted ones.
+        private static function ask(asked:Vector.<Agent>, accepts:Function, most:int):void
+        {
+            var kept:int = 0;
+            for (var i:int = 0; i < asked.length && kept < most; i++)
+            {
+                if (accepts(asked[i]))
+                {
+                    asked[kept] = asked[i];
+                    kept++;
+                }
+            }
+            shorten(asked, kept);
+        }
+
+        private function write(first:int, out:Vector.<Agent>):void
+        {
+            var agents:Vector.<Agent> = _seen.table.agents;
+            var end:int = count;
+            shorten(out, end - first);
+            for (var i:int = first; i < end; i++)
+            {
+                out[int(i - first)] = agents[rows[i]];
+            }
+        }
+
+        /** Makes a list shorter, one by one: of an array whose length is set to less, V8 gives up the store. */
+        public static function shorten(list:Vector.<Agent>, length:int):void
+        {
+            while (list.length > length)
+            {
+                list.pop();
+            }
         }
     }
 }

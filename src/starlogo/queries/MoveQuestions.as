@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.collision.Contact;
     import starlogo.engine;
@@ -14,9 +15,10 @@ package starlogo.queries
      */
     public final class MoveQuestions
     {
+        /** The motion of the next question: of Numbers that are passed V8 makes objects. */
+        public var way:Vector3D = new Vector3D();
+
         private var _seen:SeenAgents;
-        private var _filters:FilteredRows;
-        private var _answers:Answers;
         private var _mover:Mover = null;
 
         // What is near the way, with a squared distance of 0, and of these the agents that count.
@@ -24,33 +26,32 @@ package starlogo.queries
         private var _found:FoundRows;
         private var _agents:Vector.<Agent> = new Vector.<Agent>();
 
-        /**
-         * @param seen the agents that are asked about
-         * @param filters applies filters to them
-         * @param answers asks the rest of the filters
-         */
-        public function MoveQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
+        /** @param seen the agents that are asked about */
+        public function MoveQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _filters = filters;
-            _answers = answers;
             _found = new FoundRows(seen);
         }
 
         /**
-         * As AgentQueries.moveUntilTouch, or slide.
+         * As AgentQueries.moveUntilTouch, or slide, with the motion that was set.
          *
          * @param contact takes how it touches; or null
          * @param slides whether it goes on along what it meets
          * @return how much of the motion was free
          */
-        public function move(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, contact:Contact, slides:Boolean):Number
+        public function move(agent:Agent, filter:AgentFilter, contact:Contact, slides:Boolean):Number
         {
+            var dx:Number = way.x;
+            var dy:Number = way.y;
+            var dz:Number = way.z;
             if (!isFinite(dx) || !isFinite(dy) || !isFinite(dz))
             {
                 throw new RangeError("a motion must be finite: (" + dx + ", " + dy + ", " + dz + ")");
             }
-            findNear(agent, dx, dy, dz, filter, slides);
+            findNear(agent, filter, slides);
+            // the filter may have asked of motions too
+            way.setTo(dx, dy, dz);
             if (_mover == null || _mover.pairs !== _seen.pairs)
             {
                 _mover = new Mover(_seen.pairs);
@@ -60,7 +61,7 @@ package starlogo.queries
             var isSeen:Boolean = table.shapes[row] != null;
             if (isSeen)
             {
-                _mover.move(table, row, _agents, dx, dy, dz, slides);
+                _mover.move(table, row, _agents, way, slides);
             }
             table.endGuests();
             if (contact != null && isSeen)
@@ -90,21 +91,21 @@ package starlogo.queries
         }
 
         // The agents that count and whose extents are near the way; where it may go anywhere, near where it may end.
-        private function findNear(agent:Agent, dx:Number, dy:Number, dz:Number, filter:AgentFilter, isAnywhere:Boolean):void
+        private function findNear(agent:Agent, filter:AgentFilter, isAnywhere:Boolean):void
         {
             var row:int = _seen.rowOfNow(agent);
             var table:AgentTable = _seen.table;
-            _found.begin(FoundRows.ALL, Infinity, _seen.rowOf(agent), _filters.of(filter));
+            _found.begin(FoundRows.ALL, Infinity, _seen.rowOf(agent), filter);
             if (table.shapes[row] != null)
             {
                 _seen.beginWay(_search, row);
                 if (isAnywhere)
                 {
-                    _search.widen(Math.sqrt(dx * dx + dy * dy + dz * dz));
+                    _search.widen(way.length);
                 }
                 else
                 {
-                    _search.moveAlong(dx, dy, dz, 1);
+                    _search.moveAlong(way.x, way.y, way.z, 1);
                 }
                 for (var other:int = _search.next(); other >= 0; other = _search.next())
                 {
@@ -115,7 +116,7 @@ package starlogo.queries
                 }
             }
             table.endGuests();
-            _answers.list(_found, filter, _agents);
+            _found.list(_agents);
         }
     }
 }

@@ -22,9 +22,11 @@ package starlogo.queries
      */
     public final class Mover
     {
-        // How deep a row is in a touch that it ends in; overlaps deeper than so much are planes. As parts of the larger extent.
-        private static const DIP:Number = 0.005 * Tolerances.SEPARATION;
+        // Overlaps deeper than this part of the larger extent are planes.
         private static const SHALLOW:Number = 1000 * Tolerances.SEPARATION;
+
+        // So many places are tried for the end in a touch.
+        private static const STEPS_INTO_TOUCH:int = 6;
 
         // What is met no farther on is met in the same corner; and so far on, the contact's normal is found that an edge does not tell. As a part of the larger extent.
         private static const NEXT:Number = 1e-4;
@@ -37,9 +39,6 @@ package starlogo.queries
 
         // No row that does not meet another is so many hairs deep in it.
         private static const MOST_HAIRS:Number = 20;
-
-        // A time after the end of a motion.
-        private static const AFTER:Number = 1 + 1e-15;
 
         /** Decides what touches. */
         public var pairs:RowPairs;
@@ -83,12 +82,13 @@ package starlogo.queries
          * @param table has the row
          * @param row moves
          * @param others of the same table, as agents
+         * @param motion how far it is to go
          * @param slides whether it goes on along what it meets
          */
-        public function move(table:AgentTable, row:int, others:Vector.<Agent>, dx:Number, dy:Number, dz:Number, slides:Boolean):void
+        public function move(table:AgentTable, row:int, others:Vector.<Agent>, motion:Vector3D, slides:Boolean):void
         {
             at.setTo(table.x[row], table.y[row], table.z[row]);
-            _rest.begin(dx, dy, dz);
+            _rest.begin(motion);
             _hasContact = _isCareful = false;
             _contact.setNormal(0, 0, 0);
             part = 1;
@@ -178,12 +178,16 @@ package starlogo.queries
             }
             else if (findFirst())
             {
-                var time:Number = _sweep.wholeTime(_along, _contact);
+                var time:Number = _sweep.timeOfTouch(_along, _contact);
                 // without the lift it would have been there before
                 _lift.copyFrom(at);
                 _lift.decrementBy(_before);
                 time += _contact.along(_lift) / _along;
                 part = time > 0 ? (time < 1 ? time : 1) : 0;
+                if (-part * _along < _sweep.hair && _sweep.touchesAt(_first, _before))
+                {
+                    part = 0;
+                }
                 _hasContact = true;
                 _contact.depth = 0;
             }
@@ -191,9 +195,43 @@ package starlogo.queries
             _rest.advance(at, part);
             if (_hasContact && part > 0)
             {
-                // in the touch, in spite of rounding
-                _contact.push(at, -DIP * _sweep.extent);
+                endTouching();
             }
+        }
+
+        // Ends in the touch, on the side that the row comes from: what has no thickness does not touch beyond it, and could not come back. Where rounding of
+        // a long way hides the touch, the last hair of it is swept again. If that does not help, the row ends short of it.
+        private function endTouching():void
+        {
+            if (!stepIntoTouch())
+            {
+                _lift.setTo(-_sweep.hair * _contact.normalX, -_sweep.hair * _contact.normalY, -_sweep.hair * _contact.normalZ);
+                _contact.push(at, _sweep.hair / 2);
+                _before.copyFrom(at);
+                _sweep.aim(at, _lift);
+                _sweep.findWhole(_first);
+                _contact.push(at, -_sweep.wholeTime * _sweep.hair);
+                if (_sweep.wholeTime > 1 || !stepIntoTouch())
+                {
+                    at.copyFrom(_before);
+                }
+            }
+        }
+
+        // Tries places from half of the gap across which the two touch on. Returns whether they touch.
+        private function stepIntoTouch():Boolean
+        {
+            var gap:Number = _sweep.gapAt(at);
+            _contact.push(at, gap);
+            for (var i:int = 1; i < STEPS_INTO_TOUCH; i++)
+            {
+                if (_sweep.touchesAt(_first, at))
+                {
+                    return true;
+                }
+                _contact.push(at, -gap);
+            }
+            return _sweep.touchesAt(_first, at);
         }
 
         private function slide():void
@@ -213,7 +251,7 @@ package starlogo.queries
                     _isCareful = false;
                 }
                 // a gap of a whole hair would be too wide: the row would not get into a place as wide as it is
-                gone += _rest.advance(at, Math.max(_sweep.wholeTime(_along, _contact) + _sweep.hair / 2 / _along, 0));
+                gone += _rest.advance(at, Math.max(_sweep.timeOfTouch(_along, _contact) + _sweep.hair / 2 / _along, 0));
                 _rest.add(_contact);
                 dropNeedless();
             }
@@ -286,26 +324,24 @@ package starlogo.queries
         private function findFirst():Boolean
         {
             var motion:Vector3D = _rest.motion;
-            var latest:Number = AFTER;
-            _sweep.touchedCount = 0;
+            _sweep.aim(at, motion);
             for (var i:int = 0; i < _count; i++)
             {
-                if (_sweep.find(_others[i], at, motion, latest))
+                if (_sweep.find(_others[i]))
                 {
                     _first = _others[i];
-                    latest = _sweep.time;
-                    _contact.copyFrom(_sweep.contact);
                 }
             }
-            if (latest == AFTER)
+            if (_sweep.time > 1)
             {
                 return false;
             }
+            _contact.copyFrom(_sweep.contact);
             _sweep.measure(_first);
             _along = _contact.along(motion);
             if (_along >= 0 || _isCareful)
             {
-                turnAgainst(latest + NEXT * _sweep.extent / motion.length);
+                turnAgainst(_sweep.time + NEXT * _sweep.extent / motion.length);
             }
             return true;
         }

@@ -33,22 +33,28 @@ package starlogo.queries
         private static const SLIMMEST:Number = 10;
         private static const MOST_SHARE:Number = 0.5;
 
+        // A time after the end of a motion.
+        private static const AFTER:Number = 1 + 1e-15;
+
         /** The larger extent of the last pair that was asked about. */
         public var extent:Number = 0;
 
         /** How wide a hair is between the two. */
         public var hair:Number = 0;
 
-        /** When they meet, as a part of the motion. */
+        /** When it meets the first that was found, as a part of the motion; after 1 if none was. */
         public var time:Number = 0;
 
-        /** How. */
+        /** How it does. */
         public var contact:ContactPoint = new ContactPoint();
+
+        /** When the row, as large as it is, touches the last that was asked about. */
+        public var wholeTime:Number = 0;
 
         /** What it has touched, met or not: the first of these rows. */
         public var touched:Vector.<int> = new Vector.<int>();
 
-        /** How many these are; they are counted on until this is set. */
+        /** How many these are. */
         public var touchedCount:int = 0;
 
         private var _pairs:RowPairs;
@@ -66,12 +72,15 @@ package starlogo.queries
         private var _middleY:Number = 0;
         private var _middleZ:Number = 0;
         private var _loss:Number = 0;
+
+        // The motion, and where the row is after it.
         private var _motion:RelativeMotion = new RelativeMotion();
+        private var _end:Vector3D = new Vector3D();
+
+        // When the row, as large as it is, touches what was found.
+        private var _foundWhole:Number = 0;
         private var _tried:ContactPoint = new ContactPoint();
         private var _triedOther:ContactPoint = new ContactPoint();
-
-        // When it touches it as large as it is.
-        private var _wholeTime:Number = 0;
 
         /** @param pairs decide what touches */
         public function NarrowSweep(pairs:RowPairs)
@@ -85,7 +94,6 @@ package starlogo.queries
         {
             _table = table;
             _row = row;
-            touchedCount = 0;
             _moving.take(table, row);
             _rounding = OF_PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]))
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
@@ -102,8 +110,8 @@ package starlogo.queries
         public function touchesAt(other:int, at:Vector3D):Boolean
         {
             measure(other);
-            _moving.put(at.x, at.y, at.z, 0);
-            return _moving.isNear(other, hair) && _pairs.areTouching(_table, _row, other);
+            _moving.put(at, 0);
+            return isNear(other) && _pairs.areTouching(_table, _row, other);
         }
 
         /** Whether the row would have to go into another to be at a place. */
@@ -116,7 +124,7 @@ package starlogo.queries
             narrowOther(other);
             var isMeeting:Boolean = _pairs.areTouching(_table, _row, other);
             _standing.giveBack();
-            _moving.put(at.x, at.y, at.z, shareOf(_moving));
+            _moving.put(at, shareOf(_moving));
             return isMeeting && _pairs.areTouching(_table, _row, other);
         }
 
@@ -124,49 +132,65 @@ package starlogo.queries
         public function findContact(other:int, at:Vector3D, out:ContactPoint):void
         {
             measure(other);
-            _moving.put(at.x, at.y, at.z, 0);
-            _motion.endAfter(0, 0, 0);
-            _motion.time = 0;
-            _pairs.findContact(_table, _row, other, _motion, out);
-            _separation.find(_table, _row, other, _motion, out);
+            _moving.put(at, 0);
+            RelativeMotion.NONE.time = 0;
+            _pairs.findContact(_table, _row, other, RelativeMotion.NONE, out);
+            _separation.find(_table, _row, other, RelativeMotion.NONE, out);
         }
 
-        /**
-         * Finds when the row meets another on its way: <code>time</code> and <code>contact</code>.
-         *
-         * @param latest the latest time that is of interest
-         * @return whether it does by then; else what was found last stays
-         */
-        public function find(other:int, at:Vector3D, motion:Vector3D, latest:Number):Boolean
+        /** Sets the motion that is asked about from now on; nothing has been found or touched on it. */
+        public function aim(at:Vector3D, motion:Vector3D):void
+        {
+            _end.copyFrom(at);
+            _end.incrementBy(motion);
+            _motion.endAfter(motion.x, motion.y, motion.z);
+            time = AFTER;
+            touchedCount = 0;
+        }
+
+        /** Finds when the row, as large as it is, first touches another: <code>wholeTime</code>. */
+        public function findWhole(other:int):void
         {
             measure(other);
-            _moving.put(at.x + motion.x, at.y + motion.y, at.z + motion.z, 0);
-            sweep(other, motion, _tried);
-            var whole:Number = _motion.time;
-            if (!(whole < latest))
+            _moving.put(_end, 0);
+            _pairs.findImpact(_table, _row, other, _motion, null);
+            wholeTime = _motion.time;
+        }
+
+        /** Half of the gap across which the last two that were asked about still touch at a place, unless they are spheres or points. */
+        public function gapAt(at:Vector3D):Number
+        {
+            return Tolerances.SURFACES / 4 * extent + Tolerances.PLACES / 2 * (Math.abs(at.x) + Math.abs(at.y) + Math.abs(at.z));
+        }
+
+        /** Whether the row meets another, and earlier than what was found before: then this is found, <code>time</code> and <code>contact</code>. */
+        public function find(other:int):Boolean
+        {
+            findWhole(other);
+            if (!(wholeTime < time))
             {
                 return false;
             }
             touched[touchedCount] = other;
             touchedCount++;
             narrowOther(other);
-            sweep(other, motion, _triedOther);
+            _pairs.findImpact(_table, _row, other, _motion, _triedOther);
             _standing.giveBack();
             var second:Number = _motion.time;
-            if (!(second < latest))
+            if (!(second < time))
             {
                 return false;
             }
             var share:Number = shareOf(_moving);
-            _moving.put(at.x + motion.x, at.y + motion.y, at.z + motion.z, share);
-            sweep(other, motion, _tried);
+            _moving.put(_end, share);
+            _pairs.findImpact(_table, _row, other, _motion, _tried);
             var first:Number = _motion.time;
-            if (!(first < latest))
+            if (!(first < time))
             {
                 return false;
             }
             var extents:Extents = _table.extents;
-            _wholeTime = whole;
+            _foundWhole = wholeTime;
             if (second > first)
             {
                 time = second;
@@ -181,9 +205,9 @@ package starlogo.queries
                 time = first;
                 contact.copyFrom(_tried);
                 _loss = -share;
-                _middleX = extents.x[_row] - (1 - time) * motion.x;
-                _middleY = extents.y[_row] - (1 - time) * motion.y;
-                _middleZ = extents.z[_row] - (1 - time) * motion.z;
+                _middleX = extents.x[_row] - (1 - time) * _motion.x;
+                _middleY = extents.y[_row] - (1 - time) * _motion.y;
+                _middleZ = extents.z[_row] - (1 - time) * _motion.z;
             }
             return true;
         }
@@ -195,11 +219,11 @@ package starlogo.queries
          * @param along how far the motion goes along the contact's normal, less than 0
          * @param touch has that normal
          */
-        public function wholeTime(along:Number, touch:ContactPoint):Number
+        public function timeOfTouch(along:Number, touch:ContactPoint):Number
         {
             var deeper:Number = _loss * (touch.normalX * (touch.x - _middleX) + touch.normalY * (touch.y - _middleY) + touch.normalZ * (touch.z - _middleZ));
             var earlier:Number = deeper / along;
-            return _wholeTime > time + earlier / 2 ? _wholeTime : time + earlier;
+            return _foundWhole > time + earlier / 2 ? _foundWhole : time + earlier;
         }
 
         /** Finds the larger extent of the row and another, and how wide a hair is between them. */
@@ -211,10 +235,13 @@ package starlogo.queries
             hair = HAIR * extent + _rounding;
         }
 
-        private function sweep(other:int, motion:Vector3D, out:ContactPoint):void
+        // Whether the extents of the row and another are no farther apart than a hair.
+        private function isNear(other:int):Boolean
         {
-            _motion.endAfter(motion.x, motion.y, motion.z);
-            _pairs.findImpact(_table, _row, other, _motion, out);
+            var extents:Extents = _table.extents;
+            return Math.abs(extents.x[_row] - extents.x[other]) <= extents.halfX[_row] + extents.halfX[other] + hair
+                && Math.abs(extents.y[_row] - extents.y[other]) <= extents.halfY[_row] + extents.halfY[other] + hair
+                && Math.abs(extents.z[_row] - extents.z[other]) <= extents.halfZ[_row] + extents.halfZ[other] + hair;
         }
 
         private function narrowOther(other:int):void

@@ -9,6 +9,10 @@ package starlogo.queries
     public final class NearSearch
     {
         private var _tree:RowTree;
+        private var _found:FoundRows;
+
+        // Whether rows are only counted, and all of them: then nodes are counted as a whole.
+        private var _countsNodes:Boolean = false;
         private var _x:Number = 0;
         private var _y:Number = 0;
         private var _z:Number = 0;
@@ -26,23 +30,23 @@ package starlogo.queries
          * Finds rows.
          *
          * @param tree of places
-         * @param x of the place that they are near to
-         * @param y likewise
-         * @param z likewise
+         * @param x the place that they are near to
+         * @param y the place that they are near to
+         * @param z the place that they are near to
          * @param found says which are wanted, and takes them, in no order
          */
         public function find(tree:RowTree, x:Number, y:Number, z:Number, found:FoundRows):void
         {
             _tree = tree;
+            _found = found;
             _x = x;
             _y = y;
             _z = z;
+            _countsNodes = found.most == FoundRows.NUMBER && found.test == null;
             var nodes:Vector.<int> = _nodes;
             var squares:Vector.<Number> = _squares;
             var firstLeaf:int = tree.firstLeaf;
-            var countsNodes:Boolean = found.most == FoundRows.NUMBER && found.test == null;
-            var own:int = found.skipped < 0 ? 0 : tree.leafOf(found.skipped);
-            var waiting:int = own == 0 ? begin() : beginBeside(own);
+            var waiting:int = begin();
             while (waiting > 0)
             {
                 waiting--;
@@ -51,14 +55,9 @@ package starlogo.queries
                 {
                     continue;
                 }
-                if (countsNodes && node != own && isWithin(node, found.limit))
+                if (node < firstLeaf)
                 {
-                    found.count += tree.countIn(node);
-                }
-                else if (node < firstLeaf)
-                {
-                    open(node << 1, waiting);
-                    waiting += 2;
+                    waiting = open(node << 1, waiting);
                 }
                 else
                 {
@@ -67,12 +66,27 @@ package starlogo.queries
             }
         }
 
-        // Has the root wait, if there is one; returns how many nodes wait.
+        // Has the first nodes wait; returns how many.
         private function begin():int
         {
-            _nodes[0] = 1;
-            _squares[0] = 0;
-            return _tree.count > 0 ? 1 : 0;
+            if (_tree.count == 0)
+            {
+                return 0;
+            }
+            if (_found.skipped < 0)
+            {
+                return measure(1, 0);
+            }
+            if (!_countsNodes)
+            {
+                return beginBeside(_tree.leafOf(_found.skipped));
+            }
+            // counted below
+            if (_tree.squareTo(_found.skipped, _x, _y, _z) <= _found.limit)
+            {
+                _found.count--;
+            }
+            return measure(1, 0);
         }
 
         // Has a leaf be the next, which is likely to have the nearest, and after it all that is beside the way there from the root.
@@ -87,32 +101,35 @@ package starlogo.queries
             while (up > 0)
             {
                 up--;
-                measure(leaf >> up ^ 1, waiting);
-                waiting++;
+                waiting = measure(leaf >> up ^ 1, waiting);
             }
             _nodes[waiting] = leaf;
             _squares[waiting] = 0;
             return waiting + 1;
         }
 
-        // Has a node and its sibling wait, the nearer to be the next.
-        private function open(node:int, waiting:int):void
+        // Has a node and its sibling wait, the nearer to be the next; returns how many nodes wait.
+        private function open(node:int, first:int):int
         {
-            var top:int = waiting + 1;
-            measure(node, waiting);
-            measure(node + 1, top);
-            var square:Number = _squares[waiting];
-            if (square < _squares[top])
+            var second:int = measure(node, first);
+            var waiting:int = measure(node + 1, second);
+            if (waiting == first + 2)
             {
-                _squares[waiting] = _squares[top];
-                _squares[top] = square;
-                _nodes[waiting] = node + 1;
-                _nodes[top] = node;
+                var square:Number = _squares[first];
+                if (square < _squares[second])
+                {
+                    _squares[first] = _squares[second];
+                    _squares[second] = square;
+                    _nodes[first] = node + 1;
+                    _nodes[second] = node;
+                }
             }
+            return waiting;
         }
 
-        // Has a node wait, with the squared distance to its box.
-        private function measure(node:int, waiting:int):void
+        // Has a node wait whose box is no farther than the limit, with its squared distance. One of which all rows count is counted at once. Returns
+        // how many nodes wait.
+        private function measure(node:int, waiting:int):int
         {
             var boxes:Vector.<Number> = _tree.nodeBoxes;
             var box:int = RowTree.PER_BOX * node;
@@ -143,25 +160,31 @@ package starlogo.queries
                     toZ = 0;
                 }
             }
+            var square:Number = toX * toX + toY * toY + toZ * toZ;
+            if (square > _found.limit)
+            {
+                return waiting;
+            }
+            if (_countsNodes)
+            {
+                toX = _x - boxes[box];
+                toY = _y - boxes[int(box + 1)];
+                toZ = _z - boxes[int(box + 2)];
+                var farX:Number = boxes[int(box + 3)] - _x;
+                var farY:Number = boxes[int(box + 4)] - _y;
+                var farZ:Number = boxes[int(box + 5)] - _z;
+                farX = toX > farX ? toX : farX;
+                farY = toY > farY ? toY : farY;
+                farZ = toZ > farZ ? toZ : farZ;
+                if (farX * farX + farY * farY + farZ * farZ <= _found.limit)
+                {
+                    _found.count += _tree.countIn(node);
+                    return waiting;
+                }
+            }
             _nodes[waiting] = node;
-            _squares[waiting] = toX * toX + toY * toY + toZ * toZ;
-        }
-
-        // Whether all of a node's box is within a distance.
-        private function isWithin(node:int, limit:Number):Boolean
-        {
-            var boxes:Vector.<Number> = _tree.nodeBoxes;
-            var box:int = RowTree.PER_BOX * node;
-            var toX:Number = _x - boxes[box];
-            var toY:Number = _y - boxes[int(box + 1)];
-            var toZ:Number = _z - boxes[int(box + 2)];
-            var farX:Number = boxes[int(box + 3)] - _x;
-            var farY:Number = boxes[int(box + 4)] - _y;
-            var farZ:Number = boxes[int(box + 5)] - _z;
-            toX = toX > farX ? toX : farX;
-            toY = toY > farY ? toY : farY;
-            toZ = toZ > farZ ? toZ : farZ;
-            return toX * toX + toY * toY + toZ * toZ <= limit;
+            _squares[waiting] = square;
+            return waiting + 1;
         }
 
         // Looks at the rows of a leaf. What is only kept or counted is so here, because a call for each row costs as much as the row.
@@ -176,10 +199,12 @@ package starlogo.queries
             var rows:Vector.<int> = _tree.rows;
             var test:RowTest = found.test;
             var skipped:int = found.skipped;
+            var countsAll:Boolean = _countsNodes;
             var limit:Number = found.limit;
             var most:int = found.most;
             var foundRows:Vector.<int> = found.rows;
             var foundSquares:Vector.<Number> = found.squares;
+            var ranks:Vector.<int> = found.ranks;
             var count:int = found.count;
             for (var slot:int = start; slot < end; slot++)
             {
@@ -191,14 +216,31 @@ package starlogo.queries
                 {
                     continue;
                 }
+                if (countsAll)
+                {
+                    count++;
+                    continue;
+                }
                 var row:int = rows[slot];
-                if (row == skipped || (test != null && !test.accepts(row)))
+                if (row == skipped)
                 {
                     continue;
                 }
-                if (most != FoundRows.ALL && most != FoundRows.NUMBER)
+                if (test != null)
                 {
-                    limit = found.add(row, square);
+                    if (!test.accepts(row))
+                    {
+                        continue;
+                    }
+                }
+                if (most == 1)
+                {
+                    if (count == 0 || square < limit || ranks[row] < ranks[foundRows[0]])
+                    {
+                        count = 1;
+                        limit = foundSquares[0] = square;
+                        foundRows[0] = row;
+                    }
                     continue;
                 }
                 if (most == FoundRows.ALL)
@@ -206,12 +248,17 @@ package starlogo.queries
                     foundRows[count] = row;
                     foundSquares[count] = square;
                 }
+                else if (most != FoundRows.NUMBER)
+                {
+                    found.add(row, square);
+                    count = found.count;
+                    limit = found.limit;
+                    continue;
+                }
                 count++;
             }
-            if (most == FoundRows.ALL || most == FoundRows.NUMBER)
-            {
-                found.count = count;
-            }
+            found.count = count;
+            found.limit = limit;
         }
     }
 }

@@ -17,23 +17,15 @@ package starlogo.queries
         private static const MORE:int = 4;
 
         private var _seen:SeenAgents;
-        private var _filters:FilteredRows;
-        private var _answers:Answers;
         private var _search:NearSearch = new NearSearch();
         private var _found:FoundRows;
         private var _cone:Cone = new Cone();
         private var _nearest:Vector.<Agent> = new Vector.<Agent>();
 
-        /**
-         * @param seen the agents that are asked about
-         * @param filters applies filters to them
-         * @param answers makes the lists
-         */
-        public function PlaceQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
+        /** @param seen the agents that are asked about */
+        public function PlaceQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _filters = filters;
-            _answers = answers;
             _found = new FoundRows(seen);
         }
 
@@ -42,8 +34,8 @@ package starlogo.queries
          *
          * @param asker is not in the list; or null
          * @param x the place
-         * @param y likewise
-         * @param z likewise
+         * @param y the place
+         * @param z the place
          * @param radius the greatest distance
          * @param most how many of the nearest are wanted; or FoundRows.ALL
          * @param filter which agents count; null for all
@@ -56,21 +48,21 @@ package starlogo.queries
             {
                 return listAccepted(asker, x, y, z, radius, most, filter, out || new Vector.<Agent>());
             }
-            find(asker, x, y, z, radius, most, _filters.of(filter));
-            return _answers.list(_found, filter, out);
+            find(asker, x, y, z, radius, most, filter);
+            return _found.list(out);
         }
 
         /** Counts the agents that are near a place; parameters as in list. */
         public function count(asker:Agent, x:Number, y:Number, z:Number, radius:Number, filter:AgentFilter):int
         {
-            var accepts:Function = filter == null ? null : filter.accepts;
-            find(asker, x, y, z, radius, accepts == null ? FoundRows.NUMBER : FoundRows.ALL, _filters.of(filter));
-            if (accepts == null)
+            var asks:Boolean = filter != null && filter.accepts != null;
+            find(asker, x, y, z, radius, asks ? FoundRows.ALL : FoundRows.NUMBER, filter);
+            if (!asks)
             {
                 return _found.count;
             }
             _found.sort();
-            return _answers.keepAccepted(_found, 0, accepts, FoundRows.ALL).length;
+            return _found.keepAccepted(0, FoundRows.ALL).length;
         }
 
         /** The agent that is nearest to a place, or null; parameters as in list. */
@@ -81,7 +73,7 @@ package starlogo.queries
                 listAccepted(asker, x, y, z, radius, 1, filter, _nearest);
                 return _nearest.length > 0 ? _nearest.pop() : null;
             }
-            find(asker, x, y, z, radius, 1, _filters.of(filter));
+            find(asker, x, y, z, radius, 1, filter);
             return _found.count > 0 ? _seen.table.agents[_found.rows[0]] : null;
         }
 
@@ -93,23 +85,28 @@ package starlogo.queries
                 throw new RangeError("degrees must not be negative: " + degrees);
             }
             var at:Placement = _seen.placeOf(agent);
-            var test:RowTest = _filters.of(filter);
+            begin(agent, radius, FoundRows.ALL, filter);
             if (degrees < 360)
             {
-                test = _cone.setTo(agent.worldPlacement(), degrees / 2, _seen.table, test);
+                _found.test = _cone.setTo(agent.worldPlacement(), degrees / 2, _seen.table, _found.test);
             }
-            find(agent, at.x, at.y, at.z, radius, FoundRows.ALL, test);
-            return _answers.list(_found, filter, out);
+            _search.find(_seen.findPlaces(), at.x, at.y, at.z, _found);
+            return _found.list(out);
         }
 
-        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, test:RowTest):void
+        private function find(asker:Agent, x:Number, y:Number, z:Number, radius:Number, most:int, filter:AgentFilter):void
+        {
+            begin(asker, radius, most, filter);
+            _search.find(_seen.findPlaces(), x, y, z, _found);
+        }
+
+        private function begin(asker:Agent, radius:Number, most:int, filter:AgentFilter):void
         {
             if (!(radius >= 0))
             {
                 throw new RangeError("radius must not be negative: " + radius);
             }
-            _found.begin(most, radius * radius, asker == null ? -1 : _seen.rowOf(asker), test);
-            _search.find(_seen.findPlaces(), x, y, z, _found);
+            _found.begin(most, radius * radius, asker == null ? -1 : _seen.rowOf(asker), filter);
         }
 
         // Asks of some of the nearest, then of those that come after them. The filter may ask questions of its own.
@@ -120,10 +117,10 @@ package starlogo.queries
             var wanted:int = most;
             while (kept < most)
             {
-                find(asker, x, y, z, radius, wanted, _filters.of(filter));
+                find(asker, x, y, z, radius, wanted, filter);
                 _found.sort();
                 var found:int = _found.count;
-                var accepted:Vector.<Agent> = _answers.keepAccepted(_found, asked, filter.accepts, most - kept);
+                var accepted:Vector.<Agent> = _found.keepAccepted(asked, most - kept);
                 for (var i:int = 0; i < accepted.length; i++)
                 {
                     out[kept] = accepted[i];
@@ -136,7 +133,7 @@ package starlogo.queries
                 asked = found;
                 wanted = MORE * wanted;
             }
-            Answers.shorten(out, kept);
+            FoundRows.shorten(out, kept);
             return out;
         }
     }

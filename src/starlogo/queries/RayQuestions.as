@@ -16,15 +16,11 @@ package starlogo.queries
     public final class RayQuestions
     {
         private var _seen:SeenAgents;
-        private var _filters:FilteredRows;
-        private var _answers:Answers;
         private var _search:WaySearch = new WaySearch();
         private var _rays:RowRays = new RowRays();
 
-        // Which rows count: two do not, and others if the test says so.
-        private var _test:RowTest = null;
-        private var _except:int = -1;
-        private var _exceptToo:int = -1;
+        // A second row that does not count; or -1.
+        private var _skippedToo:int = -1;
 
         // What the ray meets, with the distances themselves; the hits in the order in which they are found; by row: the number of its hit.
         private var _found:FoundRows;
@@ -40,16 +36,10 @@ package starlogo.queries
         private var _middle:Vector3D = new Vector3D();
         private var _towards:Vector3D = new Vector3D();
 
-        /**
-         * @param seen the agents that are asked about
-         * @param filters applies filters to them
-         * @param answers asks the rest of the filters
-         */
-        public function RayQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
+        /** @param seen the agents that are asked about */
+        public function RayQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _filters = filters;
-            _answers = answers;
             _found = new FoundRows(seen);
         }
 
@@ -59,7 +49,7 @@ package starlogo.queries
             begin(origin, direction, maxDistance, filter);
             if (filter != null && filter.accepts != null)
             {
-                return findAccepted(filter, hit);
+                return findAccepted(hit);
             }
             var first:int = -1;
             for (var row:int = next(); row >= 0; row = next())
@@ -83,7 +73,7 @@ package starlogo.queries
             list(hits);
             if (filter != null && filter.accepts != null)
             {
-                setLength(hits, keepAccepted(hits, filter.accepts, FoundRows.ALL));
+                setLength(hits, keepAccepted(hits, FoundRows.ALL));
             }
             return hits;
         }
@@ -107,11 +97,11 @@ package starlogo.queries
                 _towards.z = 1;
             }
             begin(_middle, _towards, distance, filter);
-            _except = _seen.rowOf(a);
-            _exceptToo = _seen.rowOf(b);
+            _found.skipped = _seen.rowOf(a);
+            _skippedToo = _seen.rowOf(b);
             if (filter != null && filter.accepts != null)
             {
-                var isBlocked:Boolean = findAccepted(filter, _blocking) != null;
+                var isBlocked:Boolean = findAccepted(_blocking) != null;
                 _blocking.agent = null;
                 return !isBlocked;
             }
@@ -140,8 +130,8 @@ package starlogo.queries
             ray.aim(origin, direction);
             _rays.limit = maxDistance;
             _rays.begin(_seen.table, _seen.pairs.trees);
-            _test = _filters.of(filter);
-            _except = _exceptToo = -1;
+            _found.begin(FoundRows.ALL, Infinity, -1, filter);
+            _skippedToo = -1;
             _search.begin(_seen.findExtents(), ray.x, ray.y, ray.z, 0, 0, 0);
             _search.moveAlong(ray.directionX, ray.directionY, ray.directionZ, maxDistance);
         }
@@ -150,7 +140,7 @@ package starlogo.queries
         private function next():int
         {
             var row:int = _search.next();
-            while (row >= 0 && (row == _except || row == _exceptToo || (_test != null && !_test.accepts(row)) || !_rays.meets(row)))
+            while (row >= 0 && (row == _skippedToo || !_found.wants(row) || !_rays.meets(row)))
             {
                 row = _search.next();
             }
@@ -160,7 +150,6 @@ package starlogo.queries
         // Lists every hit, but for accepts.
         private function list(out:Vector.<RayHit>):void
         {
-            _found.begin(FoundRows.ALL, Infinity, -1, null);
             _hitOf.length = Math.max(_hitOf.length, _seen.ranks.length);
             for (var row:int = next(); row >= 0; row = next())
             {
@@ -192,7 +181,7 @@ package starlogo.queries
             hit.normal.setTo(_rays.normalX, _rays.normalY, _rays.normalZ);
         }
 
-        // Gives a list so many hits; those that it has no use for are kept for others. One by one, as in Answers.shorten.
+        // Gives a list so many hits; those that it has no use for are kept for others. One by one, as in FoundRows.shorten.
         private function setLength(hits:Vector.<RayHit>, length:int):void
         {
             while (hits.length > length)
@@ -225,7 +214,7 @@ package starlogo.queries
         }
 
         // Asks accepts of the hits, the nearest first, until one is accepted: copies that one.
-        private function findAccepted(filter:AgentFilter, hit:RayHit):RayHit
+        private function findAccepted(hit:RayHit):RayHit
         {
             while (_seen.asking >= _asked.length)
             {
@@ -233,7 +222,7 @@ package starlogo.queries
             }
             var hits:Vector.<RayHit> = _asked[_seen.asking];
             list(hits);
-            var isAccepted:Boolean = keepAccepted(hits, filter.accepts, 1) > 0;
+            var isAccepted:Boolean = keepAccepted(hits, 1) > 0;
             if (isAccepted)
             {
                 hit ||= new RayHit();
@@ -244,9 +233,9 @@ package starlogo.queries
         }
 
         // Puts those hits first, of the list that was made last, that accepts says yes to, until these are so many; returns how many.
-        private function keepAccepted(hits:Vector.<RayHit>, accepts:Function, most:int):int
+        private function keepAccepted(hits:Vector.<RayHit>, most:int):int
         {
-            var accepted:Vector.<Agent> = _answers.keepAccepted(_found, 0, accepts, most);
+            var accepted:Vector.<Agent> = _found.keepAccepted(0, most);
             var kept:int = 0;
             for (var i:int = 0; i < hits.length && kept < accepted.length; i++)
             {

@@ -1,5 +1,6 @@
 package starlogo.queries
 {
+    import starlogo.broadphase.Extents;
     import starlogo.geometry.Tolerances;
 
     /**
@@ -47,7 +48,7 @@ package starlogo.queries
         /** @copy #x */
         public var z:Vector.<Number> = new Vector.<Number>();
 
-        /** By slot: the box of the row, if it has a size wider by more than rounding comes to. */
+        /** By slot: the box of the row, wider by more than rounding comes to. Not for places. */
         public var rowBoxes:Vector.<Number> = new Vector.<Number>();
 
         /** By node: a box around those of its rows. */
@@ -58,13 +59,11 @@ package starlogo.queries
         // By row: its slot.
         private var _slots:Vector.<int> = new Vector.<int>();
 
-        // By row, given: the middle of its box, and half the lengths; these are null for places.
+        // By row, given: the middle of its box; and half the lengths, null for places.
         private var _x:Vector.<Number>;
         private var _y:Vector.<Number>;
         private var _z:Vector.<Number>;
-        private var _halfX:Vector.<Number>;
-        private var _halfY:Vector.<Number>;
-        private var _halfZ:Vector.<Number>;
+        private var _sizes:Extents;
 
         /** An empty tree. */
         public function RowTree()
@@ -77,14 +76,11 @@ package starlogo.queries
          * @param rows those that count
          * @param count how many of them
          * @param x by row: the middle of its box
-         * @param y likewise
-         * @param z likewise
-         * @param halfX by row: half the length of its box along x; null if the rows are places
-         * @param halfY likewise
-         * @param halfZ likewise
+         * @param y by row: the middle of its box
+         * @param z by row: the middle of its box
+         * @param sizes has half the lengths of the boxes; null if the rows are places
          */
-        public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, halfX:Vector.<Number> = null,
-                halfY:Vector.<Number> = null, halfZ:Vector.<Number> = null):void
+        public function build(rows:Vector.<int>, count:int, x:Vector.<Number>, y:Vector.<Number>, z:Vector.<Number>, sizes:Extents = null):void
         {
             isStale = false;
             _moves = 0;
@@ -92,9 +88,7 @@ package starlogo.queries
             _x = x;
             _y = y;
             _z = z;
-            _halfX = halfX;
-            _halfY = halfY;
-            _halfZ = halfZ;
+            _sizes = sizes;
             firstLeaf = 1;
             while (firstLeaf * LEAF_SIZE < count)
             {
@@ -123,6 +117,16 @@ package starlogo.queries
             return firstLeaf + int(((_slots[row] + 1) * firstLeaf - 1) / count);
         }
 
+        /** The squared distance of a row's middle from a place. */
+        public function squareTo(row:int, x:Number, y:Number, z:Number):Number
+        {
+            var slot:int = _slots[row];
+            var toX:Number = this.x[slot] - x;
+            var toY:Number = this.y[slot] - y;
+            var toZ:Number = this.z[slot] - z;
+            return toX * toX + toY * toY + toZ * toZ;
+        }
+
         /** How many rows are below a node. */
         public function countIn(node:int):int
         {
@@ -149,9 +153,11 @@ package starlogo.queries
             y[slot] = _y[row];
             z[slot] = _z[row];
             boundRow(slot);
-            for (var node:int = leafOf(row); node > 0; node >>= 1)
+            var node:int = leafOf(row);
+            // a box that has not grown is in boxes that do not grow either
+            while (node > 0 && widen(PER_BOX * node, rowBoxes, PER_BOX * slot))
             {
-                widen(PER_BOX * node, rowBoxes, PER_BOX * slot);
+                node >>= 1;
             }
         }
 
@@ -176,7 +182,7 @@ package starlogo.queries
         // Has each node divide its rows in two along the longest side of its part of space, which is written where its box will be.
         private function divideAll():void
         {
-            boundMiddles();
+            boundMiddles(PER_BOX, 0, count);
             var boxes:Vector.<Number> = nodeBoxes;
             var width:int = 1;
             for (var node:int = 1; node < firstLeaf; node++)
@@ -187,11 +193,7 @@ package starlogo.queries
                 }
                 var box:int = PER_BOX * node;
                 var axis:int = longestSide(box);
-                var keys:Vector.<Number> = x;
-                if (axis > 0)
-                {
-                    keys = axis == 1 ? y : z;
-                }
+                var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
                 var nth:int = node - width;
                 var middle:int = (2 * nth + 1) * count / (2 * width);
                 select(keys, nth * count / width, (nth + 1) * count / width - 1, middle);
@@ -204,15 +206,15 @@ package starlogo.queries
             }
         }
 
-        // Writes the box around all middles as the root's.
-        private function boundMiddles():void
+        // Makes a node's box that around the middles in some slots.
+        private function boundMiddles(box:int, first:int, end:int):void
         {
             for (var axis:int = 0; axis < 3; axis++)
             {
                 var keys:Vector.<Number> = axis == 0 ? x : (axis == 1 ? y : z);
                 var least:Number = Infinity;
                 var greatest:Number = -Infinity;
-                for (var slot:int = 0; slot < count; slot++)
+                for (var slot:int = first; slot < end; slot++)
                 {
                     var key:Number = keys[slot];
                     if (key < least)
@@ -224,8 +226,8 @@ package starlogo.queries
                         greatest = key;
                     }
                 }
-                nodeBoxes[PER_BOX + axis] = least;
-                nodeBoxes[PER_BOX + 3 + axis] = greatest;
+                nodeBoxes[box + axis] = least;
+                nodeBoxes[box + 3 + axis] = greatest;
             }
         }
 
@@ -310,24 +312,32 @@ package starlogo.queries
 
         private function boundAll():void
         {
+            for (var slot:int = 0; slot < count; slot++)
+            {
+                _slots[rows[slot]] = slot;
+            }
             for (var node:int = 2 * firstLeaf - 1; node > 0; node--)
             {
                 var box:int = PER_BOX * node;
+                var leaf:int = node - firstLeaf;
+                if (leaf >= 0 && _sizes == null)
+                {
+                    boundMiddles(box, starts[leaf], starts[leaf + 1]);
+                    continue;
+                }
                 for (var side:int = 0; side < 3; side++)
                 {
                     nodeBoxes[box + side] = Infinity;
                     nodeBoxes[box + 3 + side] = -Infinity;
                 }
-                if (node < firstLeaf)
+                if (leaf < 0)
                 {
                     widen(box, nodeBoxes, 2 * box);
                     widen(box, nodeBoxes, 2 * box + PER_BOX);
                     continue;
                 }
-                var end:int = starts[node + 1 - firstLeaf];
-                for (var slot:int = starts[node - firstLeaf]; slot < end; slot++)
+                for (slot = starts[leaf]; slot < starts[leaf + 1]; slot++)
                 {
-                    _slots[rows[slot]] = slot;
                     boundRow(slot);
                     widen(box, rowBoxes, PER_BOX * slot);
                 }
@@ -339,12 +349,12 @@ package starlogo.queries
             var reachX:Number = 0;
             var reachY:Number = 0;
             var reachZ:Number = 0;
-            if (_halfX != null)
+            if (_sizes != null)
             {
                 var row:int = rows[slot];
-                reachX = _halfX[row];
-                reachY = _halfY[row];
-                reachZ = _halfZ[row];
+                reachX = _sizes.halfX[row];
+                reachY = _sizes.halfY[row];
+                reachZ = _sizes.halfZ[row];
                 var slack:Number = slackOf(x[slot], y[slot], z[slot], reachX, reachY, reachZ);
                 reachX += slack;
                 reachY += slack;
@@ -366,23 +376,27 @@ package starlogo.queries
                 + Tolerances.EXTENTS_GAPS * Tolerances.PLACES * (Math.abs(x) + Math.abs(y) + Math.abs(z));
         }
 
-        // Makes a node's box contain another.
-        private function widen(box:int, others:Vector.<Number>, other:int):void
+        // Makes a node's box contain another; returns whether it has grown.
+        private function widen(box:int, others:Vector.<Number>, other:int):Boolean
         {
             var boxes:Vector.<Number> = nodeBoxes;
+            var hasGrown:Boolean = false;
             for (var side:int = 0; side < 3; side++)
             {
                 var least:Number = others[int(other + side)];
                 if (least < boxes[int(box + side)])
                 {
                     boxes[int(box + side)] = least;
+                    hasGrown = true;
                 }
                 var greatest:Number = others[int(other + 3 + side)];
                 if (greatest > boxes[int(box + 3 + side)])
                 {
                     boxes[int(box + 3 + side)] = greatest;
+                    hasGrown = true;
                 }
             }
+            return hasGrown;
         }
     }
 }

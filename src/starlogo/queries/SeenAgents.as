@@ -143,7 +143,7 @@ package starlogo.queries
             if (_extents.isStale)
             {
                 var of:Extents = table.extents;
-                _extents.build(table.rows, table.count, of.x, of.y, of.z, of.halfX, of.halfY, of.halfZ);
+                _extents.build(table.rows, table.count, of.x, of.y, of.z, of);
             }
             return _extents;
         }

@@ -40,9 +40,9 @@ package starlogo.queries
         }
 
         /** Begins a motion without planes. */
-        public function begin(dx:Number, dy:Number, dz:Number):void
+        public function begin(whole:Vector3D):void
         {
-            motion.setTo(dx, dy, dz);
+            motion.copyFrom(whole);
             count = 0;
             beginCorner();
         }

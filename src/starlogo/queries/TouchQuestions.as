@@ -4,6 +4,7 @@ package starlogo.queries
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.search.AgentTable;
+    import starlogo.search.RowList;
 
     use namespace engine;
 
@@ -15,22 +16,14 @@ package starlogo.queries
     public final class TouchQuestions
     {
         private var _seen:SeenAgents;
-        private var _filters:FilteredRows;
-        private var _answers:Answers;
         private var _search:WaySearch = new WaySearch();
         private var _found:FoundRows;
         private var _structure:AskedStructure = new AskedStructure();
 
-        /**
-         * @param seen the agents that are asked about
-         * @param filters applies filters to them
-         * @param answers makes the lists
-         */
-        public function TouchQuestions(seen:SeenAgents, filters:FilteredRows, answers:Answers)
+        /** @param seen the agents that are asked about */
+        public function TouchQuestions(seen:SeenAgents)
         {
             _seen = seen;
-            _filters = filters;
-            _answers = answers;
             _found = new FoundRows(seen);
         }
 
@@ -38,7 +31,7 @@ package starlogo.queries
         public function touching(agent:Agent, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
             findTouching(agent, filter, FoundRows.ALL);
-            return _answers.list(_found, filter, out);
+            return _found.list(out);
         }
 
         /** As AgentQueries.touchesAny. */
@@ -51,24 +44,24 @@ package starlogo.queries
             }
             findTouching(agent, filter, FoundRows.ALL);
             _found.sort();
-            return _answers.keepAccepted(_found, 0, filter.accepts, 1).length > 0;
+            return _found.keepAccepted(0, 1).length > 0;
         }
 
         /** As AgentQueries.overlapping. */
         public function overlapping(structure:BoundingStructure, filter:AgentFilter, out:Vector.<Agent>):Vector.<Agent>
         {
-            var of:AskedStructure = _structure;
-            of.setTo(structure);
-            _found.begin(FoundRows.ALL, Infinity, -1, _filters.of(filter));
-            _search.begin(_seen.findExtents(), of.x, of.y, of.z, of.halfX, of.halfY, of.halfZ);
-            collect(-1, of.x, of.y, of.z);
-            return _answers.list(_found, filter, out);
+            _structure.setTo(structure);
+            var of:Vector.<Number> = _structure.extents;
+            _found.begin(FoundRows.ALL, Infinity, -1, filter);
+            _search.begin(_seen.findExtents(), of[0], of[1], of[2], of[3], of[4], of[5]);
+            collect(-1, of[0], of[1], of[2]);
+            return _found.list(out);
         }
 
         private function findTouching(agent:Agent, filter:AgentFilter, most:int):void
         {
             var row:int = _seen.rowOfNow(agent);
-            _found.begin(most, Infinity, _seen.rowOf(agent), _filters.of(filter));
+            _found.begin(most, Infinity, row < RowList.GUESTS ? _seen.rowOf(agent) : row, filter);
             if (_seen.table.shapes[row] != null)
             {
                 _seen.beginWay(_search, row);

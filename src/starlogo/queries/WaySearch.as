@@ -14,10 +14,12 @@ package starlogo.queries
         private var _tree:RowTree;
         private var _moves:Boolean = false;
 
-        // By axis: the box where the way begins, the way, and the box around all of it.
+        // By axis, where the box moves: the box where the way begins, and the way.
         private var _least:Vector.<Number> = new Vector.<Number>(3, true);
         private var _greatest:Vector.<Number> = new Vector.<Number>(3, true);
         private var _along:Vector.<Number> = new Vector.<Number>(3, true);
+
+        // The box around all of the way.
         private var _minX:Number = 0;
         private var _minY:Number = 0;
         private var _minZ:Number = 0;
@@ -25,13 +27,18 @@ package starlogo.queries
         private var _maxY:Number = 0;
         private var _maxZ:Number = 0;
 
-        // Nodes that are to be visited yet, and where on the way they are met; the slots of the leaf under way; where the last box is met.
+        // Nodes that are to be visited yet, and where on the way they are met.
         private var _nodes:Vector.<int> = new Vector.<int>();
         private var _entries:Vector.<Number> = new Vector.<Number>();
         private var _waiting:int = 0;
-        private var _slot:int = 0;
-        private var _end:int = 0;
+
+        // Where on the way the last box is met.
         private var _entry:Number = 0;
+
+        // Slots of the leaf under way whose boxes overlap the box around the way; the next one; how many there are.
+        private var _slots:Vector.<int> = new Vector.<int>();
+        private var _next:int = 0;
+        private var _end:int = 0;
 
         /** No search yet. */
         public function WaySearch()
@@ -43,11 +50,11 @@ package starlogo.queries
          *
          * @param tree has the rows
          * @param x its middle
-         * @param y likewise
-         * @param z likewise
+         * @param y its middle
+         * @param z its middle
          * @param halfX half its length along x
-         * @param halfY likewise
-         * @param halfZ likewise
+         * @param halfY half its length along y
+         * @param halfZ half its length along z
          */
         public function begin(tree:RowTree, x:Number, y:Number, z:Number, halfX:Number, halfY:Number, halfZ:Number):void
         {
@@ -55,14 +62,13 @@ package starlogo.queries
             _tree = tree;
             _moves = false;
             limit = 1;
-            _entry = 0;
-            _minX = _least[0] = x - halfX - slack;
-            _minY = _least[1] = y - halfY - slack;
-            _minZ = _least[2] = z - halfZ - slack;
-            _maxX = _greatest[0] = x + halfX + slack;
-            _maxY = _greatest[1] = y + halfY + slack;
-            _maxZ = _greatest[2] = z + halfZ + slack;
-            _slot = _end = 0;
+            _minX = x - halfX - slack;
+            _minY = y - halfY - slack;
+            _minZ = z - halfZ - slack;
+            _maxX = x + halfX + slack;
+            _maxY = y + halfY + slack;
+            _maxZ = z + halfZ + slack;
+            _next = _end = 0;
             _nodes[0] = 1;
             _entries[0] = 0;
             _waiting = tree.count > 0 ? 1 : 0;
@@ -82,9 +88,9 @@ package starlogo.queries
         /**
          * Has the box move.
          *
-         * @param dx the way
-         * @param dy likewise
-         * @param dz likewise
+         * @param dx the way along x
+         * @param dy the way along y
+         * @param dz the way along z
          * @param limit how much of it counts, as a multiple of it
          */
         public function moveAlong(dx:Number, dy:Number, dz:Number, limit:Number):void
@@ -94,6 +100,12 @@ package starlogo.queries
             _along[0] = dx;
             _along[1] = dy;
             _along[2] = dz;
+            _least[0] = _minX;
+            _least[1] = _minY;
+            _least[2] = _minZ;
+            _greatest[0] = _maxX;
+            _greatest[1] = _maxY;
+            _greatest[2] = _maxZ;
             _minX = dx < 0 ? _minX + limit * dx : _minX;
             _minY = dy < 0 ? _minY + limit * dy : _minY;
             _minZ = dz < 0 ? _minZ + limit * dz : _minZ;
@@ -105,25 +117,23 @@ package starlogo.queries
         /** The next row; -1 if there is none any more. */
         public function next():int
         {
-            var boxes:Vector.<Number> = _tree.rowBoxes;
             while (true)
             {
-                var end:int = _end;
-                for (var slot:int = _slot; slot < end; slot++)
+                while (_next < _end)
                 {
-                    if (meets(boxes, RowTree.PER_BOX * slot))
+                    var slot:int = _slots[_next];
+                    _next++;
+                    if (!_moves || isOnWay(_tree.rowBoxes, RowTree.PER_BOX * slot))
                     {
-                        _slot = slot + 1;
                         return _tree.rows[slot];
                     }
                 }
-                _slot = end;
                 if (_waiting == 0)
                 {
                     return -1;
                 }
                 _waiting--;
-                if (_entries[_waiting] <= limit)
+                if (!_moves || _entries[_waiting] <= limit)
                 {
                     visit(_nodes[_waiting]);
                 }
@@ -131,56 +141,90 @@ package starlogo.queries
             return -1;
         }
 
-        // Begins with a leaf, or has the children of a node wait that are met, the nearer to be the next.
+        // Reads the rows of a leaf, or has the children of a node wait.
         private function visit(node:int):void
         {
             var leaf:int = node - _tree.firstLeaf;
             if (leaf >= 0)
             {
-                _slot = _tree.starts[leaf];
-                _end = _tree.starts[leaf + 1];
+                _next = 0;
+                _end = findOverlapping(_tree.rowBoxes, _tree.starts[leaf], _tree.starts[leaf + 1], _slots, 0);
                 return;
             }
-            var boxes:Vector.<Number> = _tree.nodeBoxes;
-            var child:int = node << 1;
-            var isMet:Boolean = meets(boxes, RowTree.PER_BOX * child);
-            var entry:Number = _entry;
-            if (!meets(boxes, RowTree.PER_BOX * (child + 1)))
+            var first:int = _waiting;
+            _waiting = findOverlapping(_tree.nodeBoxes, node << 1, (node << 1) + 2, _nodes, first);
+            if (_moves)
             {
-                if (isMet)
+                keepOnWay(first);
+            }
+        }
+
+        // Finds those of some boxes that overlap the box around the way: writes their numbers behind the first of a list, and returns how many that has then.
+        private function findOverlapping(boxes:Vector.<Number>, first:int, end:int, out:Vector.<int>, count:int):int
+        {
+            var minX:Number = _minX;
+            var minY:Number = _minY;
+            var minZ:Number = _minZ;
+            var maxX:Number = _maxX;
+            var maxY:Number = _maxY;
+            var maxZ:Number = _maxZ;
+            for (var i:int = first; i < end; i++)
+            {
+                var box:int = RowTree.PER_BOX * i;
+                if (boxes[box] > maxX)
                 {
-                    wait(child, entry);
+                    continue;
                 }
-                return;
+                if (boxes[int(box + 3)] < minX)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 1)] > maxY)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 4)] < minY)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 2)] > maxZ)
+                {
+                    continue;
+                }
+                if (boxes[int(box + 5)] < minZ)
+                {
+                    continue;
+                }
+                out[count] = i;
+                count++;
             }
-            if (!isMet)
-            {
-                wait(child + 1, _entry);
-            }
-            else if (entry < _entry)
-            {
-                wait(child + 1, _entry);
-                wait(child, entry);
-            }
-            else
-            {
-                wait(child, entry);
-                wait(child + 1, _entry);
-            }
+            return count;
         }
 
-        private function wait(node:int, entry:Number):void
+        // Keeps those of the two nodes that wait last which the box meets on its way. The nearer is the next.
+        private function keepOnWay(first:int):void
         {
-            _nodes[_waiting] = node;
-            _entries[_waiting] = entry;
-            _waiting++;
-        }
-
-        private function meets(boxes:Vector.<Number>, box:int):Boolean
-        {
-            var isNear:Boolean = boxes[box] <= _maxX && boxes[int(box + 3)] >= _minX && boxes[int(box + 1)] <= _maxY && boxes[int(box + 4)] >= _minY
-                && boxes[int(box + 2)] <= _maxZ && boxes[int(box + 5)] >= _minZ;
-            return isNear && (!_moves || isOnWay(boxes, box));
+            var kept:int = first;
+            for (var i:int = first; i < _waiting; i++)
+            {
+                if (isOnWay(_tree.nodeBoxes, RowTree.PER_BOX * _nodes[i]))
+                {
+                    _nodes[kept] = _nodes[i];
+                    _entries[kept] = _entry;
+                    kept++;
+                }
+            }
+            _waiting = kept;
+            var second:int = first + 1;
+            if (kept > second && _entries[first] < _entries[second])
+            {
+                var nearer:int = _nodes[first];
+                _nodes[first] = _nodes[second];
+                _nodes[second] = nearer;
+                var entry:Number = _entries[first];
+                _entries[first] = _entries[second];
+                _entries[second] = entry;
+            }
         }
 
         // Whether the box meets another within the limit; _entry says where (the method of slabs: Kay and Kajiya, "Ray Tracing Complex Scenes", 1986).

@@ -5,7 +5,6 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
 
     use namespace engine;
 
@@ -20,9 +19,8 @@ package starlogo.search
      */
     public final class AgentTable extends ShapedRows
     {
-        // The rows of the agents, in the order of the list, and how many of the agents have a model that is loading.
+        // The rows of the agents, in the order of the list.
         engine var rows:Vector.<int>;
-        engine var loadingCount:int = 0;
 
         // By row: where the agent was in the search before.
         internal var lastX:Vector.<Number> = new Vector.<Number>();
@@ -98,7 +96,6 @@ package starlogo.search
             }
             findShapes();
             takePositions();
-            countLoading();
             if (_freedList != listNumber)
             {
                 freeRows();
@@ -295,29 +292,20 @@ package starlogo.search
             var xs:Vector.<Number> = x;
             var ys:Vector.<Number> = y;
             var zs:Vector.<Number> = z;
-            var gaps:Vector.<Number> = margins;
             var fromX:Vector.<Number> = offsetX;
             var fromY:Vector.<Number> = offsetY;
             var fromZ:Vector.<Number> = offsetZ;
             var middleX:Vector.<Number> = extents.x;
             var middleY:Vector.<Number> = extents.y;
             var middleZ:Vector.<Number> = extents.z;
-            var gap:Number = Tolerances.PLACES;
             var reachSquared:Number = _bins == null ? Infinity : _bins.levels.reachSquared;
             var end:int = count;
             for (var i:int = 0; i < end; i++)
             {
                 var row:int = listedRows[i];
-                var atX:Number = xs[row];
-                var atY:Number = ys[row];
-                var atZ:Number = zs[row];
-                var awayX:Number = atX < 0 ? -atX : atX;
-                var awayY:Number = atY < 0 ? -atY : atY;
-                var awayZ:Number = atZ < 0 ? -atZ : atZ;
-                gaps[row] = gap * (awayX + awayY + awayZ);
-                atX += fromX[row];
-                atY += fromY[row];
-                atZ += fromZ[row];
+                var atX:Number = xs[row] + fromX[row];
+                var atY:Number = ys[row] + fromY[row];
+                var atZ:Number = zs[row] + fromZ[row];
                 middleX[row] = atX;
                 middleY[row] = atY;
                 middleZ[row] = atZ;
@@ -369,19 +357,6 @@ package starlogo.search
             {
                 lastX.length = lastY.length = lastZ.length = _nextX.length = _nextY.length = _nextZ.length = length;
                 _lastRevisions.length = _nextRevisions.length = length;
-            }
-        }
-
-        // A row whose model is loading changes in every search.
-        private function countLoading():void
-        {
-            loadingCount = 0;
-            for (var i:int = 0; i < changedCount; i++)
-            {
-                if (shapes[changed[i]] == null)
-                {
-                    loadingCount++;
-                }
             }
         }
     }

@@ -21,10 +21,12 @@ package starlogo.search
      */
     public final class CollisionSearch extends PairSink
     {
+        /** The agents of the last search. */
+        public var table:AgentTable;
+
         private var _pairs:RowPairs;
         private var _shapes:ModelShapes;
         private var _bins:Bins = new Bins();
-        private var _table:AgentTable;
         private var _motions:Motions;
         private var _isSwept:Boolean = false;
         private var _areSpheres:Boolean = false;
@@ -35,16 +37,14 @@ package starlogo.search
         private var _someRows:Vector.<int> = new Vector.<int>();
         private var _indices:Vector.<int> = new Vector.<int>();
 
-        // The search under way: the pairs of breeds of interest, or null for all; the pairs that were found, as agents, or as members' numbers
-        // where these are needed; where an agent sweeps, with their times. The agents of a pair are in the order of the list.
-        private var _breeds:BreedPairs;
-        private var _out:Vector.<Agent>;
-        private var _withNumbers:Boolean;
+        // The search under way: the pairs of breeds of interest, or null for all; what takes the pairs, as indices or, if it is not null, as agents;
+        // where an agent sweeps, their times.
+        private var _interests:BreedInterests;
+        private var _out:FoundPairs;
+        private var _outAgents:Vector.<Agent>;
         private var _skippedPairs:int;
-        private var _found:Vector.<int> = new Vector.<int>();
-        private var _pairCount:int;
         private var _times:Vector.<Number> = new Vector.<Number>();
-        private var _order:TimeOrder = new TimeOrder();
+        private var _order:KeyOrder = new KeyOrder();
 
         /**
          * @param choice finds the shapes of agents
@@ -54,23 +54,17 @@ package starlogo.search
         {
             _pairs = pairs;
             _shapes = new ModelShapes(choice);
-            _table = new AgentTable(_shapes, _bins);
+            table = new AgentTable(_shapes, _bins);
             _motions = new Motions(pairs);
-        }
-
-        /** What the last search did. */
-        public function get counts():SearchCounts
-        {
-            return _pairs.counts;
         }
 
         /** Whether two agents touch where they are now, as CollisionSystem says. */
         public function areColliding(a:Agent, b:Agent):Boolean
         {
             readGuests(a, b);
-            var shapes:Vector.<ModelShape> = _table.shapes;
-            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(_table, 0, 1);
-            _table.endGuests();
+            var shapes:Vector.<ModelShape> = table.shapes;
+            var areTouching:Boolean = shapes[0] != null && shapes[1] != null && _pairs.areTouching(table, 0, 1);
+            table.endGuests();
             return areTouching;
         }
 
@@ -78,60 +72,52 @@ package starlogo.search
          * Finds the pairs that touch and whose breeds are of interest.
          *
          * @param agents the list
-         * @param breeds the pairs of breeds; null for all
-         * @param out takes the agents of the pairs, in the order that FoundPairs tells
+         * @param interests the pairs of breeds; null for all
+         * @param takePart which agents do, by their indices in the list; null for all
+         * @param out takes the pairs; of each, the agent that is first in the list comes first
+         * @param counts takes what the search did
+         * @param outAgents takes the pairs as agents; then the indices are not to be used. Null for indices
          * @throws ArgumentError as CollisionSystem.findCollisions does
          */
-        public function find(agents:Vector.<Agent>, breeds:BreedPairs, out:Vector.<Agent>):void
+        public function find(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs, counts:SearchCounts,
+                outAgents:Vector.<Agent> = null):void
         {
-            search(agents, breeds, null, out, false);
-            if (out.length > 2 * _pairCount)
+            table.read(agents);
+            _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
+            _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
+            if (_isSwept)
             {
-                out.length = 2 * _pairCount;
+                _motions.find(table, _bins);
             }
-        }
-
-        /**
-         * As find, with the indices of the agents in the list.
-         *
-         * @param takePart which agents do, by their indices in the list; null for all
-         */
-        public function findPairs(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:FoundPairs):void
-        {
-            search(agents, breeds, takePart, out.agents, true);
-            writeIndices(out.places);
-            out.end(2 * _pairCount);
-        }
-
-        /** Whether the last search has seen just these agents, in this order. */
-        public function isListed(agents:Vector.<Agent>):Boolean
-        {
-            return _table.isListed(agents);
-        }
-
-        /** As AgentTable.check. */
-        public function check(agents:Vector.<Agent>):void
-        {
-            _table.check(agents);
-        }
-
-        /** As AgentTable.writePositions. */
-        public function writePositions(bytes:ByteArray, keepsMotions:Boolean):Vector.<int>
-        {
-            return _table.writePositions(bytes, keepsMotions);
+            chooseMembers(interests, takePart);
+            _interests = interests == null || interests.areAll ? null : interests;
+            _out = out;
+            _outAgents = _isSwept ? null : outAgents;
+            _skippedPairs = out.count = 0;
+            _pairs.resetCounts();
+            _bins.findPairs(_isSwept ? _motions.extents : table.extents, _memberRows, _memberCount, this);
+            _out = null;
+            if (_isSwept)
+            {
+                _order.sortPairs(out.indices, _times, out.count);
+            }
+            if (_memberRows !== table.rows && _outAgents == null)
+            {
+                writeIndices(out);
+            }
+            if (outAgents != null && _isSwept)
+            {
+                out.write(agents, outAgents);
+            }
+            _outAgents = null;
+            report(agents.length, out.count, counts);
         }
 
         /** As AgentTable.restorePositions. */
         public function restorePositions(agents:Vector.<Agent>, bytes:ByteArray):void
         {
-            _table.restorePositions(agents, bytes);
+            table.restorePositions(agents, bytes);
             _isSwept = false;
-        }
-
-        /** The row of an agent that was in the last search, or -1. */
-        public function rowOf(agent:Agent):int
-        {
-            return _table.rowOf(agent);
         }
 
         /**
@@ -143,36 +129,36 @@ package starlogo.search
          */
         public function findContact(a:Agent, b:Agent, out:ContactPoint):Number
         {
-            var rowA:int = _table.rowOf(a);
-            var rowB:int = _table.rowOf(b);
-            if (rowA >= 0 && rowB >= 0 && _table.shapes[rowA] != null && _table.shapes[rowB] != null)
+            var rowA:int = table.rowOf(a);
+            var rowB:int = table.rowOf(b);
+            if (rowA >= 0 && rowB >= 0 && table.shapes[rowA] != null && table.shapes[rowB] != null)
             {
-                return _motions.findContact(_table, rowA, rowB, _isSwept, out);
+                return _motions.findContact(table, rowA, rowB, _isSwept, out);
             }
             readGuests(a, b);
-            var loading:Agent = _table.shapes[0] == null ? a : b;
-            if (_table.shapes[0] == null || _table.shapes[1] == null)
+            var loading:Agent = table.shapes[0] == null ? a : b;
+            if (table.shapes[0] == null || table.shapes[1] == null)
             {
-                _table.endGuests();
+                table.endGuests();
                 throw new ArgumentError(loading + ": its model is still loading");
             }
-            var time:Number = _motions.findContact(_table, 0, 1, false, out);
-            _table.endGuests();
+            var time:Number = _motions.findContact(table, 0, 1, false, out);
+            table.endGuests();
             return time;
         }
 
         private function readGuests(a:Agent, b:Agent):void
         {
-            _table.readGuest(0, a);
-            _table.readGuest(1, b);
+            table.readGuest(0, a);
+            table.readGuest(1, b);
         }
 
         /** @inheritDoc */
         override public function onCandidates(slot:int, others:Vector.<int>, count:int):void
         {
-            if (_breeds != null)
+            if (_interests != null)
             {
-                var kept:int = _breeds.keepOfInterest(_bins, slot, others, count);
+                var kept:int = _interests.keepOfInterest(_bins, slot, others, count);
                 _skippedPairs += count - kept;
                 count = kept;
             }
@@ -182,117 +168,77 @@ package starlogo.search
             }
             else if (_areSpheres)
             {
-                count = _pairs.keepTouchingSpheres(_table, _bins, slot, others, count);
+                count = _pairs.keepTouchingSpheres(table, _bins, slot, others, count);
             }
             else
             {
-                count = _pairs.keepTouching(_table, _bins, slot, others, count);
+                count = _pairs.keepTouching(table, _bins, slot, others, count);
             }
-            if (_isSwept || _withNumbers)
+            if (_outAgents == null)
             {
-                putMembers(slot, others, count);
+                putIndices(slot, others, count);
             }
-            if (!_isSwept)
+            else
             {
                 putAgents(slot, others, count);
             }
-            _pairCount += count;
+            _out.count += count;
         }
 
-        // The pairs of a member and others, as numbers of members.
-        private function putMembers(slot:int, others:Vector.<int>, count:int):void
+        // The pairs of a member and others.
+        private function putIndices(slot:int, others:Vector.<int>, count:int):void
         {
-            var pairs:Vector.<int> = _found;
+            var pairs:Vector.<int> = _out.indices;
             var memberAt:Vector.<int> = _bins.memberAt;
             var member:int = memberAt[slot];
-            var at:int = 2 * _pairCount;
+            var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = memberAt[others[i]];
-                if (member < other)
-                {
-                    pairs[at] = member;
-                    pairs[at + 1] = other;
-                }
-                else
-                {
-                    pairs[at] = other;
-                    pairs[at + 1] = member;
-                }
-                at += 2;
+                var isFirst:Boolean = member < other;
+                pairs[at] = isFirst ? member : other;
+                at++;
+                pairs[at] = isFirst ? other : member;
+                at++;
             }
         }
 
-        // The same pairs as agents.
         private function putAgents(slot:int, others:Vector.<int>, count:int):void
         {
-            var out:Vector.<Agent> = _out;
-            var listed:Vector.<Agent> = _table.agents;
+            var pairs:Vector.<Agent> = _outAgents;
+            var listed:Vector.<Agent> = table.agents;
             var memberAt:Vector.<int> = _bins.memberAt;
             var rowAt:Vector.<int> = _bins.rowAt;
             var member:int = memberAt[slot];
             var agent:Agent = listed[rowAt[slot]];
-            var at:int = 2 * _pairCount;
+            var at:int = 2 * _out.count;
             for (var i:int = 0; i < count; i++)
             {
-                var other:int = others[i];
-                if (member < memberAt[other])
-                {
-                    out[at] = agent;
-                    out[at + 1] = listed[rowAt[other]];
-                }
-                else
-                {
-                    out[at] = listed[rowAt[other]];
-                    out[at + 1] = agent;
-                }
-                at += 2;
+                var other:Agent = listed[rowAt[others[i]]];
+                var isFirst:Boolean = member < memberAt[others[i]];
+                pairs[at] = isFirst ? agent : other;
+                at++;
+                pairs[at] = isFirst ? other : agent;
+                at++;
             }
-        }
-
-        private function search(agents:Vector.<Agent>, breeds:BreedPairs, takePart:Vector.<Boolean>, out:Vector.<Agent>,
-                withNumbers:Boolean):void
-        {
-            _table.read(agents);
-            _out = out;
-            _withNumbers = withNumbers;
-            _areSpheres = _shapes.forms == 1 << BoundingStructure.SPHERE;
-            _isSwept = Agent.haveSwept && Motions.isOneSweeping(agents);
-            if (_isSwept)
-            {
-                _motions.find(_table, _bins);
-            }
-            chooseMembers(breeds, takePart);
-            _breeds = breeds == null || breeds.areAll ? null : breeds;
-            _pairCount = _skippedPairs = 0;
-            _pairs.resetCounts();
-            _bins.findPairs(_isSwept ? _motions.extents : _table.extents, _memberRows, _memberCount, this);
-            if (_isSwept)
-            {
-                _order.sort(_times, _found, _pairCount);
-                writeAgents(out);
-            }
-            _out = null;
-            _pairs.finishCounts();
-            report(agents.length);
         }
 
         // Mostly all agents take part.
-        private function chooseMembers(breeds:BreedPairs, takePart:Vector.<Boolean>):void
+        private function chooseMembers(interests:BreedInterests, takePart:Vector.<Boolean>):void
         {
-            _memberRows = _table.rows;
-            _memberCount = _table.count;
-            var outsiders:int = breeds == null ? 0 : breeds.read(_table);
-            if (_table.loadingCount == 0 && takePart == null && outsiders == 0)
+            _memberRows = table.rows;
+            _memberCount = table.count;
+            var outsiders:int = interests == null ? 0 : interests.read(table);
+            if (table.loadingCount == 0 && takePart == null && outsiders == 0)
             {
                 return;
             }
             _memberRows = _someRows;
             _memberCount = 0;
-            for (var i:int = 0; i < _table.count; i++)
+            for (var i:int = 0; i < table.count; i++)
             {
-                var row:int = _table.rows[i];
-                if (_table.shapes[row] != null && (outsiders == 0 || breeds.hasBreedOf(row)) && (takePart == null || takePart[i]))
+                var row:int = table.rows[i];
+                if (table.shapes[row] != null && (outsiders == 0 || interests.hasBreedOf(row)) && (takePart == null || takePart[i]))
                 {
                     _someRows[_memberCount] = row;
                     _indices[_memberCount] = i;
@@ -311,13 +257,13 @@ package starlogo.search
             {
                 var other:int = others[i];
                 var otherRow:int = _bins.rowAt[other];
-                // the motion is that of the agent that is first in the list
+                // the time is of the motion of the agent that is first in the list
                 var isFirst:Boolean = member < _bins.memberAt[other];
                 var time:Number = isFirst ? impactTime(row, otherRow) : impactTime(otherRow, row);
                 if (time != RelativeMotion.NEVER)
                 {
                     others[kept] = other;
-                    _times[_pairCount + kept] = time;
+                    _times[_out.count + kept] = time;
                     kept++;
                 }
             }
@@ -328,50 +274,31 @@ package starlogo.search
         {
             if (_motions.isSweeping[a] || _motions.isSweeping[b])
             {
-                _motions.findTime(_table, _bins, a, b);
+                _motions.findTime(table, _bins, a, b);
                 return _motions.foundTime;
             }
-            var areTouching:Boolean = RowPairs.areNear(_table.extents, _bins, a, b) && _pairs.areTouching(_table, a, b);
+            var areTouching:Boolean = RowPairs.areNear(table.extents, _bins, a, b) && _pairs.areTouching(table, a, b);
             return areTouching ? 1 : RelativeMotion.NEVER;
         }
 
-        private function writeAgents(out:Vector.<Agent>):void
+        // From the numbers of members to the indices of their agents in the list.
+        private function writeIndices(out:FoundPairs):void
         {
-            var listed:Vector.<Agent> = _table.agents;
-            var members:Vector.<int> = _memberRows;
-            var pairs:Vector.<int> = _found;
-            var length:int = 2 * _pairCount;
-            for (var i:int = 0; i < length; i++)
+            for (var i:int = 0; i < 2 * out.count; i++)
             {
-                out[i] = listed[members[pairs[i]]];
+                out.indices[i] = _indices[out.indices[i]];
             }
         }
 
-        private function writeIndices(indices:Vector.<int>):void
+        private function report(agentCount:int, pairCount:int, counts:SearchCounts):void
         {
-            var pairs:Vector.<int> = _found;
-            var hasAll:Boolean = _memberRows === _table.rows;
-            var length:int = 2 * _pairCount;
-            for (var i:int = 0; i < length; i++)
-            {
-                var member:int = pairs[i];
-                if (!hasAll)
-                {
-                    member = _indices[member];
-                }
-                indices[i] = member;
-            }
-        }
-
-        private function report(agentCount:int):void
-        {
-            var did:SearchCounts = _pairs.counts;
-            did.agents = agentCount;
-            did.agentsSkipped = agentCount - _memberCount - _table.loadingCount;
-            did.agentsLoading = _table.loadingCount;
-            did.binEntries = _bins.entryCount;
-            did.candidatePairs = _bins.pairCount - _skippedPairs;
-            did.collisions = _pairCount;
+            _pairs.writeCounts(counts);
+            counts.agents = agentCount;
+            counts.agentsSkipped = agentCount - _memberCount - table.loadingCount;
+            counts.agentsLoading = table.loadingCount;
+            counts.binEntries = _bins.entryCount;
+            counts.candidatePairs = _bins.pairCount - _skippedPairs;
+            counts.collisions = pairCount;
         }
     }
 }

@@ -3,35 +3,56 @@ package starlogo.search
     import starlogo.agents.Agent;
 
     /**
-     * The pairs that a search has found: two agents a pair, in the order of the list, and the place of each in the list.
+     * The pairs of a frame, as the indices of their agents in the list that was searched.
      *
      * @private
      */
     public final class FoundPairs
     {
-        /** How many agents there are: two a pair. What comes after them in the vectors is left from other searches. */
-        public var length:int = 0;
+        /** How many pairs there are. */
+        public var count:int = 0;
 
-        /** The agents: a0, b0, a1, b1, ... */
-        public var agents:Vector.<Agent> = new Vector.<Agent>();
+        /** The indices: a0, b0, a1, b1, ... Indices after the last pair are left from other searches. */
+        public var indices:Vector.<int> = new Vector.<int>();
 
-        /** The place of each in the list that was searched. */
-        public var places:Vector.<int> = new Vector.<int>();
+        // By the ids of the agents of a list.
+        private var _byId:IdTable = new IdTable();
 
         /** No pairs. */
         public function FoundPairs()
         {
         }
 
-        /** Sets how many agents there are, and lets go of those that earlier searches have left after them. */
-        public function end(length:int):void
+        /** Takes pairs of agents: a0, b0, a1, b1, ... It leaves out a pair if one of its agents is not in the list. */
+        public function read(pairs:Vector.<Agent>, list:Vector.<Agent>):void
         {
-            // a vector that shrinks and grows again is a new one in a JavaScript engine
-            for (var i:int = length; i < this.length; i++)
+            _byId.clear();
+            for (var i:int = 0; i < list.length; i++)
             {
-                agents[i] = null;
+                if (list[i] != null)
+                {
+                    _byId.set (list[i].id, i);
+                }
             }
-            this.length = length;
+            count = 0;
+            for (i = 0; i + 1 < pairs.length; i += 2)
+            {
+                indices[2 * count] = _byId.valueOf(pairs[i].id);
+                indices[2 * count + 1] = _byId.valueOf(pairs[i + 1].id);
+                if (indices[2 * count] >= 0 && indices[2 * count + 1] >= 0)
+                {
+                    count++;
+                }
+            }
+        }
+
+        /** Writes the pairs as agents of the list. */
+        public function write(list:Vector.<Agent>, out:Vector.<Agent>):void
+        {
+            for (var i:int = 0; i < 2 * count; i++)
+            {
+                out[i] = list[indices[i]];
+            }
         }
     }
 }

@@ -13,6 +13,10 @@ package starlogo.search
         private var _otherThings:Vector.<int> = new Vector.<int>();
         private var _otherKeys:Vector.<Number> = new Vector.<Number>();
 
+        // The numbers of pairs, and the pairs as they were.
+        private var _numbers:Vector.<int> = new Vector.<int>();
+        private var _before:Vector.<int> = new Vector.<int>();
+
         /** Nothing ordered yet. */
         public function KeyOrder()
         {
@@ -62,6 +66,29 @@ package starlogo.search
             {
                 things[i] = from[i];
                 keys[i] = fromKeys[i];
+            }
+        }
+
+        /**
+         * Orders pairs. Those with equal keys stay in their order.
+         *
+         * @param pairs two numbers each
+         * @param keys the key of each pair; they are ordered with the pairs
+         * @param count how many pairs
+         */
+        public function sortPairs(pairs:Vector.<int>, keys:Vector.<Number>, count:int):void
+        {
+            for (var i:int = 0; i < count; i++)
+            {
+                _numbers[i] = i;
+                _before[2 * i] = pairs[2 * i];
+                _before[2 * i + 1] = pairs[2 * i + 1];
+            }
+            sort(_numbers, keys, count);
+            for (i = 0; i < count; i++)
+            {
+                pairs[2 * i] = _before[2 * _numbers[i]];
+                pairs[2 * i + 1] = _before[2 * _numbers[i] + 1];
             }
         }
 

@@ -11,8 +11,8 @@ package starlogo.search
      */
     public final class ModelShape
     {
-        /** @private The form of a hierarchy; the other forms are the kinds of BoundingStructure. */
-        engine static const TREE:int = 3;
+        /** @private The form of a hierarchy: a bit of its own. The other forms are the kinds of BoundingStructure. */
+        engine static const TREE:int = 4;
 
         /** The model's name. */
         public var model:String;

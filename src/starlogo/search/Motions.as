@@ -104,7 +104,7 @@ package starlogo.search
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
-            _pairs.counts.sweptPairs++;
+            _pairs.sweptPairs++;
             if (!isStill)
             {
                 _pairs.findTime(table, a, b, motion);

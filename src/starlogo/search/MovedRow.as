@@ -1,5 +1,6 @@
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
 
@@ -21,18 +22,14 @@ package starlogo.search
         private var _table:AgentTable;
         private var _row:int;
 
-        // The row as it was taken: AgentTable.sizing has the order of what makes its size.
+        // The row as it was taken.
         private var _revision:int;
-        private var _x:Number = 0;
-        private var _y:Number = 0;
-        private var _z:Number = 0;
+        private var _home:Vector3D = new Vector3D();
         private var _sizing:Vector.<Number> = new Vector.<Number>(8, true);
         private var _isCopied:Boolean = false;
 
         // Where it is, and how much smaller.
-        private var _atX:Number = NaN;
-        private var _atY:Number = 0;
-        private var _atZ:Number = 0;
+        private var _at:Vector3D = new Vector3D();
         private var _share:Number = 0;
 
         /** No row. */
@@ -46,10 +43,8 @@ package starlogo.search
             _table = table;
             _row = row;
             _revision = table.revisions[row];
-            _x = table.x[row];
-            _y = table.y[row];
-            _z = table.z[row];
-            _atX = NaN;
+            _home.setTo(table.x[row], table.y[row], table.z[row]);
+            _at.x = NaN;
             _isCopied = false;
             var extents:Extents = table.extents;
             largestHalf = Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
@@ -61,47 +56,35 @@ package starlogo.search
          *
          * @param share of its size that is taken off, from 0 to 1
          */
-        public function put(x:Number, y:Number, z:Number, share:Number):void
+        public function put(place:Vector3D, share:Number):void
         {
-            if (x == _atX && y == _atY && z == _atZ && share == _share)
+            if (share == _share && place.x == _at.x && place.y == _at.y && place.z == _at.z)
             {
                 return;
             }
-            _atX = x;
-            _atY = y;
-            _atZ = z;
+            _at.copyFrom(place);
             shrink(share);
-            _table.x[_row] = x + share * _sizing[0];
-            _table.y[_row] = y + share * _sizing[1];
-            _table.z[_row] = z + share * _sizing[2];
+            _table.x[_row] = place.x + share * _sizing[0];
+            _table.y[_row] = place.y + share * _sizing[1];
+            _table.z[_row] = place.z + share * _sizing[2];
             _table.displace(_row);
         }
 
         /** Puts the row back where it was, but smaller. */
         public function narrow(share:Number):void
         {
-            put(_x, _y, _z, share);
+            put(_home, share);
         }
 
         /** Puts the row back as it was. */
         public function giveBack():void
         {
             shrink(0);
-            _table.x[_row] = _x;
-            _table.y[_row] = _y;
-            _table.z[_row] = _z;
+            _table.x[_row] = _home.x;
+            _table.y[_row] = _home.y;
+            _table.z[_row] = _home.z;
             _table.putBack(_row, _revision);
             _table = null;
-        }
-
-        /** Whether the extents of the row, where it is, are no farther from those of another than a gap. */
-        public function isNear(other:int, gap:Number):Boolean
-        {
-            var extents:Extents = _table.extents;
-            var row:int = _row;
-            return Math.abs(extents.x[row] - extents.x[other]) <= extents.halfX[row] + extents.halfX[other] + gap
-                && Math.abs(extents.y[row] - extents.y[other]) <= extents.halfY[row] + extents.halfY[other] + gap
-                && Math.abs(extents.z[row] - extents.z[other]) <= extents.halfZ[row] + extents.halfZ[other] + gap;
         }
 
         // Mostly a row stays as large as it is, and its size is not copied.
@@ -111,15 +94,12 @@ package starlogo.search
             {
                 return;
             }
-            for (var i:int = 0; i < _sizing.length; i++)
+            if (!_isCopied)
             {
-                if (!_isCopied)
-                {
-                    _sizing[i] = _table.sizing[i][_row];
-                }
-                _table.sizing[i][_row] = (1 - share) * _sizing[i];
+                _table.readSizing(_row, _sizing);
+                _isCopied = true;
             }
-            _isCopied = true;
+            _table.writeSizing(_row, _sizing, 1 - share);
             _share = share;
         }
     }

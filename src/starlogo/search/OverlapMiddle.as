@@ -10,10 +10,7 @@ package starlogo.search
     /** Where the point of a contact is in the overlap of two rows. */
     internal final class OverlapMiddle
     {
-        // A field, because V8 makes objects of Numbers that are returned.
-        private var _across:Number = 0;
-
-        /** No contact yet. */
+        /** Has only static members. */
         public function OverlapMiddle()
         {
         }
@@ -25,12 +22,10 @@ package starlogo.search
          * @param b the second
          * @param out the contact, its point half of the depth from where the second ends along the normal
          */
-        public function setAlong(table:AgentTable, a:int, b:int, out:ContactPoint):void
+        public static function setAlong(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            findAcross(table, b, out);
-            var low:Number = out.depth - _across;
-            findAcross(table, a, out);
-            var high:Number = _across;
+            var low:Number = out.depth - across(table, b, out);
+            var high:Number = across(table, a, out);
             if (low > 0 || high < out.depth)
             {
                 low = low > 0 ? low : 0;
@@ -43,23 +38,22 @@ package starlogo.search
         }
 
         /** Puts a contact's point into the extents of a row, where it is not. */
-        public function keepWithin(extents:Extents, row:int, out:ContactPoint):void
+        public static function keepWithin(extents:Extents, row:int, out:ContactPoint):void
         {
             out.x = Math.max(Math.min(out.x, extents.x[row] + extents.halfX[row]), extents.x[row] - extents.halfX[row]);
             out.y = Math.max(Math.min(out.y, extents.y[row] + extents.halfY[row]), extents.y[row] - extents.halfY[row]);
             out.z = Math.max(Math.min(out.z, extents.z[row] + extents.halfZ[row]), extents.z[row] - extents.halfZ[row]);
         }
 
-        // Finds how far across a row is along a normal, or its extents are.
-        private function findAcross(table:AgentTable, row:int, out:ContactPoint):void
+        // How far across a row is along a normal, or its extents are.
+        private static function across(table:AgentTable, row:int, out:ContactPoint):Number
         {
             var extents:Extents = table.extents;
             if (table.forms[row] == BoundingStructure.SPHERE)
             {
-                _across = 2 * extents.halfX[row];
-                return;
+                return 2 * extents.halfX[row];
             }
-            _across = 2 * (extents.halfX[row] * Math.abs(out.normalX) + extents.halfY[row] * Math.abs(out.normalY)
+            return 2 * (extents.halfX[row] * Math.abs(out.normalX) + extents.halfY[row] * Math.abs(out.normalY)
                     + extents.halfZ[row] * Math.abs(out.normalZ));
         }
     }

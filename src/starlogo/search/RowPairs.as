@@ -25,11 +25,11 @@ package starlogo.search
      */
     public final class RowPairs
     {
-        /** Takes the numbers of tests of the search under way. */
-        public var counts:SearchCounts = new SearchCounts();
+        /** How many pairs were tested along their motions since <code>resetCounts()</code>. */
+        public var sweptPairs:int = 0;
 
-        /** Answers for pairs of structures that are not both spheres. */
-        public var structures:StructurePairs;
+        /** Answers for pairs of structures that are not both spheres; counts the tests of those too. */
+        public var structures:StructurePairs = new StructurePairs();
 
         /** Answers for pairs of which at least one is a tree; null if the choice of shapes has no trees. */
         public var trees:TreePairs = null;
@@ -46,7 +46,6 @@ package starlogo.search
          */
         public function RowPairs(choice:ShapeChoice)
         {
-            structures = new StructurePairs(counts);
             choice.prepare(this);
         }
 
@@ -69,7 +68,7 @@ package starlogo.search
             var radius:Number = radii[slot];
             var slack:Number = bins.slack;
             var kept:int = 0;
-            counts.tests[0] += count;
+            structures.tests[0] += count;
             for (var i:int = 0; i < count; i++)
             {
                 var other:int = others[i];
@@ -176,23 +175,22 @@ package starlogo.search
                 others[kept] = other;
                 kept++;
             }
-            counts.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
-            counts.tests[0] += sphereTests;
+            structures.tests[BoundingStructure.BOX << 2 | BoundingStructure.BOX] += boxTests;
+            structures.tests[0] += sphereTests;
             return kept;
         }
 
         /** Whether two rows touch. */
         public function areTouching(table:AgentTable, a:int, b:int):Boolean
         {
-            var formA:int = table.forms[a];
-            var formB:int = table.forms[b];
-            if (formA == ModelShape.TREE || formB == ModelShape.TREE)
+            var forms:int = table.forms[a] | table.forms[b];
+            if (forms >= ModelShape.TREE)
             {
                 return trees.areTouching(table, a, b);
             }
-            if ((formA | formB) == BoundingStructure.SPHERE)
+            if (forms == BoundingStructure.SPHERE)
             {
-                counts.tests[0]++;
+                structures.tests[0]++;
                 return areSpheresTouching(table, a, b);
             }
             return structures.areTouching(table, a, b);
@@ -205,13 +203,11 @@ package starlogo.search
          */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            var formA:int = table.forms[a];
-            var formB:int = table.forms[b];
-            if (formA == ModelShape.TREE || formB == ModelShape.TREE)
+            if (isOneTree(table, a, b))
             {
                 trees.findTime(table, a, b, motion);
             }
-            else if ((formA | formB) == BoundingStructure.SPHERE)
+            else if (areSpheres(table, a, b))
             {
                 findTimeOfSpheres(table, a, b, motion);
             }
@@ -250,7 +246,7 @@ package starlogo.search
          * When and how two rows touch for the first time that do not touch at the beginning.
          *
          * @param motion as in findTime; but what rounding hides at its end may be left out
-         * @param out takes how, as in findContact
+         * @param out takes how, as in findContact; null if only the time is wanted
          */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
@@ -260,7 +256,7 @@ package starlogo.search
                 return;
             }
             findTime(table, a, b, motion);
-            if (motion.time != RelativeMotion.NEVER)
+            if (out != null && motion.time != RelativeMotion.NEVER)
             {
                 findContact(table, a, b, motion, out);
             }
@@ -294,19 +290,22 @@ package starlogo.search
         /** Begins to count the tests of a search. */
         public function resetCounts():void
         {
-            counts.reset();
+            sweptPairs = 0;
+            structures.resetCounts();
             if (trees != null)
             {
                 trees.resetCounts();
             }
         }
 
-        /** Completes the counts of a search. */
-        public function finishCounts():void
+        /** Writes how many tests were made since <code>resetCounts()</code>. */
+        public function writeCounts(out:SearchCounts):void
         {
+            out.sweptPairs = sweptPairs;
+            structures.writeCounts(out);
             if (trees != null)
             {
-                trees.finishCounts();
+                trees.writeCounts(out);
             }
         }
 
@@ -354,7 +353,7 @@ package starlogo.search
         /** Whether at least one of two rows is a tree. */
         public static function isOneTree(table:AgentTable, a:int, b:int):Boolean
         {
-            return table.forms[a] == ModelShape.TREE || table.forms[b] == ModelShape.TREE;
+            return (table.forms[a] | table.forms[b]) >= ModelShape.TREE;
         }
 
         private static function areSpheresTouching(table:AgentTable, a:int, b:int):Boolean
@@ -369,19 +368,19 @@ package starlogo.search
             {
                 return true;
             }
-            reach = reach * Tolerances.TOUCHING + (table.margins[a] + table.margins[b]);
+            reach = reach * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b));
             return squared <= reach * reach;
         }
 
         private function findTimeOfSpheres(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            counts.tests[0]++;
+            structures.tests[0]++;
             var extents:Extents = table.extents;
             _points.x = extents.x[a] - extents.x[b] + motion.startX;
             _points.y = extents.y[a] - extents.y[b] + motion.startY;
             _points.z = extents.z[a] - extents.z[b] + motion.startZ;
             // the motion's own rounding too
-            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.margins[a] + table.margins[b])
+            _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b))
                 + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
             _points.findTime(motion);
             // rounding can miss a touch at the end of the motion

@@ -1,65 +1,65 @@
 package starlogo.search
 {
-    /**
-     * What a search did: see CollisionStatistics, which says the same to clients.
-     *
-     * @private
-     */
-    public final class SearchCounts
+    /** What a search for collisions did. CollisionStatistics has these counts, and more. */
+    public class SearchCounts
     {
         /** Agents in the list. */
         public var agents:int;
 
-        /** Agents whose breeds are in no pair that counts. */
+        /** Agents of breeds without handlers, and those that a Collision's filter excludes, which were skipped. */
         public var agentsSkipped:int;
 
-        /** Agents whose models are loading. */
+        /** Agents whose models are still loading: they collide with nothing yet. */
         public var agentsLoading:int;
 
-        /** Entries of agents in bins. */
+        /** Entries of agents in the thesis's bins: an agent that reaches into four of them counts four times. */
         public var binEntries:int;
 
-        /** Pairs whose circles on the ground overlap. */
+        /** Pairs of agents whose circles on the ground overlap. */
         public var candidatePairs:int;
 
-        /** Pairs that were tested along their motions. */
+        /** Pairs in which an agent sweeps, and which came near each other: each was tested along its motion. */
         public var sweptPairs:int;
 
-        /** Pairs of which at least one agent was tested by its hierarchy. */
+        /** Sphere-sphere tests. */
+        public var sphereSphereTests:int;
+
+        /** Sphere-capsule tests. */
+        public var sphereCapsuleTests:int;
+
+        /** Sphere-box tests. */
+        public var sphereBoxTests:int;
+
+        /** Capsule-capsule tests. */
+        public var capsuleCapsuleTests:int;
+
+        /** Capsule-box tests. */
+        public var capsuleBoxTests:int;
+
+        /** Box-box tests. */
+        public var boxBoxTests:int;
+
+        /** Pairs of agents of which at least one was tested by its hierarchy. */
         public var hierarchyTests:int;
 
-        /** Pairs of nodes that were visited. */
+        /** Pairs of nodes that these visited: nodes of both hierarchies, or a node of the one and the other's structure (§6.3.3). */
         public var nodeVisits:int;
 
-        /** Pairs of triangles that were tested. */
+        /** Triangle-triangle tests. */
         public var triangleTests:int;
 
-        /** Pairs that were found. */
+        /** Pairs of agents that collide. */
         public var collisions:int;
-
-        /** Tests of two structures: at four times the kind of one structure plus that of the other. */
-        public var tests:Vector.<int> = new Vector.<int>(16, true);
 
         /** All zero. */
         public function SearchCounts()
         {
         }
 
-        /** Sets the numbers to 0 that are counted up; the others are set at the end of a search. */
-        public function reset():void
+        /** Intersection tests of all kinds of structures, without those of the nodes of hierarchies. */
+        public function get tests():int
         {
-            sweptPairs = hierarchyTests = nodeVisits = triangleTests = 0;
-            for (var i:int = 0; i < 16; i++)
-            {
-                tests[i] = 0;
-            }
-        }
-
-        /** Tests of structures of two kinds, in either order. */
-        public function testsOf(kind:int, otherKind:int):int
-        {
-            var count:int = tests[kind << 2 | otherKind];
-            return kind == otherKind ? count : count + tests[otherKind << 2 | kind];
+            return sphereSphereTests + sphereCapsuleTests + sphereBoxTests + capsuleCapsuleTests + capsuleBoxTests + boxBoxTests;
         }
     }
 }

@@ -1,6 +1,7 @@
 // This file is long because all its steps share where the two are, what is tried, and what was found.
 package starlogo.search
 {
+    import flash.geom.Vector3D;
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
@@ -29,6 +30,9 @@ package starlogo.search
         private static const IMPROVEMENTS:int = 2;
         private static const GAIN:Number = 0.95;
 
+        // Two normals whose sum is shorter have no direction between them.
+        private static const NEARLY_OPPOSITE:Number = 0.1;
+
         // How narrow the interval is that the way out ends in before it is swept, as a share of the larger extent.
         private static const NARROW:Number = 1 / 16;
 
@@ -39,7 +43,6 @@ package starlogo.search
         private static const MOST_STEPS:int = 60;
 
         private var _pairs:RowPairs;
-        private var _middle:OverlapMiddle = new OverlapMiddle();
         private var _moved:MovedRow = new MovedRow();
 
         // The pair under way, where its first row is when they touch, and their larger extent.
@@ -50,6 +53,7 @@ package starlogo.search
         private var _y:Number = 0;
         private var _z:Number = 0;
         private var _extent:Number = 0;
+        private var _place:Vector3D = new Vector3D();
 
         // The direction that is tried; how far along it they touch, how far they do not, and where in between they part.
         private var _alongX:Number = 0;
@@ -91,12 +95,13 @@ package starlogo.search
         {
             if (_pairs.hasExactContact(table, a, b))
             {
-                _middle.setAlong(table, a, b, out);
+                OverlapMiddle.setAlong(table, a, b, out);
                 return;
             }
             begin(table, a, b, motion);
             _distance = 0;
-            if (touch())
+            // only those that come may have been stopped just before they touch
+            if (!isComing(motion) || touch())
             {
                 findLeast(motion, out);
             }
@@ -106,9 +111,9 @@ package starlogo.search
             }
             _distance = 0;
             displace();
-            _middle.setAlong(table, a, b, out);
-            _middle.keepWithin(table.extents, a, out);
-            _middle.keepWithin(table.extents, b, out);
+            OverlapMiddle.setAlong(table, a, b, out);
+            OverlapMiddle.keepWithin(table.extents, a, out);
+            OverlapMiddle.keepWithin(table.extents, b, out);
             _moved.giveBack();
             _table = null;
         }
@@ -128,7 +133,7 @@ package starlogo.search
             var half:Number = Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b]));
             half = Math.max(half, _moved.largestHalf);
             // two points have none: then it is how far apart they may be and still touch
-            var rounding:Number = table.margins[a] + table.margins[b];
+            var rounding:Number = table.marginOf(a) + table.marginOf(b);
             _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));
         }
 
@@ -159,6 +164,10 @@ package starlogo.search
                 _left.pointAgainst(motion);
                 isDeep = isDeepAlong(_left);
             }
+            if (isDeep && out.depth < SHALLOW * _extent && findCorner(out))
+            {
+                isDeep = isDeepAlong(_left);
+            }
             if (isDeep)
             {
                 findDirectionByLeaves(out);
@@ -186,6 +195,17 @@ package starlogo.search
             _exit = out.depth;
             makeSure();
             out.depth = _exit;
+        }
+
+        // Where the two touch two sides of a corner that are hardly deep, the way out is between both: takes the normal between a contact's and that of what
+        // still touches a short way along the direction. Returns whether there is one.
+        private function findCorner(contact:ContactPoint):Boolean
+        {
+            RelativeMotion.NONE.time = 0;
+            _pairs.findContact(_table, _a, _b, RelativeMotion.NONE, _left);
+            _left.setNormal(_left.normalX + contact.normalX, _left.normalY + contact.normalY, _left.normalZ + contact.normalZ);
+            _left.normalise();
+            return _left.length > NEARLY_OPPOSITE;
         }
 
         // Whether the two still touch a short way along a contact's normal.
@@ -362,7 +382,8 @@ package starlogo.search
 
         private function displace():void
         {
-            _moved.put(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ, 0);
+            _place.setTo(_x + _distance * _alongX, _y + _distance * _alongY, _z + _distance * _alongZ);
+            _moved.put(_place, 0);
         }
     }
 }

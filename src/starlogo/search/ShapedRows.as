@@ -36,13 +36,11 @@ package starlogo.search
         engine var forms:Vector.<int> = new Vector.<int>();
         internal var depths:Vector.<int> = new Vector.<int>();
 
-        // By row: where the agent is, and the agent's revision that this is of; the agent's part of the gap across which shapes touch
-        // (Tolerances.PLACES); the extents of its shape.
+        // By row: where the agent is, and the agent's revision that this is of; the extents of its shape.
         engine var x:Vector.<Number> = new Vector.<Number>();
         engine var y:Vector.<Number> = new Vector.<Number>();
         engine var z:Vector.<Number> = new Vector.<Number>();
         engine var revisions:Vector.<int> = new Vector.<int>();
-        engine var margins:Vector.<Number> = new Vector.<Number>();
         engine var extents:Extents = new Extents();
 
         // By row: the agent's revisions that its extents and its shape are of.
@@ -56,9 +54,6 @@ package starlogo.search
         private var _rotations:Vector.<Number> = new Vector.<Number>();
         internal var sizes:Vector.<Number> = new Vector.<Number>();
 
-        // The columns of what grows with a row: from the position to the middle of the extents, half of these, the radius around them, the size.
-        internal var sizing:Vector.<Vector.<Number>>;
-
         // By row: its structure in the world, for which revision that was placed, and what is tried before it, or null. Of the structures the boxes
         // that decide alone are listed a second time, typed, else null: that spares the most frequent costly test its casts.
         private var _placed:Vector.<BoundingStructure> = new Vector.<BoundingStructure>();
@@ -68,6 +63,9 @@ package starlogo.search
 
         // By kind: a structure that no row has at present, or null.
         private var _spares:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+
+        // How many rows have a model that is loading, of those that were read last.
+        engine var loadingCount:int = 0;
 
         // Rows whose extents have to be computed again, and the new shapes of those whose shape has changed.
         protected var changed:Vector.<int> = new Vector.<int>();
@@ -91,7 +89,6 @@ package starlogo.search
         {
             this.agents = agents;
             modelShapes = shapes;
-            sizing = new <Vector.<Number>>[offsetX, offsetY, offsetZ, extents.halfX, extents.halfY, extents.halfZ, extents.radius, sizes];
         }
 
         /** Whether a row is as its agent is now. */
@@ -128,6 +125,12 @@ package starlogo.search
             return scratch;
         }
 
+        /** A row's part of the gap across which shapes touch. */
+        public function marginOf(row:int):Number
+        {
+            return Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
+        }
+
         /** The structure of a row in the world, wider by the margin within which shapes touch. */
         public function structureOf(row:int):BoundingStructure
         {
@@ -141,13 +144,39 @@ package starlogo.search
         /** Makes a box along the world's axes that of a row's extents, wider by more than rounding comes to. */
         internal function readExtents(row:int, box:Box):void
         {
-            var margin:Number = Tolerances.EXTENTS_GAPS * margins[row];
+            var margin:Number = Tolerances.EXTENTS_GAPS * marginOf(row);
             box.center.x = extents.x[row];
             box.center.y = extents.y[row];
             box.center.z = extents.z[row];
             box.halfX = extents.halfX[row] * Tolerances.OUTER + margin;
             box.halfY = extents.halfY[row] * Tolerances.OUTER + margin;
             box.halfZ = extents.halfZ[row] * Tolerances.OUTER + margin;
+        }
+
+        /** Copies what grows with a row into a list of eight. */
+        internal function readSizing(row:int, out:Vector.<Number>):void
+        {
+            out[0] = offsetX[row];
+            out[1] = offsetY[row];
+            out[2] = offsetZ[row];
+            out[3] = extents.halfX[row];
+            out[4] = extents.halfY[row];
+            out[5] = extents.halfZ[row];
+            out[6] = extents.radius[row];
+            out[7] = sizes[row];
+        }
+
+        /** Makes what grows with a row what such a list has, times a factor. */
+        internal function writeSizing(row:int, from:Vector.<Number>, factor:Number):void
+        {
+            offsetX[row] = factor * from[0];
+            offsetY[row] = factor * from[1];
+            offsetZ[row] = factor * from[2];
+            extents.halfX[row] = factor * from[3];
+            extents.halfY[row] = factor * from[4];
+            extents.halfZ[row] = factor * from[5];
+            extents.radius[row] = factor * from[6];
+            sizes[row] = factor * from[7];
         }
 
         /** A row is somewhere else, where x, y, z have been set to, so that questions can be asked about it there, until <code>putBack()</code>. */
@@ -169,7 +198,7 @@ package starlogo.search
         {
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
-            var margin:Number = margins[row];
+            var margin:Number = marginOf(row);
             if (shape.form == BoundingStructure.SPHERE)
             {
                 // other structures are compared with it by tests that grant this, other spheres are not
@@ -196,7 +225,7 @@ package starlogo.search
             }
             shapes.length = boxes.length = _placed.length = outer.length = length;
             x.length = y.length = z.length = length;
-            margins.length = offsetX.length = offsetY.length = offsetZ.length = sizes.length = length;
+            offsetX.length = offsetY.length = offsetZ.length = sizes.length = length;
             revisions.length = extentsRevisions.length = _shapeRevisions.length = placedRevisions.length = length;
             forms.length = depths.length = length;
             extents.grow(length);
@@ -222,7 +251,6 @@ package starlogo.search
             extents.x[row] = x[row] + offsetX[row];
             extents.y[row] = y[row] + offsetY[row];
             extents.z[row] = z[row] + offsetZ[row];
-            margins[row] = Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
         }
 
         // Finds the shapes of the agents that have changed, all before any row changes, and then their extents.
@@ -240,6 +268,7 @@ package starlogo.search
                     _changedShapes[i] = modelShapes.shapeOf(agents[row]);
                 }
             }
+            loadingCount = 0;
             for (i = 0; i < changedCount; i++)
             {
                 row = changed[i];
@@ -248,7 +277,12 @@ package starlogo.search
                     setShape(row, _changedShapes[i]);
                     _changedShapes[i] = null;
                 }
-                if (shapes[row] != null)
+                if (shapes[row] == null)
+                {
+                    // a row whose model is loading changes in every search
+                    loadingCount++;
+                }
+                else
                 {
                     findExtents(row);
                 }

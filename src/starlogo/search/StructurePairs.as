@@ -21,18 +21,11 @@ package starlogo.search
      *
      * @private
      */
-    public final class StructurePairs
+    public final class StructurePairs extends StructureTests
     {
-        /** See StructureTests, whose settings these are. */
-        public var spheresFirst:Boolean = true;
+        /** How many tests were made since <code>resetCounts()</code>: at four times the kind of one structure plus that of the other. */
+        public var tests:Vector.<int> = new Vector.<int>(16, true);
 
-        /** @copy #spheresFirst */
-        public var capsulesFirst:Boolean = false;
-
-        /** @copy #spheresFirst */
-        public var boxFacesOnly:Boolean = false;
-
-        private var _counts:SearchCounts;
         private var _finder:ContactFinder = new ContactFinder();
 
         // The way back of a motion, and the interval in which all structures under way touch.
@@ -44,12 +37,29 @@ package starlogo.search
         private var _extentsA:Box = newBox();
         private var _extentsB:Box = newBox();
 
-        /**
-         * @param counts takes the numbers of tests
-         */
-        public function StructurePairs(counts:SearchCounts)
+        /** With the settings that colliders begin with. */
+        public function StructurePairs()
         {
-            _counts = counts;
+        }
+
+        /** Begins to count tests. */
+        public function resetCounts():void
+        {
+            for (var i:int = 0; i < tests.length; i++)
+            {
+                tests[i] = 0;
+            }
+        }
+
+        /** Writes how many tests were made. */
+        public function writeCounts(out:SearchCounts):void
+        {
+            out.sphereSphereTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.SPHERE);
+            out.sphereCapsuleTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.CAPSULE);
+            out.sphereBoxTests = testsOf(BoundingStructure.SPHERE, BoundingStructure.BOX);
+            out.capsuleCapsuleTests = testsOf(BoundingStructure.CAPSULE, BoundingStructure.CAPSULE);
+            out.capsuleBoxTests = testsOf(BoundingStructure.CAPSULE, BoundingStructure.BOX);
+            out.boxBoxTests = testsOf(BoundingStructure.BOX, BoundingStructure.BOX);
         }
 
         /** As RowPairs.areTouching. */
@@ -174,7 +184,14 @@ package starlogo.search
 
         private function noteTest(a:BoundingStructure, b:BoundingStructure):void
         {
-            _counts.tests[a.kind << 2 | b.kind]++;
+            tests[a.kind << 2 | b.kind]++;
+        }
+
+        // In either order.
+        private function testsOf(kind:int, otherKind:int):int
+        {
+            var count:int = tests[kind << 2 | otherKind];
+            return kind == otherKind ? count : count + tests[otherKind << 2 | kind];
         }
 
         // Whether the faces of two boxes decide, and their extents, without which boxes far from each other would touch.

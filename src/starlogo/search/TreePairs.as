@@ -26,19 +26,19 @@ package starlogo.search
         /** Whether triangles decide, and no depth limit applies. */
         public var exact:Boolean = false;
 
-        private var _counts:SearchCounts;
+        private var _tests:int = 0;
         private var _traversal:HierarchyTraversal = new HierarchyTraversal();
         private var _swept:SweptHierarchyTraversal;
+
+        // The motion under way: that which was given, or the other way round.
+        private var _motion:RelativeMotion;
         private var _turned:RelativeMotion = new RelativeMotion();
         private var _placementA:Placement = new Placement();
         private var _placementB:Placement = new Placement();
 
-        /**
-         * @param counts takes the numbers of tests
-         */
-        public function TreePairs(counts:SearchCounts)
+        /** With the settings that colliders begin with. */
+        public function TreePairs()
         {
-            _counts = counts;
             _swept = new SweptHierarchyTraversal(_traversal);
         }
 
@@ -62,7 +62,7 @@ package starlogo.search
                 {
                     continue;
                 }
-                _counts.hierarchyTests++;
+                _tests++;
                 var other:SolidHierarchy = shapes[otherRow].hierarchy;
                 var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
                 var otherDepth:int = depthOf(table, otherRow);
@@ -99,7 +99,7 @@ package starlogo.search
             {
                 return areTouching(table, b, a, byLeaves);
             }
-            _counts.hierarchyTests++;
+            _tests++;
             var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
             var placementA:Placement = table.placementOf(a, _placementA);
@@ -115,49 +115,34 @@ package starlogo.search
         /** As RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
-            if (RowPairs.isSecondFirst(table, a, b))
-            {
-                _turned.turn(motion);
-                findTime(table, b, a, _turned);
-                motion.time = _turned.time;
-                return;
-            }
-            _counts.hierarchyTests++;
-            setSweptPair(table, a, b, false);
-            _swept.findTime(motion);
+            _tests++;
+            setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), false);
+            _swept.findTime(_motion);
+            motion.time = _motion.time;
         }
 
         /** As RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            if (table.forms[a] != ModelShape.TREE)
+            setSweptPair(table, a, b, motion, table.forms[a] != ModelShape.TREE, false);
+            _swept.findContact(_motion, out);
+            if (_motion !== motion)
             {
-                _turned.turn(motion);
-                findContact(table, b, a, _turned, out);
                 out.turn(motion);
-                return;
             }
-            setSweptPair(table, a, b, false);
-            _swept.findContact(motion, out);
         }
 
         /** As RowPairs.findImpact; <code>byLeaves</code> as in areTouching. */
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint, byLeaves:Boolean = false):void
         {
-            if (RowPairs.isSecondFirst(table, a, b))
+            _tests++;
+            setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), byLeaves);
+            _swept.findImpact(_motion, out);
+            motion.time = _motion.time;
+            if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
             {
-                _turned.turn(motion);
-                findImpact(table, b, a, _turned, out, byLeaves);
-                motion.time = _turned.time;
-                if (motion.time != RelativeMotion.NEVER)
-                {
-                    out.turn(motion);
-                }
-                return;
+                out.turn(motion);
             }
-            _counts.hierarchyTests++;
-            setSweptPair(table, a, b, byLeaves);
-            _swept.findImpact(motion, out);
         }
 
         /** As RowPairs.findOuterContact. */
@@ -177,21 +162,30 @@ package starlogo.search
         /** Begins to count the tests of a search. */
         public function resetCounts():void
         {
+            _tests = 0;
             _swept.resetCounts();
             _traversal.resetCounts();
         }
 
-        /** Completes the counts of a search. */
-        public function finishCounts():void
+        /** Writes how many tests were made since <code>resetCounts()</code>. */
+        public function writeCounts(out:SearchCounts):void
         {
-            _counts.nodeVisits = _traversal.nodeVisits + _swept.nodeVisits;
-            _counts.triangleTests = _traversal.triangleTests + _swept.triangleTests;
+            out.hierarchyTests = _tests;
+            out.nodeVisits = _traversal.nodeVisits + _swept.nodeVisits;
+            out.triangleTests = _traversal.triangleTests + _swept.triangleTests;
         }
 
-        // The first is a tree; where both are, leaves may decide in place of triangles.
-        private function setSweptPair(table:AgentTable, a:int, b:int, byLeaves:Boolean):void
+        // Takes two rows in this order or the other, the first being a tree, and their motion. Where both are trees, leaves may decide in place of triangles.
+        private function setSweptPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean, byLeaves:Boolean):void
         {
+            if (isTurned)
+            {
+                _turned.turn(motion);
+                setSweptPair(table, b, a, _turned, false, byLeaves);
+                return;
+            }
             var shapeB:ModelShape = table.shapes[b];
+            _motion = motion;
             _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy,
                     shapeB.structure, table.placementOf(b, _placementB), depthOf(table, b), exact && !(byLeaves && shapeB.hierarchy != null));
         }

@@ -24,7 +24,7 @@ package starlogo.search
         /** @private */
         override engine function prepare(pairs:RowPairs):void
         {
-            pairs.trees = new TreePairs(pairs.counts);
+            pairs.trees = new TreePairs();
         }
 
         /** @inheritDoc */

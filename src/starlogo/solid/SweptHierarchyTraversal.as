@@ -166,7 +166,7 @@ package starlogo.solid
          * Finds when the two touch for the first time that do not touch at the beginning, and where.
          *
          * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
-         * @param out takes where, in the world
+         * @param out takes where, in the world; null if only the time is wanted
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
@@ -177,8 +177,11 @@ package starlogo.solid
                 return;
             }
             motion.time = _pose.motion.time = _traversal.time;
-            findContactOfFirst(out);
-            moveToWorld(_placementA, motion, out);
+            if (out != null)
+            {
+                findContactOfFirst(out);
+                moveToWorld(_placementA, motion, out);
+            }
         }
 
         /**

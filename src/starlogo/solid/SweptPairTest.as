@@ -98,6 +98,7 @@ package starlogo.solid
             pose.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
             var corners:Vector.<Number> = solidA.corners;
             _overlap.relate(corners, _firstA, _corners, 0);
+            _overlap.tolerance = touching;
             _overlap.findContact(pose.motion, out);
             // from the first triangle's first corner
             out.x += corners[_firstA];

@@ -7,7 +7,7 @@ package starlogo.agents
     import starlogo.blocks.TraitBlocks;
     import starlogo.GreatLand;
     import starlogo.collision.BinCollider;
-    import starlogo.collision.BreedInterests;
+    import starlogo.search.BreedInterests;
     import starlogo.collision.Collision;
     import starlogo.diagnostics.CollisionRecorder;
     import starlogo.engine;

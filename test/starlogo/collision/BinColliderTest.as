@@ -10,6 +10,7 @@ package starlogo.collision
     import support.Effort;
     import support.RandomWorlds;
     import evaluation.pairs.SeededRandom;
+    import starlogo.search.BreedInterests;
     import support.assertThrows;
 
     public class BinColliderTest

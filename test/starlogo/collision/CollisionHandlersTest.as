@@ -276,6 +276,41 @@ package starlogo.collision
 
         // Handlers do at random what they like to a list, and every call is what the rules say, worked out by searching the list.
         [Test]
+        public function theLastFramesListMayBeTheNextFramesAndChange():void
+        {
+            addAll("bears", "balls", "balls", "balls");
+            _collision.onCollision("bears", "balls", function(bear:Agent, ball:Agent):void
+                {
+                    _calls.push(["hit", bear, ball]);
+                    var list:Vector.<Agent> = _calls.length > 3 ? again : _agents;
+                    list.splice(list.indexOf(ball), 1);
+                });
+            _collision.update(_agents.concat());
+            assertEquals("the handler changes another list", "hit,hit,hit", names());
+            var again:Vector.<Agent> = _collision.lastAgents;
+            assertEquals(4, again.length);
+            _collision.update(again);
+            assertEquals("each ball once", "hit,hit,hit,hit,hit,hit", names());
+            assertEquals("what handlers took out is gone from the game's list alone", 1, again.length);
+            assertEquals(4, _collision.lastAgents.length);
+        }
+
+        [Test]
+        public function resetInAHandlerEndsTheCallsOfItsFrame():void
+        {
+            addAll("bears", "balls", "balls", "balls");
+            _collision.onCollision("bears", "balls", function(bear:Agent, ball:Agent):void
+                {
+                    _calls.push(["hit", bear, ball]);
+                    _collision.reset();
+                });
+            _collision.update(_agents);
+            assertEquals("hit", names());
+            assertEquals("no error", 0, _collision.handlerErrors.length);
+            assertEquals(0, _collision.lastAgents.length);
+        }
+
+        [Test]
         public function callsAreThoseOfTheRulesWhateverHandlersDo():void
         {
             var removed:int = 0;

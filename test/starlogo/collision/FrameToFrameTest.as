@@ -7,6 +7,7 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.search.BreedInterests;
 
     /**
      * What colliders keep from frame to frame must not show: one that has seen all of a game finds what a new one finds, and is as
@@ -82,8 +83,8 @@ package starlogo.collision
                     }
                     else
                     {
-                        assertSame(name + ", among breeds", SelectiveCollisionSystem(new type(_land)).findCollisionsAmong(_agents, interests, new Vector.<Agent>()),
-                                SelectiveCollisionSystem(kept).findCollisionsAmong(_agents, interests, new Vector.<Agent>()));
+                        assertSame(name + ", among breeds", BaseCollider(new type(_land)).findCollisionsAmong(_agents, interests, new Vector.<Agent>()),
+                                BaseCollider(kept).findCollisionsAmong(_agents, interests, new Vector.<Agent>()));
                     }
                 }
             }

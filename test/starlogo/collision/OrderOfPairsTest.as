@@ -6,6 +6,7 @@ package starlogo.collision
     import starlogo.GreatLand;
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
+    import starlogo.search.BreedInterests;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;

@@ -124,6 +124,10 @@ package starlogo.collision
             doubled.writeBytes(bytes, pairsEnd - 34, 17);
             doubled.writeBytes(bytes, pairsEnd);
             assertThrows(ArgumentError, /no snapshot/, game.collision.restore, doubled, list);
+            doubled.clear();
+            assertThrows(ArgumentError, /no snapshot: they do not begin/, game.collision.restore, doubled, list);
+            doubled.writeUTFBytes("v 0 0 0\nv 1 0 0\n");
+            assertThrows(ArgumentError, /no snapshot: they do not begin/, game.collision.restore, doubled, list);
             assertThrows(ArgumentError, /bytes must not be null/, game.collision.restore, null, list);
             assertThrows(ArgumentError, /agents must not be null/, game.collision.restore, bytes, null);
             assertThrows(ArgumentError, /no snapshot of 0 agents/, game.collision.restore, bytes, new Vector.<Agent>());

@@ -12,6 +12,7 @@ package starlogo.collision
     import support.BruteForce;
     import support.RandomWorlds;
     import evaluation.pairs.SeededRandom;
+    import starlogo.search.StructureTests;
     import support.TransformedStructure;
     import support.assertThrows;
 

@@ -7,6 +7,8 @@ package starlogo.collision
     import starlogo.agents.Agent;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import starlogo.search.BreedInterests;
+    import starlogo.search.StructureTests;
     import support.Complaints;
     import support.EachCollider;
     import support.Effort;
@@ -641,7 +643,7 @@ package starlogo.collision
         {
             check(HIERARCHIES, function():void
                 {
-                    var precise:PreciseCollider = _kept as PreciseCollider;
+                    var precise:TreeCollider = _kept as TreeCollider;
                     if (precise != null)
                     {
                         precise.maxDepth = 1;
@@ -656,7 +658,7 @@ package starlogo.collision
             _levels = 2;
             check(["hierarchies", "triangles", "combinations"], function():void
                 {
-                    var precise:PreciseCollider = _kept as PreciseCollider;
+                    var precise:TreeCollider = _kept as TreeCollider;
                     if (precise != null)
                     {
                         precise.exact = !precise.exact;
@@ -952,9 +954,9 @@ package starlogo.collision
         {
             _name = name;
             _kept = EachCollider.make(name, sGreatLand);
-            if (_levels > 0 && _kept is PreciseCollider)
+            if (_levels > 0 && _kept is TreeCollider)
             {
-                PreciseCollider(_kept).maxDepth = _levels;
+                TreeCollider(_kept).maxDepth = _levels;
             }
         }
 
@@ -1023,11 +1025,11 @@ package starlogo.collision
 
         private function copySettings():void
         {
-            var precise:PreciseCollider = _kept as PreciseCollider;
+            var precise:TreeCollider = _kept as TreeCollider;
             if (precise != null)
             {
-                PreciseCollider(_younger).exact = precise.exact;
-                PreciseCollider(_younger).maxDepth = precise.maxDepth;
+                TreeCollider(_younger).exact = precise.exact;
+                TreeCollider(_younger).maxDepth = precise.maxDepth;
             }
             var tests:StructureTests = testsOf(_kept);
             if (tests != null)

@@ -46,7 +46,7 @@ package starlogo.handlers
             // none is where it was, nor before that
             _agents.reverse();
             _list.setAgents(_agents);
-            _list.placeOf(_agents[0]);
+            _list.indexOf(_agents[0]);
             _agents.reverse();
             assertTrue("turned round: " + askAboutAll(), _list.looked < 60000);
         }
@@ -185,8 +185,8 @@ package starlogo.handlers
                 askAbout(agent);
             }
             _list.setAgents(_agents);
-            assertEquals(-1, _list.placeOf(_all[0]));
-            assertEquals(1, _list.placeOf(_all[1]));
+            assertEquals(-1, _list.indexOf(_all[0]));
+            assertEquals(1, _list.indexOf(_all[1]));
         }
 
         private function listAgents(count:int):void
@@ -198,7 +198,7 @@ package starlogo.handlers
             }
             _all = _agents.concat();
             _list.setAgents(_agents);
-            _list.placeOf(_agents[0]);
+            _list.indexOf(_agents[0]);
         }
 
         private function randomAgent():Agent

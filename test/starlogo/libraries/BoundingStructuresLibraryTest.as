@@ -159,8 +159,12 @@ package starlogo.libraries
             assertRefused(_library.add, ["other", new Vector.<Number>()], "other");
             _library.fitters = new <Fitter>[new NaiveSphereFitter(), new CylinderFitter(new AxisAlignedBoxFitter())];
             assertRefused(_library.add, ["cube", _cube], "Cylinder");
-            _library.fitters = new Vector.<Fitter>();
+            _library.fitters.length = 0;
             assertRefused(_library.add, ["cube", _cube], "fitters");
+            for each (var wrong:Vector.<Fitter> in [null, new Vector.<Fitter>(), new <Fitter>[null]])
+            {
+                assertRefused(setFitters, [wrong], "must be");
+            }
             _library.fitters = new <Fitter>[new FailingFitter(new ArgumentError("failed"))];
             assertRefused(_library.add, ["cube", _cube], "failed");
             assertEquals(before, _library.tightestFit("cube"));
@@ -203,6 +207,11 @@ package starlogo.libraries
                 _library.fitters = new <Fitter>[new FixedFitter(capsule)];
                 assertAccepted(half == 0.5);
             }
+        }
+
+        private function setFitters(fitters:Vector.<Fitter>):void
+        {
+            _library.fitters = fitters;
         }
 
         private function assertAccepted(isEnclosing:Boolean):void

@@ -60,6 +60,29 @@ package starlogo.queries
             _answers = _empty = 0;
         }
 
+        [Test]
+        public function whoIsInNoListIsSeenWhileTheListGrows():void
+        {
+            for each (var shape:String in ["sphere", "cube", "bear"])
+            {
+                for each (var name:String in EachCollider.ALL_NAMES)
+                {
+                    var agents:Vector.<Agent> = new <Agent>[agentAt(shape, 0)];
+                    var guest:Agent = agentAt(shape, 10);
+                    var queries:AgentQueries = new AgentQueries(EachCollider.make(name, sGreatLand));
+                    queries.update(agents);
+                    for (var i:int = 0; i < 3; i++)
+                    {
+                        queries.touching(guest);
+                    }
+                    agents.push(agentAt(shape, 20));
+                    queries.update(agents);
+                    queries.touching(agentAt(shape, 20.5));
+                    assertTrue(name + ", " + shape, queries.distance(guest, agents[1]) > 7);
+                }
+            }
+        }
+
         [Test(timeout="3600000")]
         public function placesAreAsALoopFindsThem():void
         {
@@ -92,6 +115,13 @@ package starlogo.queries
                 }
             }
             assertTrue(_answers + " answers, " + _empty + " empty", _answers > 100 * worlds && _empty > 100 * worlds);
+        }
+
+        private static function agentAt(shape:String, x:Number):Agent
+        {
+            var agent:Agent = new Agent(shape);
+            agent.moveTo(x, 0, 0);
+            return agent;
         }
 
         private function makeWorld(kind:String, count:int, collider:Collider):void

@@ -13,7 +13,7 @@ package starlogo.queries
     import starlogo.bounding.Sphere;
     import starlogo.collision.Collider;
     import starlogo.collision.HierarchicalCollider;
-    import starlogo.collision.PreciseCollider;
+    import starlogo.collision.TreeCollider;
     import starlogo.engine;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
@@ -501,9 +501,9 @@ package starlogo.queries
         private function queriesOf(system:String, depth:int):AgentQueries
         {
             var collider:Collider = EachCollider.make(system, sGreatLand);
-            if (collider is PreciseCollider)
+            if (collider is TreeCollider)
             {
-                PreciseCollider(collider).maxDepth = depth;
+                TreeCollider(collider).maxDepth = depth;
             }
             var queries:AgentQueries = new AgentQueries(collider);
             queries.update(_agents);

@@ -4,6 +4,7 @@ package starlogo.queries
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import starlogo.GreatLand;
+    import starlogo.broadphase.Extents;
     import starlogo.collision.BinCollider;
 
     /** Searches in trees of places and of boxes against loops over all of them. */
@@ -13,9 +14,7 @@ package starlogo.queries
         private var _x:Vector.<Number>;
         private var _y:Vector.<Number>;
         private var _z:Vector.<Number>;
-        private var _halfX:Vector.<Number>;
-        private var _halfY:Vector.<Number>;
-        private var _halfZ:Vector.<Number>;
+        private var _sizes:Extents;
         private var _rows:Vector.<int>;
         private var _tree:RowTree;
         private var _seen:SeenAgents;
@@ -64,7 +63,7 @@ package starlogo.queries
             for (var world:int = 0; world < 120; world++)
             {
                 makeWorld(world);
-                _tree.build(_rows, _rows.length, _x, _y, _z, _halfX, _halfY, _halfZ);
+                _tree.build(_rows, _rows.length, _x, _y, _z, _sizes);
                 for (var i:int = 0; i < 30; i++)
                 {
                     var count:int = assertWay("world " + world + ", " + i, world, i % 3 == 0 ? 0 : _random.logBetween(0.01, 100), i % 3 < 2);
@@ -84,9 +83,7 @@ package starlogo.queries
             _x = new Vector.<Number>();
             _y = new Vector.<Number>();
             _z = new Vector.<Number>();
-            _halfX = new Vector.<Number>();
-            _halfY = new Vector.<Number>();
-            _halfZ = new Vector.<Number>();
+            _sizes = new Extents();
             _rows = new Vector.<int>();
             var count:int = world % 10 == 0 ? world / 10 : _random.integer(1, 400);
             for (var row:int = 0; row < count; row++)
@@ -94,8 +91,8 @@ package starlogo.queries
                 _x[row] = coordinate(world);
                 _y[row] = coordinate(world);
                 _z[row] = world % 3 == 0 ? 0 : coordinate(world);
-                _halfX[row] = _halfY[row] = _random.logBetween(0.01, 10);
-                _halfZ[row] = _random.pick([0, 0.5, 2]);
+                _sizes.halfX[row] = _sizes.halfY[row] = _random.logBetween(0.01, 10);
+                _sizes.halfZ[row] = _random.pick([0, 0.5, 2]);
             }
             _seen.ranks.length = count;
             for (row = count - 1; row >= 0; row--)
@@ -144,7 +141,7 @@ package starlogo.queries
             assertTrue(_rows.length + " rows are not worn by one move", !_tree.isStale || wasStale || _rows.length < 60);
             if (_tree.isStale)
             {
-                _tree.build(_rows, _rows.length, _x, _y, _z, _halfX, _halfY, _halfZ);
+                _tree.build(_rows, _rows.length, _x, _y, _z, _sizes);
             }
         }
 
@@ -172,7 +169,8 @@ package starlogo.queries
                 });
             for each (var most:int in [FoundRows.ALL, 1, 2, 10, 150, 0])
             {
-                _found.begin(most, limit, skipped, test);
+                _found.begin(most, limit, skipped, null);
+                _found.test = test;
                 _near.find(_tree, x, y, z, _found);
                 _found.sort();
                 assertEquals(message + ": " + most + ", how many", Math.min(most, near.length), _found.count);
@@ -182,7 +180,8 @@ package starlogo.queries
                     assertEquals(message + ": " + most + ", distance " + i, near[i].square, _found.squares[i]);
                 }
             }
-            _found.begin(FoundRows.NUMBER, limit, skipped, test);
+            _found.begin(FoundRows.NUMBER, limit, skipped, null);
+            _found.test = test;
             _near.find(_tree, x, y, z, _found);
             assertEquals(message + ": count", near.length, _found.count);
             return near.length > 0;
@@ -208,7 +207,7 @@ package starlogo.queries
             }
             for each (row in _rows)
             {
-                var sizes:Array = [size + _halfX[row], 2 * size + _halfY[row], size + _halfZ[row]];
+                var sizes:Array = [size + _sizes.halfX[row], 2 * size + _sizes.halfY[row], size + _sizes.halfZ[row]];
                 var to:Array = [_x[row] - from[0], _y[row] - from[1], _z[row] - from[2]];
                 var far:Number = Math.abs(_x[row]) + Math.abs(_y[row]) + Math.abs(_z[row]) + Math.abs(from[0]) + Math.abs(from[1]) + Math.abs(from[2]);
                 if (meets(to, sizes, along, limit, 0))

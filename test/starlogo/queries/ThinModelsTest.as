@@ -57,6 +57,20 @@ package starlogo.queries
             assertTrue(_touching + " touched", _touching > 100);
         }
 
+        [Test]
+        public function endsInTheTouchAndStaysThere():void
+        {
+            for each (var name:String in EachCollider.ALL_NAMES)
+            {
+                for each (var far:Number in [0, 3.3])
+                {
+                    eachPair(name, far, comeAgain);
+                }
+            }
+            _wrong.assertNone();
+            assertTrue(_touching + " touched", _touching > 100);
+        }
+
         private function eachPair(name:String, far:Number, ask:Function):void
         {
             var shapes:Array = ThinModels.NAMES.concat("cube", "sphere");
@@ -131,6 +145,39 @@ package starlogo.queries
                 }
             }
             a.moveTo(b.x, b.y, b.z);
+        }
+
+        // Onto the other's middle: it ends touching, and the same motion again does not get past it.
+        private function comeAgain(name:String, a:Agent, b:Agent):void
+        {
+            var collider:Collider = EachCollider.make(name, sGreatLand);
+            var queries:AgentQueries = new AgentQueries(collider);
+            var agents:Vector.<Agent> = new <Agent>[a, b];
+            b.heading = 20;
+            for each (var way:Vector3D in [new Vector3D(0, 0, -1), new Vector3D(0, 1, 0), new Vector3D(0.7, -0.2, 0.5), new Vector3D(-0.1, 0.6, -0.4)])
+            {
+                var text:String = [name, a.shape, b.shape, b.x, way].join(", ");
+                a.moveTo(b.x + 0.03 - 3 * way.x, b.y + 0.01 - 3 * way.y, b.z + (way.z == 0 ? 0.02 : 0) - 3 * way.z);
+                queries.update(agents);
+                if (queries.moveUntilTouch(a, 5 * way.x, 5 * way.y, 5 * way.z) == 1)
+                {
+                    continue;
+                }
+                _touching++;
+                for (var i:int = 0; i < 3; i++)
+                {
+                    if (!collider.areColliding(a, b))
+                    {
+                        _wrong.add(text, "stops at nothing");
+                    }
+                    queries.update(agents);
+                    var part:Number = queries.moveUntilTouch(a, 5 * way.x, 5 * way.y, 5 * way.z);
+                    if (part > 0)
+                    {
+                        _wrong.add(text, "goes on by " + part);
+                    }
+                }
+            }
         }
 
         private function expect(text:String, contact:Contact):void

@@ -11,6 +11,10 @@ package starlogo.intersection.sweep
      */
     public final class TriangleOverlap extends TriangleAxes
     {
+        /** The gap that still counts as touching, a distance. */
+        public var tolerance:Number = 0;
+
+        private var _motion:RelativeMotion;
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
@@ -36,6 +40,7 @@ package starlogo.intersection.sweep
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
+            _motion = motion;
             _depth = Infinity;
             _x = _y = 0;
             _z = 1;
@@ -79,6 +84,12 @@ package starlogo.intersection.sweep
             if (depth < _depth - Tolerances.ROUNDING * reach / length)
             {
                 var side:Number = at > 0 ? -1 : 1;
+                var speed:Number = axisX * _motion.x + axisY * _motion.y + axisZ * _motion.z;
+                if (speed != 0 && _motion.time > 0 && Math.abs(at) < tolerance * length)
+                {
+                    // rounding decides on which side a triangle in the other's plane is; but it touches from the side that it comes from
+                    side = speed > 0 ? 1 : -1;
+                }
                 _depth = depth;
                 _x = side * axisX / length;
                 _y = side * axisY / length;

@@ -6,13 +6,13 @@ package starlogo.handlers
     use namespace engine;
 
     /**
-     * Keeps from frame to frame which agents touch, in the order in which that began; a table finds pairs by the agents' ids, as IdTable
-     * does. Pairs that have ended are used again: a frame allocates nothing unless more touch than before, and memory is in proportion
-     * to the pairs that touch.
+     * Keeps from frame to frame which agents touch, in the order in which their touches began. A table finds a touch by the agents' ids; IdTable says
+     * how. Objects of touches that have ended are used again, so a frame allocates nothing unless more agents touch than before. Memory is in
+     * proportion to the pairs that touch.
      *
      * @private
      */
-    public final class ContactTracker
+    public final class TouchTracker
     {
         private static const LEAST_LENGTH:int = 16;
 
@@ -22,29 +22,29 @@ package starlogo.handlers
         /** How many pairs touch. */
         public var count:int = 0;
 
-        /** The pairs that touched before this frame and do not any more, in the order in which their contacts began. */
-        public var ended:Vector.<ContactPair> = new Vector.<ContactPair>();
+        /** The touches that ended in this frame, in the order in which they began. */
+        public var ended:Vector.<Touch> = new Vector.<Touch>();
 
         /** How many entries of <code>ended</code> count, from its beginning. */
         public var endedCount:int = 0;
 
-        // Those that touch, and after them others to be used again.
-        private var _pairs:Vector.<ContactPair> = new Vector.<ContactPair>();
-        private var _table:Vector.<ContactPair> = new Vector.<ContactPair>(LEAST_LENGTH);
+        // The touches, and after them objects to be used again.
+        private var _pairs:Vector.<Touch> = new Vector.<Touch>();
+        private var _table:Vector.<Touch> = new Vector.<Touch>(LEAST_LENGTH);
 
         /** No agents touch. */
-        public function ContactTracker()
+        public function TouchTracker()
         {
         }
 
         /**
-         * Continues the contact of two agents.
+         * Continues the touch of two agents.
          *
-         * @return null if there is none. A contact of other breeds, or one that has not begun in both directions, counts as ended
+         * @return null if there is none. A touch of other breeds counts as ended, and so does one whose handlers were called for the first agent only
          */
-        public function renew(a:Agent, b:Agent):ContactPair
+        public function renew(a:Agent, b:Agent):Touch
         {
-            var pair:ContactPair = _table[placeOf(a, b)];
+            var pair:Touch = _table[slotOf(a, b)];
             if (pair == null || !pair.isBothWays || pair.firstBreed != pair.first.breedNumber || pair.secondBreed != pair.second.breedNumber)
             {
                 return null;
@@ -53,31 +53,36 @@ package starlogo.handlers
             return pair;
         }
 
-        /** The contact of two agents, which begins if there is none. */
-        public function start(first:Agent, second:Agent):ContactPair
+        /** The touch of two agents, of these breeds. If there is none it begins. */
+        public function start(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean = false):Touch
         {
-            var place:int = placeOf(first, second);
-            return _table[place] || add(place, first, second, first.breedNumber, second.breedNumber, false);
-        }
-
-        /**
-         * Has a contact of two agents that began in an earlier frame.
-         *
-         * @return false if there is one already
-         */
-        public function resume(first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean):Boolean
-        {
-            var place:int = placeOf(first, second);
-            if (_table[place] != null)
+            var slot:int = slotOf(first, second);
+            if (_table[slot] != null)
             {
-                return false;
+                return _table[slot];
             }
-            add(place, first, second, firstBreed, secondBreed, isBothWays);
-            return true;
+            if (count == _pairs.length)
+            {
+                _pairs[count] = new Touch();
+            }
+            var pair:Touch = _pairs[count];
+            pair.first = first;
+            pair.second = second;
+            pair.firstBreed = firstBreed;
+            pair.secondBreed = secondBreed;
+            pair.beganIn = pair.seenIn = frame;
+            pair.isBothWays = isBothWays;
+            _table[slot] = pair;
+            count++;
+            if (2 * count > _table.length)
+            {
+                fill(2 * _table.length);
+            }
+            return pair;
         }
 
-        /** A pair that touches, of <code>count</code>, in the order in which the contacts began. */
-        public function pairAt(index:int):ContactPair
+        /** A touch, of <code>count</code>, in the order in which they began. */
+        public function pairAt(index:int):Touch
         {
             return _pairs[index];
         }
@@ -100,7 +105,7 @@ package starlogo.handlers
             endedCount = 0;
             for (var i:int = 0; i < count; i++)
             {
-                var pair:ContactPair = _pairs[i];
+                var pair:Touch = _pairs[i];
                 if (pair.seenIn == frame)
                 {
                     _pairs[kept] = pair;
@@ -138,34 +143,12 @@ package starlogo.handlers
             }
         }
 
-        private function add(place:int, first:Agent, second:Agent, firstBreed:int, secondBreed:int, isBothWays:Boolean):ContactPair
-        {
-            if (count == _pairs.length)
-            {
-                _pairs[count] = new ContactPair();
-            }
-            var pair:ContactPair = _pairs[count];
-            pair.first = first;
-            pair.second = second;
-            pair.firstBreed = firstBreed;
-            pair.secondBreed = secondBreed;
-            pair.beganIn = pair.seenIn = frame;
-            pair.isBothWays = isBothWays;
-            _table[place] = pair;
-            count++;
-            if (2 * count > _table.length)
-            {
-                fill(2 * _table.length);
-            }
-            return pair;
-        }
-
         // Makes the table of this length, a power of two, and enters all pairs anew.
         private function fill(length:int):void
         {
             if (_table.length != length)
             {
-                _table = new Vector.<ContactPair>(length);
+                _table = new Vector.<Touch>(length);
             }
             for (var i:int = 0; i < length; i++)
             {
@@ -173,25 +156,25 @@ package starlogo.handlers
             }
             for (i = 0; i < count; i++)
             {
-                _table[placeOf(_pairs[i].first, _pairs[i].second)] = _pairs[i];
+                _table[slotOf(_pairs[i].first, _pairs[i].second)] = _pairs[i];
             }
         }
 
-        // Where a pair is in the table, in either order, or the free place where it belongs.
-        private function placeOf(a:Agent, b:Agent):int
+        // Where a pair is in the table, in either order, or the free slot where it belongs.
+        private function slotOf(a:Agent, b:Agent):int
         {
             var idA:int = a.id;
             var idB:int = b.id;
             var mixed:int = idA < idB ? idA * 8191 + idB * 131 : idB * 8191 + idA * 131;
             var mask:int = _table.length - 1;
-            var place:int = (mixed ^ mixed >>> 11) & mask;
-            var pair:ContactPair = _table[place];
+            var slot:int = (mixed ^ mixed >>> 11) & mask;
+            var pair:Touch = _table[slot];
             while (pair != null && !(pair.first === a && pair.second === b) && !(pair.first === b && pair.second === a))
             {
-                place = (place + 1) & mask;
-                pair = _table[place];
+                slot = (slot + 1) & mask;
+                pair = _table[slot];
             }
-            return place;
+            return slot;
         }
     }
 }

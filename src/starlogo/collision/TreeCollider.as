@@ -6,14 +6,14 @@ package starlogo.collision
     use namespace engine;
 
     /** What the HierarchicalCollider and the CombinationCollider have in common: how deep they visit hierarchies. */
-    public class PreciseCollider extends Collider
+    public class TreeCollider extends Collider
     {
         /**
          * For HierarchicalCollider and CombinationCollider only.
          *
          * @param choice finds the shapes of agents
          */
-        public function PreciseCollider(choice:ShapeChoice)
+        public function TreeCollider(choice:ShapeChoice)
         {
             super(choice);
         }

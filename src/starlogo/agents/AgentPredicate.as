@@ -6,10 +6,10 @@ package starlogo.agents
      * Says which agents count: what AgentFilter is to the parts of the engine that know nothing of questions. Abstract; a subclass of a client's own may be the
      * filter of a Collision.
      */
-    public class AgentChoice
+    public class AgentPredicate
     {
         /** For subclasses only. */
-        public function AgentChoice()
+        public function AgentPredicate()
         {
         }
 

@@ -7,9 +7,9 @@ package starlogo.handlers
      *
      * @private
      */
-    public final class ContactPair
+    public final class Touch
     {
-        /** The agent that was first in the list when the contact began. */
+        /** The agent that was first in the list when the touch began. */
         public var first:Agent;
 
         /** The other one. */
@@ -21,17 +21,17 @@ package starlogo.handlers
         /** The number of the breed that the other one had then. */
         public var secondBreed:int;
 
-        /** The tracker's frame in which the contact began. */
+        /** The tracker's frame in which the touch began. */
         public var beganIn:int;
 
         /** The last of the tracker's frames in which the two touched. */
         public var seenIn:int;
 
-        /** Whether the calls have reached the handlers of the second agent too, not only those of the first. */
+        /** Whether handlers have been called for both agents, not only for the first. */
         public var isBothWays:Boolean;
 
         /** Of no agents yet. */
-        public function ContactPair()
+        public function Touch()
         {
         }
     }

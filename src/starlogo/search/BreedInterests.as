@@ -8,24 +8,25 @@ package starlogo.search
     use namespace engine;
 
     /**
-     * The pairs of breeds that are of interest. Its breeds have numbers of their own, so that a frame looks pairs up in a small table. The order
-     * within a pair does not matter.
-     *
-     * @private
+     * The pairs of breeds whose collisions are of interest. The order within a pair does not matter. Its breeds have numbers of their own, so
+     * that a frame looks pairs up in a small table.
      */
-    public final class BreedPairs
+    public final class BreedInterests
     {
-        /** In place of a breed's name: any breed. An agent whose own breed has this name is of a breed like any other. */
+        /** Stands for any breed, where a breed's name is wanted. An agent whose own breed has this name is of a breed like any other. */
         public static const ANY_BREED:String = "*";
 
-        /** Whether a pair of breeds is of interest, at the number of one breed times breedCount plus the number of the other. */
-        public var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
+        /** @private Whether a pair of breeds is of interest, at the number of one breed times breedCount plus the number of the other. */
+        engine var areOfInterest:Vector.<Boolean> = new Vector.<Boolean>();
 
-        /** Whether every pair of the breeds that have numbers is of interest. */
-        public var areAll:Boolean = true;
+        /** @private Whether every pair of the breeds that have numbers is of interest. */
+        engine var areAll:Boolean = true;
 
-        /** For the <code>breedNumber</code> of an agent, the number of its breed here; -1 for a breed that is in no pair. It may lack new breeds: see <code>follow()</code>. */
-        public var numbers:Vector.<int> = new Vector.<int>();
+        /**
+         * @private For the <code>breedNumber</code> of an agent, the number of its breed here; -1 for a breed that is in no pair. It may lack new
+         * breeds: see <code>follow()</code>.
+         */
+        engine var numbers:Vector.<int> = new Vector.<int>();
 
         // The breeds that were named, by their numbers in Breeds.
         private var _named:Vector.<int> = new Vector.<int>();
@@ -38,17 +39,22 @@ package starlogo.search
         private var _ofRows:Vector.<int> = new Vector.<int>();
 
         /** No pairs yet. */
-        public function BreedPairs()
+        public function BreedInterests()
         {
         }
 
-        /** How many breeds are told apart: those that were named, and all others as one if ANY_BREED was added. */
+        /** How many breeds are told apart: those that were named, and all others as one if any breed counts. */
         public function get breedCount():int
         {
             return _hasAny ? _named.length + 1 : _named.length;
         }
 
-        /** Adds a pair of breeds, of which each may be ANY_BREED; a pair that is already there stays. */
+        /**
+         * Adds a pair of breeds; a pair that is already there stays.
+         *
+         * @param breed a breed's name, or ANY_BREED
+         * @param otherBreed a breed's name, which may be the same, or ANY_BREED
+         */
         public function add(breed:String, otherBreed:String):void
         {
             _added.push(breed, otherBreed);
@@ -70,20 +76,27 @@ package starlogo.search
         }
 
         /** A breed's number, from 0 on; -1 for a breed that is in no pair. */
-        public function numberOf(breed:String):int
+        public function indexOf(breed:String):int
         {
             var number:int = Breeds.numberOf(breed);
             follow();
             return numbers[number];
         }
 
-        /** Gives the breeds that were new since the last call their numbers. */
-        public function follow():void
+        /** Whether a pair of breeds is of interest, given by their numbers; false if one is -1. */
+        public function includes(index:int, otherIndex:int):Boolean
+        {
+            var count:int = breedCount;
+            return index >= 0 && index < count && otherIndex >= 0 && otherIndex < count && areOfInterest[index * count + otherIndex];
+        }
+
+        /** @private Gives the breeds that were new since the last call their numbers. */
+        engine function follow():void
         {
             for (var number:int = numbers.length; number < Breeds.count; number++)
             {
-                var place:int = _named.indexOf(number);
-                numbers[number] = place < 0 && _hasAny ? _named.length : place;
+                var index:int = _named.indexOf(number);
+                numbers[number] = index < 0 && _hasAny ? _named.length : index;
             }
         }
 
@@ -158,7 +171,7 @@ package starlogo.search
         {
             if (breed != ANY_BREED)
             {
-                return new <int>[numberOf(breed)];
+                return new <int>[indexOf(breed)];
             }
             var all:Vector.<int> = new Vector.<int>();
             for (var i:int = 0; i < breedCount; i++)

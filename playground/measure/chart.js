@@ -1,0 +1,81 @@
+/** A chart of agents against milliseconds, both in powers: lines with a sign for each system, those of another machine dashed. */
+import { plain } from "../shared/language.js";
+
+const [WIDTH, HEIGHT] = [760, 440];
+const [LEFT, RIGHT, TOP, BOTTOM] = [56, 150, 16, 44];
+const MILLISECONDS = [0.001, 0.01, 0.1, 1, 10, 100, 1000];
+const SPACE = "http://www.w3.org/2000/svg";
+/** The signs of systems: paths around the middle. */
+const SIGNS = ["M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z", "M-4-4h8v8h-8z", "M0-5L5 4H-5z", "M0-5.500L5.500 0 0 5.500-5.500 0z", "M-4-4L4 4M-4 4L4-4"];
+/** How far apart names at the ends of lines are. */
+const LINE = 15;
+
+function s(tag, attributes, ...children) {
+	const element = document.createElementNS(SPACE, tag);
+	for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+	element.append(...children);
+	return element;
+}
+
+const between = (value, low, high, from, to) => from + ((Math.log(value) - Math.log(low)) / (Math.log(high) - Math.log(low))) * (to - from);
+
+/**
+ * Draws the chart.
+ *
+ * @param {object} words the page's words for it
+ * @param {number[]} counts the numbers of agents
+ * @param {{name: string, points: number[][]}[]} systems their names, and numbers of agents with milliseconds
+ * @param {{name: string, points: number[][]}[]|null} others the same of another machine
+ */
+export function chart(words, counts, systems, others) {
+	const values = [...systems, ...(others ?? [])].flatMap(({ points }) => points.map(([, ms]) => ms));
+	const low = Math.max(...MILLISECONDS.filter((each) => each <= Math.min(0.1, ...values)), MILLISECONDS[0]);
+	const high = Math.min(...MILLISECONDS.filter((each) => each >= Math.max(100, ...values)), MILLISECONDS.at(-1));
+	const x = (count) => between(count, counts[0], counts.at(-1), LEFT, WIDTH - RIGHT);
+	const y = (ms) => between(Math.min(high, Math.max(low, ms)), low, high, HEIGHT - BOTTOM, TOP);
+	const faint = { stroke: "currentColor", "stroke-opacity": 0.18 };
+	const label = { fill: "currentColor", "font-size": 12 };
+	const picture = s("svg", { xmlns: SPACE, viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": words.chart, "font-family": "system-ui, sans-serif" });
+	for (const count of counts) {
+		picture.append(s("line", { x1: x(count), x2: x(count), y1: TOP, y2: HEIGHT - BOTTOM, ...faint }), s("text", { x: x(count), y: HEIGHT - BOTTOM + 16, "text-anchor": "middle", ...label }, String(count)));
+	}
+	for (const ms of MILLISECONDS.filter((each) => each >= low && each <= high)) {
+		picture.append(s("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: y(ms), y2: y(ms), ...faint }), s("text", { x: LEFT - 6, y: y(ms) + 4, "text-anchor": "end", ...label }, plain(ms, 3)));
+	}
+	const frame = y(1000 / 60);
+	picture.append(
+		s("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: frame, y2: frame, stroke: "currentColor", "stroke-dasharray": "1 5", "stroke-linecap": "round", "stroke-width": 2 }),
+		s("text", { x: LEFT + 6, y: frame - 5, ...label }, words.frame),
+		s("text", { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 8, "text-anchor": "middle", ...label }, words.agents),
+		s("text", { x: 14, y: (TOP + HEIGHT - BOTTOM) / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${(TOP + HEIGHT - BOTTOM) / 2})`, ...label }, words.ms));
+	const line = ({ name, points }, i, isOther) => {
+		if (points.length === 0) return;
+		const group = s("g", { "data-system": name, opacity: isOther ? 0.6 : 1 });
+		group.append(s("polyline", { points: points.map(([count, ms]) => `${x(count).toFixed(1)},${y(ms).toFixed(1)}`).join(" "), fill: "none", stroke: "currentColor", "stroke-width": isOther ? 1 : 1.75, ...(isOther && { "stroke-dasharray": "6 4" }) }));
+		for (const [count, ms] of points) group.append(s("path", { d: SIGNS[i], transform: `translate(${x(count).toFixed(1)} ${y(ms).toFixed(1)})`, fill: isOther || i === 4 ? "none" : "currentColor", stroke: "currentColor" }));
+		picture.append(group);
+	};
+	(others ?? []).forEach((each, i) => line(each, i, true));
+	systems.forEach((each, i) => line(each, i, false));
+	names(picture, systems, x, y, label);
+	return picture;
+}
+
+/** The names of lines at their ends, none over another. */
+function names(picture, systems, x, y, label) {
+	const ends = systems.map(({ name, points }, i) => ({ name, i, at: points.at(-1) })).filter(({ at }) => at).map(({ name, i, at: [count, ms] }) => ({ name, i, left: x(count), top: y(ms) }));
+	ends.sort((a, b) => a.top - b.top);
+	let last = -Infinity;
+	for (const { name, i, left, top } of ends) {
+		last = Math.max(top, last + LINE);
+		picture.append(s("path", { d: SIGNS[i], transform: `translate(${left + 14} ${last})`, fill: i === 4 ? "none" : "currentColor", stroke: "currentColor" }), s("text", { x: left + 24, y: last + 4, ...label }, name));
+	}
+}
+
+/** The chart as the text of a file, black on white. */
+export function fileOf(picture) {
+	const copy = picture.cloneNode(true);
+	copy.setAttribute("color", "#1c2430");
+	copy.prepend(s("rect", { width: WIDTH, height: HEIGHT, fill: "#fff" }));
+	return new XMLSerializer().serializeToString(copy);
+}

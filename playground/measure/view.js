@@ -1,0 +1,142 @@
+/** Measure: how long a frame's collisions take on this machine, by systems and numbers of agents, beside what another one has measured. */
+import { CollisionBlocks, GreatLand } from "starlogo-collision";
+import { CAST } from "../compare/game.js";
+import { button, choice, field, fileButton, h, short } from "../shared/dom.js";
+import { hand } from "../shared/hand.js";
+import { texts } from "../shared/language.js";
+import { loadModel } from "../shared/models.js";
+import { chart, fileOf } from "./chart.js";
+import { COUNTS, isMeasured, measureAll } from "./times.js";
+
+const words = texts.measure;
+const KEY = "starlogo-playground.measured";
+const MOST_KEPT = 12;
+const FIRST_MOST = 400;
+
+export async function createView(main) {
+	const greatLand = new GreatLand();
+	for (const model of await Promise.all(CAST.map(loadModel))) greatLand.addModel(model);
+	return new MeasureView(main, greatLand);
+}
+
+class MeasureView {
+	/** What is measured: the machine's name, when, on how many processors, and for each system numbers of agents with milliseconds. */
+	result = null;
+	/** What another machine, or this one earlier, has measured. */
+	other = null;
+	#turn = 0;
+	#isRunning = false;
+	#most = FIRST_MOST;
+	#unkept = null;
+
+	constructor(main, greatLand) {
+		this.greatLand = greatLand;
+		this.name = h("input", { type: "text", value: words.thisMachine, maxlength: 40 });
+		this.startButton = button(words.start, () => (this.#isRunning ? this.#stop(words.stopped) : this.run()), { class: "primary" });
+		this.status = h("p.status", { role: "status" });
+		this.others = h("select", { onchange: () => this.#choose(this.others.value) });
+		this.picture = h("div.chart", { tabindex: "0", role: "group", "aria-label": words.chart });
+		this.table = h("div.table", { tabindex: "0", role: "region", "aria-label": words.table });
+		const most = choice(COUNTS.slice(2).map((count) => [String(count), String(count)]), String(FIRST_MOST), (count) => {
+			this.#most = Number(count);
+		});
+		this.keepers = [button(words.keep, () => this.#keep()), button(words.download, () => hand(JSON.stringify(this.result, null, 1), words.fileName, "application/json")),
+			button(words.downloadChart, () => hand(fileOf(this.picture.firstChild), words.chartName, "image/svg+xml"))];
+		main.replaceChildren(
+			h("section.measuring", { "aria-label": words.title },
+				h("div.tools", {}, this.startButton, field(words.most, most), field(words.machine, this.name), ...this.keepers),
+				h("div.tools", {}, field(words.beside, this.others), fileButton(words.open, ".json", (file) => this.openFile(file)), h("small.hint", {}, words.openHint)),
+				this.status, this.picture),
+			h("section.facts", {}, h("div.card", {}, h("h2", {}, words.title), h("p.note", {}, words.how), this.table)));
+		this.#listOthers();
+		this.#show();
+	}
+
+	/** Measures from the beginning. */
+	async run() {
+		const turn = ++this.#turn;
+		const points = Object.fromEntries(CollisionBlocks.systemNames.map((name) => [name, []]));
+		this.result = { machine: this.name.value.trim() || words.thisMachine, date: new Date().toISOString(), processors: navigator.hardwareConcurrency ?? 0, browser: navigator.userAgent, points };
+		this.#isRunning = true;
+		this.startButton.textContent = words.stop;
+		this.#show();
+		this.status.textContent = words.running;
+		await measureAll(this.greatLand, this.#most, (system, count, ms) => {
+			// the browser's clock is coarse: less than it can tell is not nothing
+			points[system].push([count, Math.max(ms, 0.001)]);
+			this.#show();
+		}, () => turn === this.#turn);
+		if (turn === this.#turn) this.#stop(words.done);
+	}
+
+	#stop(text) {
+		this.#turn++;
+		this.#isRunning = false;
+		this.startButton.textContent = words.start;
+		this.status.textContent = text;
+		this.#show();
+	}
+
+	#show() {
+		const listed = (result) => CollisionBlocks.systemNames.map((name) => ({ name: texts.systems[name], points: result?.points[name] ?? [] }));
+		this.picture.replaceChildren(chart(words, COUNTS, listed(this.result), this.other && listed(this.other)));
+		for (const each of this.keepers) each.disabled = this.#isRunning || this.result === null;
+		const at = (result, name, count) => result?.points[name]?.find(([each]) => each === count)?.[1];
+		const cell = (name, count) => [this.result, this.other].map((result) => at(result, name, count)).map((ms) => (ms === undefined ? "–" : short(ms)));
+		this.table.replaceChildren(h("table", {}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, words.agents), ...CollisionBlocks.systemNames.map((name) => h("th", { scope: "col" }, texts.systems[name])))),
+			h("tbody", {}, ...COUNTS.map((count) => h("tr", {}, h("th", { scope: "row" }, String(count)), ...CollisionBlocks.systemNames.map((name) => {
+				const [mine, its] = cell(name, count);
+				return h("td", {}, mine, this.other ? h("small", {}, ` / ${its}`) : null);
+			}))))));
+	}
+
+	get #all() {
+		if (this.#unkept) return this.#unkept;
+		try {
+			return (JSON.parse(localStorage.getItem(KEY)) ?? []).filter(isMeasured);
+		} catch {
+			return [];
+		}
+	}
+
+	#keep() {
+		const all = [...this.#all, { ...this.result, machine: this.name.value.trim() || words.thisMachine }].slice(-MOST_KEPT);
+		try {
+			localStorage.setItem(KEY, JSON.stringify(all));
+			this.status.textContent = words.kept;
+		} catch {
+			this.#unkept = all;
+			this.status.textContent = words.notKept;
+		}
+		this.#listOthers();
+	}
+
+	#listOthers() {
+		const title = ({ machine, date }) => words.entry(machine, new Date(date).toLocaleString(texts.code, { dateStyle: "short", timeStyle: "short" }));
+		this.others.replaceChildren(h("option", { value: "" }, words.nothing), ...this.#all.map((each, i) => h("option", { value: i }, title(each))));
+		if (this.other && !this.#all.some(({ date }) => date === this.other.date)) this.others.append(h("option", { value: "file", selected: true }, title(this.other)));
+	}
+
+	#choose(value) {
+		if (value !== "file") this.other = value === "" ? null : this.#all[Number(value)];
+		this.#show();
+	}
+
+	/** Puts what another machine has measured beside this one's. */
+	async openFile(file) {
+		try {
+			const result = JSON.parse(await file.text());
+			if (!isMeasured(result)) throw new Error("something else");
+			this.other = result;
+			this.#listOthers();
+			this.#show();
+			this.status.textContent = words.opened(result.machine);
+		} catch {
+			this.status.textContent = words.broken(file.name);
+		}
+	}
+
+	close() {
+		this.#turn++;
+	}
+}

@@ -1,0 +1,38 @@
+/** Asks for a name in words of the page's own. */
+import { button, h } from "../shared/dom.js";
+import { texts } from "../shared/language.js";
+
+const words = texts.play.ask;
+
+/**
+ * Asks for a few words.
+ *
+ * @param {string} message what is asked
+ * @param {string} value what is there at first
+ * @param {number} longest how many letters the answer may have
+ * @returns {Promise<string|null>} the answer, or null if there is none
+ */
+export function ask(message, value, longest) {
+	return new Promise((resolve) => {
+		let answer = null;
+		const note = h("small", { id: "ask-note", "aria-live": "polite" });
+		const input = h("input", { type: "text", value, maxlength: longest, "aria-label": message, "aria-describedby": "ask-note", oninput: () => count() });
+		const count = () => {
+			note.textContent = words.letters(input.value.length, longest);
+		};
+		const take = () => {
+			answer = input.value;
+			dialog.close();
+		};
+		input.addEventListener("keydown", ({ key }) => {
+			if (key === "Enter") take();
+		});
+		const dialog = h("dialog.ask", { "aria-label": message, onclose: () => {
+			dialog.remove();
+			resolve(answer);
+		} }, h("p", {}, message), input, note, h("div.tools", {}, button(words.take, take, { class: "primary" }), button(words.leave, () => dialog.close())));
+		count();
+		document.body.append(dialog);
+		dialog.showModal();
+	});
+}

@@ -1,0 +1,38 @@
+/** Shows a program as a module of JavaScript, to be copied or handed over as a file, with the way to documentation and examples. */
+import { button, h } from "../shared/dom.js";
+import { hand } from "../shared/hand.js";
+import { texts } from "../shared/language.js";
+import { javascriptOf } from "./javascript.js";
+
+const words = texts.play.javascript;
+
+/**
+ * Opens a dialog with a program's module.
+ *
+ * @param {object} program in Blockly's notation
+ * @param {string} title what it is called
+ * @param {string} file a name for its file, without an ending
+ * @param {Map} models by their names
+ */
+export function showJavascript(program, title, file, models) {
+	const text = javascriptOf(program, title, models);
+	const said = h("small", { role: "status" });
+	const code = h("code", {}, text);
+	const copy = async () => {
+		try {
+			await navigator.clipboard.writeText(text);
+			said.textContent = texts.compare.copied;
+		} catch {
+			getSelection().selectAllChildren(code);
+			said.textContent = texts.compare.notCopied;
+		}
+	};
+	const dialog = h("dialog.ask.javascript", { "aria-label": words.title, onclose: () => dialog.remove() },
+		h("h2", {}, words.title), h("p", {}, words.note),
+		h("div.tools", {}, button(texts.compare.copy, copy, { class: "primary" }), button(words.download, () => hand(text, `${file}.mjs`, "text/javascript")),
+			h("a", { href: "docs/index.html", target: "_blank" }, words.documentation), h("a", { href: "docs/examples.html", target: "_blank" }, words.examples), said,
+			button(texts.gallery.close, () => dialog.close(), { class: "close" })),
+		h("pre", { tabindex: "0", "aria-label": words.title }, code));
+	document.body.append(dialog);
+	dialog.showModal();
+}

@@ -1,0 +1,172 @@
+/** The games that the playground brings, in Blockly's notation. */
+import { texts } from "../shared/language.js";
+import {
+	aim, along, alongside, bounce, change, collision, colour, compare, count, create, each, end, field, folded, forward, get, go, goal, ground, hatch, heading, key, many, math, move, nearest, number, numbers, paint,
+	program, remove, repeat, say, scatter, score, set, size, start, step, sweep, timer, touch, trait, turn, up, when,
+} from "./notation.js";
+
+const words = texts.programs;
+
+const splash = [paint("collidee", { block: { type: "starlogo_colour_of", fields: { WHO: "me" } } }), remove("me")];
+const TURTLES = 10;
+const unpainted = { block: { type: "starlogo_number_of", fields: { BREED: "turtles" }, inputs: { COLOUR: colour("own") } } };
+
+const paintball = program(
+	key("space", "pressed", "bears", hatch("paintballs", "sphere", paint("me", { block: { type: "starlogo_any_colour" } }), size(0.4), up(0.3), move(1))),
+	touch("paintballs", "turtles", ...splash),
+	each("bears",
+		score({ block: { type: "math_arithmetic", fields: { OP: "MINUS" }, inputs: { A: number(TURTLES), B: unpainted } } }),
+		when(compare("EQ", unpainted, number(0)), end("won", words.paintball.won))),
+	each("turtles", move(0.02), turn("left", numbers(-4, 4))),
+	folded(start(
+		goal(words.paintball.goal),
+		create(1, "bears", "bear", size(1.4), heading(0)),
+		create(TURTLES, "turtles", "turtle", scatter, size(1.6)),
+		create(6, "seagulls", "seagull", scatter, up(1.6), size(1.8)),
+		create(5, "walls", "wall", scatter, size(4)),
+	)),
+	folded(key("up", "held", "bears", along(0.12, "walls"))),
+	folded(key("down", "held", "bears", along(-0.08, "walls"))),
+	folded(key("left", "held", "bears", turn("left", number(3)))),
+	folded(key("right", "held", "bears", turn("right", number(3)))),
+	folded(each("paintballs", move(0.25), when(compare("GT", trait("age"), number(1.5)), remove("me")))),
+	folded(each("seagulls", move(0.05), turn("right", number(1)))),
+	folded(touch("paintballs", "seagulls", ...splash)),
+	folded(touch("paintballs", "walls", ...splash)),
+	folded(collision("turtles", "walls", bounce)),
+);
+
+/** The arrow keys walk and turn one of a breed, around those of another one. */
+const walks = (breed, steps, others) => [
+	folded(key("up", "held", breed, along(steps, others))),
+	folded(key("down", "held", breed, along(-steps / 2, others))),
+	folded(key("left", "held", breed, turn("left", number(3)))),
+	folded(key("right", "held", breed, turn("right", number(3)))),
+];
+const inTime = (breed, seconds, text) => folded(timer(1, breed, when(compare("GT", field("starlogo_clock"), number(seconds)), end("lost", text))));
+
+const GEMS = 6;
+const chase = program(
+	each("dragons", aim(nearest("people", 50)), move(0.04)),
+	touch("dragons", "people", end("lost", words.chase.lost)),
+	touch("people", "gems", remove("collidee"), change(1), when(compare("EQ", field("starlogo_score"), number(GEMS)), say(words.chase.home))),
+	touch("people", "fortresses", when(compare("GTE", field("starlogo_score"), number(GEMS)), end("won", words.chase.won))),
+	folded(start(
+		goal(words.chase.goal), score(number(0)),
+		create(1, "people", "person", size(1.2), go(-9, -9, 0), heading(45)),
+		create(1, "dragons", "dragon", size(3), go(9, -9, 0), heading(180)),
+		create(1, "fortresses", "fortress", size(4), go(8, 8, 0)),
+		// around the trees, so that no tree stands in the way of one
+		create(GEMS, "gems", "sphere", heading(numbers(0, 359)), move(9), size(0.6), up(0.3), paint("me", colour("yellow"))),
+		create(7, "trees", "tree", heading(numbers(0, 359)), move(5), size(1.6)),
+	)),
+	...walks("people", 0.1, "trees"),
+);
+
+const wall = (x, y, large, turned = 0) => create(1, "walls", "wall", size(large), heading(turned), go(x, y, 0));
+const EDGE = 11.5;
+const maze = many(["place"],
+	touch("people", "fortresses", end("won", words.maze.won)),
+	touch("turtles", "people", say(words.maze.caught), { type: "starlogo_ask", inputs: { AGENT: field("starlogo_agent", { WHO: "collidee" }), DO: { block: go(-9, -9, 0) } } }),
+	each("turtles", move(0.05)),
+	collision("turtles", "walls", bounce),
+	folded(start(
+		goal(words.maze.goal),
+		create(1, "people", "person", size(1.2), go(-9, -9, 0), heading(90)),
+		create(1, "fortresses", "fortress", size(3), go(9, -9, 0)),
+		set("place", -8),
+		repeat(3, wall(get("place"), EDGE, 8, 90), wall(get("place"), -EDGE, 8, 90), wall(EDGE, get("place"), 8), wall(-EDGE, get("place"), 8), step("place", 8)),
+		wall(-6, -8, 8), wall(-6, 0, 8), wall(0, 0, 8), wall(0, 8, 8), wall(6, -8, 8), wall(6, 0, 8),
+		wall(-4.5, -1, 3, 90), wall(1.5, -3, 3, 90), wall(7.5, 1, 3, 90),
+		create(1, "turtles", "turtle", size(1.3), go(-3, -8, 0), heading(70)),
+		create(1, "turtles", "turtle", size(1.3), go(3, 7, 0), heading(110)),
+		create(1, "turtles", "turtle", size(1.3), go(9, -3, 0), heading(200)),
+	)),
+	...walks("people", 0.1, "walls"),
+	inTime("people", 90, words.maze.lost),
+);
+
+const SHIELDS = 3;
+const space = many(["shields"],
+	key("space", "pressed", "spaceships", hatch("shots", "sphere", size(0.4), paint("me", colour("yellow")), up(0.4), move(1.2))),
+	touch("shots", "rocks", change(1),
+		{ type: "starlogo_ask", inputs: { AGENT: field("starlogo_agent", { WHO: "collidee" }), DO: { block: when(compare("GT", trait("size"), number(1.5)),
+			repeat(2, hatch("rocks", "sphere", size(1.1), paint("me", colour("brown")), turn("left", numbers(0, 359))))) } } },
+		remove("collidee"), remove("me")),
+	touch("spaceships", "rocks", step("shields", -1), remove("collidee"), say(words.space.hit), when(compare("LTE", get("shields"), number(0)), end("lost", words.space.lost))),
+	each("spaceships", alongside(number(0.04), "rocks"), when(compare("EQ", count("rocks", 50), number(0)), end("won", words.space.won))),
+	each("rocks", move(0.05)),
+	folded(start(
+		ground("space"), goal(words.space.goal), score(number(0)), set("shields", SHIELDS),
+		create(1, "spaceships", "spaceship", size(1.8), heading(90)),
+		create(5, "rocks", "sphere", scatter, when(compare("LT", { block: { type: "starlogo_distance", inputs: { AGENT: nearest("spaceships", 50) } } }, number(4)), move(8)), size(2.2), paint("me", colour("grey"))),
+	)),
+	folded(key("up", "held", "spaceships", forward(number(0.1)))),
+	folded(key("left", "held", "spaceships", turn("left", number(3)))),
+	folded(key("right", "held", "spaceships", turn("right", number(3)))),
+	folded(each("shots", forward(number(0.3)), when(compare("GT", trait("age"), number(0.8)), remove("me")))),
+);
+
+const [PEARLS, MISSES] = [12, 3];
+const catching = many(["missed"],
+	timer(1.2, "turtles", hatch("pearls", "sphere", size(0.8), paint("me", colour("white")), go(numbers(-7, 7), 0, 6.5))),
+	each("pearls", up(-0.05), when(compare("LT", trait("z"), number(0)), step("missed", 1), when(compare("GTE", get("missed"), number(MISSES)), end("lost", words.catch.lost)), remove("me"))),
+	touch("turtles", "pearls", remove("collidee"), change(1), when(compare("GTE", field("starlogo_score"), number(PEARLS)), end("won", words.catch.won))),
+	folded(start(
+		ground("sea"), goal(words.catch.goal), score(number(0)), set("missed", 0),
+		create(1, "turtles", "turtle", size(2.4), heading(0)),
+		create(12, "kelp", "kelp", scatter, go(numbers(-7, 7), numbers(2, 5), 0), size(2.6)),
+		// the view shows as far up as somebody is
+		create(1, "seagulls", "seagull", go(0, 4, 6.5), size(2)),
+	)),
+	folded(key("left", "held", "turtles", heading(180), move(0.16))),
+	folded(key("right", "held", "turtles", heading(0), move(0.16))),
+);
+
+const RUNNERS = 8;
+const tagged = [{ type: "starlogo_become", fields: { WHO: "collidee", BREED: "taggers" } }, paint("collidee", colour("red")), change(1)];
+const tag = program(
+	touch("players", "people", ...tagged),
+	touch("taggers", "people", ...tagged),
+	each("taggers", aim(nearest("people", 50)), alongside(number(0.05), "trees")),
+	each("people",
+		when(compare("GT", count("players", 4), number(0)), aim(nearest("players", 50)), turn("left", number(180))),
+		turn("left", numbers(-6, 6)), alongside(number(0.06), "trees")),
+	each("players", when(compare("EQ", count("people", 50), number(0)), end("won", words.tag.won))),
+	folded(start(
+		goal(words.tag.goal), score(number(0)),
+		create(1, "players", "person", size(1.4), paint("me", colour("red"))),
+		create(RUNNERS, "people", "person", scatter, size(1.2), paint("me", colour("blue"))),
+		create(6, "trees", "tree", scatter, size(1.6)),
+	)),
+	...walks("players", 0.12, "trees"),
+	inTime("players", 45, words.tag.lost),
+);
+
+const [BALLS, GOAL] = [3, 20];
+const x = (by) => math("ADD", trait("x"), number(by));
+const pinball = many(["balls", "place"],
+	collision("balls", "bumpers", bounce),
+	touch("balls", "bumpers", change(1), paint("collidee", { block: { type: "starlogo_any_colour" } }), when(compare("GTE", field("starlogo_score"), number(GOAL)), end("won", words.pinball.won))),
+	collision("balls", "paddles", heading(numbers(50, 130))),
+	collision("balls", "walls", bounce),
+	each("balls", move(0.2), when(compare("LT", trait("y"), number(-10.5)),
+		step("balls", -1), go(0, 6, 0.3), heading(numbers(230, 310)), when(compare("LTE", get("balls"), number(0)), end("lost", words.pinball.lost)))),
+	folded(start(
+		goal(words.pinball.goal), score(number(0)), set("balls", BALLS),
+		create(1, "paddles", "wall", size(5), heading(90), go(0, -9, 0), paint("me", colour("blue"))),
+		create(1, "balls", "sphere", size(0.9), go(0, 6, 0.3), heading(250), paint("me", colour("orange"))),
+		sweep("balls"),
+		create(1, "bumpers", "cylinder", size(2), go(-5, 4, 0), paint("me", colour("purple"))),
+		create(1, "bumpers", "cylinder", size(2), go(5, 4, 0), paint("me", colour("purple"))),
+		create(1, "bumpers", "fortress", size(3), go(0, 0.5, 0)),
+		create(1, "bumpers", "cylinder", size(1.4), go(-3, -3, 0), paint("me", colour("green"))),
+		create(1, "bumpers", "cylinder", size(1.4), go(3, -3, 0), paint("me", colour("green"))),
+		set("place", -8),
+		repeat(3, wall(get("place"), EDGE, 8, 90), wall(EDGE, get("place"), 8), wall(-EDGE, get("place"), 8), step("place", 8)),
+	)),
+	folded(key("left", "held", "paddles", when(compare("GT", trait("x"), number(-8)), go(x(-0.25), -9, 0)))),
+	folded(key("right", "held", "paddles", when(compare("LT", trait("x"), number(8)), go(x(0.25), -9, 0)))),
+);
+
+export const GAMES = { paintball, chase, maze, space, catch: catching, tag, pinball };

@@ -1,0 +1,77 @@
+/** The first screen: lessons, games and the user's own programs, each with a picture of how it begins. */
+import { button, h } from "../shared/dom.js";
+import { texts } from "../shared/language.js";
+
+const words = texts.gallery;
+
+export class Home {
+	/**
+	 * @param {import("./programs.js").Programs} programs
+	 * @param {HTMLElement} main where it is shown in place of everything else
+	 */
+	constructor(programs, main) {
+		Object.assign(this, { programs, main });
+		this.heading = h("h2", { tabindex: "-1" }, words.title);
+		const isOpen = Boolean(programs.view.editor);
+		this.element = h("section.gallery", { "aria-label": words.title, onkeydown: ({ key }) => {
+			if (key === "Escape" && isOpen) this.#close();
+		} },
+		h("div.head", {}, h("div", {}, this.heading, h("p.intro", {}, texts.play.intro)), isOpen ? button(words.close, () => this.#close()) : null),
+		...programs.groups.map((group) => this.#group(group)));
+		main.append(this.element);
+		main.classList.add("choosing");
+		scrollTo(0, 0);
+		this.heading.focus({ preventScroll: true });
+		this.#draw();
+	}
+
+	/** Goes back to the program that is open. */
+	#close() {
+		this.leave();
+		this.programs.view.draw();
+		this.programs.title.focus();
+	}
+
+	leave() {
+		this.element.remove();
+		this.main.classList.remove("choosing");
+	}
+
+	#group({ title, isNumbered, canAdd, entries, ...may }) {
+		const add = canAdd ? [h("li", {}, h("button.open.new", { type: "button", onclick: () => this.programs.openNew() }, h("span.blank", {}, "+"), h("span", {}, texts.play.new)))] : [];
+		return h("section", {}, h("h3", {}, title), h(isNumbered ? "ol.cards" : "ul.cards", {}, ...add, ...entries.map((entry, i) => this.#card(entry, may, isNumbered ? i + 1 : null))));
+	}
+
+	#card({ id, name, note, isDone, isNext }, { canRename, canRemove }, number) {
+		const picture = h("img", { "data-program": id, alt: "", width: 240, height: 150 });
+		const item = h("li", {}, h("button.open", { type: "button", class: isNext ? "open next" : "open", onclick: () => this.programs.openEntry(id) },
+			h("span.picture", {}, picture, number === null ? null : h("span.number", {}, String(number)), isDone ? h("span.tick", { role: "img", "aria-label": texts.lessons.done }, "✓") : null),
+			h("span.name", {}, name), note ? h("small", {}, note) : null, isNext ? h("strong.here", {}, words.here) : null));
+		if (!canRemove) return item;
+		const input = h("input", { type: "text", value: name, maxlength: 60, "aria-label": words.rename(name), onchange: () => {
+			const text = input.value.trim();
+			if (text === "") input.value = name;
+			else this.programs.renameEntry(id, text);
+		} });
+		item.append(h("div.own", {}, canRename ? input : null, button("✕", () => {
+			this.#close();
+			this.programs.removeEntry(id);
+		}, { "aria-label": words.remove(name), title: words.remove(name) })));
+		return item;
+	}
+
+	/** Draws the pictures, one after the other, so that the page answers meanwhile. */
+	async #draw() {
+		const { programs } = this;
+		for (const picture of this.element.querySelectorAll("img")) {
+			const { program: id } = picture.dataset;
+			const program = await programs.programOf(id);
+			await new Promise((resolve) => setTimeout(resolve));
+			if (!this.element.isConnected) return;
+			const address = programs.view.pictureOf(program);
+			if (address) picture.src = address;
+			else picture.replaceWith(h("span.blank"));
+		}
+		this.element.dataset.drawn = "";
+	}
+}

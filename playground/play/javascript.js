@@ -1,0 +1,307 @@
+/** A program of blocks as a module of JavaScript on the npm package, which plays the same game: the same agents at the same places in every frame. */
+import { CollisionBlocks } from "starlogo-collision";
+import { BUILT_IN, MADE, fileOf } from "../shared/assets.js";
+import { COLOURS } from "./colours.js";
+import { BEING, ENGINE, HELPERS, hex } from "./javascriptparts.js";
+import { FRAMES_A_SECOND, HALF_WIDTH } from "./world.js";
+
+const INDENT = "\t";
+const text = JSON.stringify;
+const NAME = /^[a-z_$][\w$]*$/i;
+
+/** What modules may take from the package. */
+const CLASSES = ["Agent", "AgentFilter", "BuiltInModel", "Collision", "CollisionBlocks", "DetectionBlocks", "GreatLand", "Model", "ModelLoader", "TraitBlocks"];
+
+const breedOf = (field) => (field === "anyone" ? "Collision.ANY_BREED" : text(field));
+const systemOf = (program) => (CollisionBlocks.systemNames.includes(program.system) ? program.system : CollisionBlocks.TIGHTEST_FITS);
+
+/** What is in an input: the block put there, or else the shadow. */
+const inputOf = (block, name) => block.inputs?.[name]?.block ?? block.inputs?.[name]?.shadow;
+
+/** The words of a place in a script: the agent that it is about, the collidee, and how deep it is. */
+class Place {
+	constructor(me, collidee, depth = 0) {
+		Object.assign(this, { me, collidee, depth });
+	}
+
+	/** The same place, about another agent. */
+	about(me) {
+		return new Place(me, this.collidee, this.depth + 1);
+	}
+}
+
+class Writer {
+	constructor(program) {
+		this.program = program;
+		this.names = new Map((program.variables ?? []).map(({ id, name }) => [id, name]));
+	}
+
+	variable(id) {
+		const name = this.names.get(id) ?? id;
+		return NAME.test(name) ? `variables.${name}` : `variables[${text(name)}]`;
+	}
+
+	/** A value as an expression. */
+	value(block, name, place, missing = "0") {
+		const input = inputOf(block, name);
+		return input ? VALUES[input.type](input, place, this) : missing;
+	}
+
+	/** The statements of an input, one or more lines. */
+	body(block, name, place) {
+		const lines = [];
+		for (let each = block.inputs?.[name]?.block; each; each = each.next?.block) {
+			if (each.enabled !== false && !(each.disabledReasons?.length > 0)) lines.push(...STATEMENTS[each.type](each, place, this));
+		}
+		return lines.map((line) => INDENT + line);
+	}
+
+	/** Of a statement about me, the collidee or a breed, the lines: \`line\` is given the agent's name. */
+	whom({ fields: { WHO } }, place, line) {
+		if (WHO === "me") return [line(place.me)];
+		if (WHO === "collidee") return [line(place.collidee)];
+		return [`for (const one of all(${text(WHO)})) ${line("one")}`];
+	}
+
+	who({ fields: { WHO } }, place) {
+		return WHO === "me" ? place.me : WHO === "collidee" ? place.collidee : text(WHO);
+	}
+}
+
+/** An expression without brackets around all of it. */
+function bare(expression) {
+	if (!expression.startsWith("(")) return expression;
+	let depth = 0;
+	const end = [...expression].findIndex((letter) => {
+		depth += letter === "(" ? 1 : letter === ")" ? -1 : 0;
+		return depth === 0;
+	});
+	return end === expression.length - 1 ? expression.slice(1, -1) : expression;
+}
+
+/** How many rounds a loop makes: a number, or its first value. */
+function rounds(count, lines) {
+	const isNumber = /^[\d.]+$/.test(count);
+	if (isNumber && Math.floor(count) === 1) return null;
+	return [isNumber ? `for (let i = 0; i < ${Math.floor(count)}; i++) {` : `for (let i = 1, rounds = ${count}; i <= rounds; i++) {`, ...lines, "}"];
+}
+
+/** Makes a new agent, and does what is in the block for it. */
+function creating(block, place, writer, parent) {
+	const agent = `agent${place.depth > 0 ? place.depth + 1 : ""}`;
+	const inner = writer.body(block, "DO", place.about(agent));
+	const make = `add(${text(block.fields.SHAPE)}, ${text(block.fields.BREED)}${parent ? `, ${parent}` : ""})`;
+	return inner.length > 0 ? [`${INDENT}const ${agent} = ${make};`, ...inner] : [`${INDENT}${make};`];
+}
+
+const STATEMENTS = {
+	starlogo_system: ({ fields }) => [`useSystem(${text(fields.SYSTEM)});`],
+	starlogo_hierarchical: (block, place, writer) => [`traits.setHierarchical(${writer.who(block, place)}, ${block.fields.ON === "on"});`],
+	starlogo_depth: (block, place, writer) => [`traits.setCollisionDepth(${writer.who(block, place)}, ${writer.value(block, "DEPTH", place)});`],
+	starlogo_collide_as: (block, place, writer) => [`traits.collideAs(${writer.who(block, place)}, ${text(block.fields.AS)});`],
+	starlogo_show: () => ["// bounding structures are shown where there is a picture"],
+	starlogo_sweep: (block, place, writer) => writer.whom(block, place, (agent) => `${agent}.sweeps = ${block.fields.ON === "on"};`),
+	starlogo_until: (block, place, writer) => [`advance(${place.me}, ${writer.value(block, "STEPS", place)}, ${breedOf(block.fields.BREED)}, ${text(block.fields.HOW)});`],
+	starlogo_face: (block, place, writer) => [`face(${place.me}, ${writer.value(block, "AGENT", place, "null")});`],
+	starlogo_bounce: (block, { me, collidee }) => [`bounce(${me}, ${collidee});`],
+	starlogo_become: (block, place, writer) => writer.whom(block, place, (agent) => `become(${agent}, ${text(block.fields.BREED)});`),
+	starlogo_say: (block, place, writer) => [`${place.me}.said = String(${writer.value(block, "TEXT", place, "\"\"")});`],
+	starlogo_score_set: (block, place, writer) => [`game.score = ${writer.value(block, "SCORE", place)};`],
+	starlogo_score_change: (block, place, writer) => [`game.score += ${writer.value(block, "SCORE", place)};`],
+	starlogo_goal: ({ fields }) => [`game.goal = ${text(fields.TEXT)};`],
+	starlogo_ground: ({ fields }) => [`game.ground = ${text(fields.GROUND)};`],
+	starlogo_end: ({ fields }) => [`game.ended ??= { how: ${text(fields.HOW)}, text: ${text(fields.TEXT)} };`],
+	starlogo_forward: (block, place, writer) => [`forward(${place.me}, ${writer.value(block, "STEPS", place)});`],
+	starlogo_turn: (block, place, writer) => [`${place.me}.heading ${block.fields.DIRECTION === "left" ? "+=" : "-="} ${writer.value(block, "DEGREES", place)};`],
+	starlogo_up: (block, place, writer) => [`${place.me}.z += ${writer.value(block, "STEPS", place)};`],
+	starlogo_go: (block, place, writer) => [`${place.me}.jumpTo(${["X", "Y", "Z"].map((name) => writer.value(block, name, place)).join(", ")});`],
+	starlogo_scatter: (block, { me }) => [`scatter(${me});`],
+	starlogo_back: (block, { me, collidee }) => [`goBack(${me}, ${collidee});`],
+	starlogo_delete: (block, place, writer) => writer.whom(block, place, (agent) => `remove(${agent});`),
+	starlogo_size: (block, place, writer) => [`${place.me}.size = ${writer.value(block, "SIZE", place)};`],
+	starlogo_heading: (block, place, writer) => [`${place.me}.heading = ${writer.value(block, "HEADING", place)};`],
+	starlogo_colour: (block, place, writer) => {
+		const colour = writer.value(block, "COLOUR", place);
+		if (["me", "collidee"].includes(block.fields.WHO)) return writer.whom(block, place, (agent) => `${agent}.color = ${colour};`);
+		return ["{", `${INDENT}const colour = ${colour};`, `${INDENT}${writer.whom(block, place, (agent) => `${agent}.color = colour;`)[0]}`, "}"];
+	},
+	variables_set: (block, place, writer) => [`${writer.variable(block.fields.VAR.id)} = ${writer.value(block, "VALUE", place)};`],
+	math_change: (block, place, writer) => [`${writer.variable(block.fields.VAR.id)} += ${writer.value(block, "DELTA", place)};`],
+	starlogo_create: (block, place, writer) => {
+		const lines = creating(block, place, writer, null);
+		return rounds(writer.value(block, "COUNT", place), lines) ?? ["{", ...lines, "}"];
+	},
+	starlogo_hatch: (block, place, writer) => ["{", ...creating(block, place, writer, place.me), "}"],
+	starlogo_ask: (block, place, writer) => {
+		const asked = `asked${place.depth > 0 ? place.depth + 1 : ""}`;
+		return ["{", `${INDENT}const ${asked} = ${writer.value(block, "AGENT", place, "null")};`, `${INDENT}if (${asked}) {`, ...writer.body(block, "DO", place.about(asked)).map((line) => INDENT + line), `${INDENT}}`, "}"];
+	},
+	starlogo_wait: (block, place, writer) => [`yield wait(${writer.value(block, "SECONDS", place)}, ${place.me});`],
+	controls_if: (block, place, writer) => branches(block, place, writer, 1 + (block.extraState?.elseIfCount ?? 0)),
+	controls_ifelse: (block, place, writer) => branches(block, place, writer, 1),
+	controls_repeat_ext: (block, place, writer) => {
+		const lines = writer.body(block, "DO", place);
+		return rounds(writer.value(block, "TIMES", place), lines) ?? ["{", ...lines, "}"];
+	},
+	controls_whileUntil: (block, place, writer) => {
+		const holds = writer.value(block, "BOOL", place, "false");
+		return [`while (${block.fields.MODE === "UNTIL" ? `!(${bare(holds)})` : bare(holds)}) {`, ...writer.body(block, "DO", place), "}"];
+	},
+};
+
+function branches(block, place, writer, count) {
+	const lines = [];
+	for (let i = 0; i < count; i++) lines.push(`${i > 0 ? "} else " : ""}if (${bare(writer.value(block, `IF${i}`, place, "false"))}) {`, ...writer.body(block, `DO${i}`, place));
+	const otherwise = writer.body(block, "ELSE", place);
+	return [...lines, ...(otherwise.length > 0 ? ["} else {", ...otherwise] : []), "}"];
+}
+
+const ARITHMETIC = { ADD: "+", MINUS: "-", MULTIPLY: "*", DIVIDE: "/", POWER: "**" };
+const COMPARISONS = { EQ: "===", NEQ: "!==", LT: "<", LTE: "<=", GT: ">", GTE: ">=" };
+const two = (table, names = ["A", "B"], missing = "0") => (block, place, writer) => {
+	const [a, b] = names.map((name) => writer.value(block, name, place, missing));
+	// the left side of ** may have no sign of its own
+	return `(${block.fields.OP === "POWER" ? `(${a})` : a} ${table[block.fields.OP]} ${b})`;
+};
+
+const VALUES = {
+	math_number: ({ fields }) => String(fields.NUM),
+	math_arithmetic: two(ARITHMETIC),
+	math_random_int: (block, place, writer) => `randomBetween(${writer.value(block, "FROM", place)}, ${writer.value(block, "TO", place)})`,
+	math_modulo: (block, place, writer) => `(${writer.value(block, "DIVIDEND", place)} % ${writer.value(block, "DIVISOR", place)})`,
+	logic_compare: two(COMPARISONS),
+	logic_operation: two({ AND: "&&", OR: "||" }, ["A", "B"], "false"),
+	logic_negate: (block, place, writer) => `!${writer.value(block, "BOOL", place, "false")}`,
+	logic_boolean: ({ fields }) => String(fields.BOOL === "TRUE"),
+	variables_get: (block, place, writer) => writer.variable(block.fields.VAR.id),
+	text: ({ fields }) => text(fields.TEXT),
+	starlogo_trait: ({ fields: { TRAIT } }, { me }) => (TRAIT === "age" ? `((game.frame - ${me}.born) / ${FRAMES_A_SECOND})` : `${me}.${TRAIT}`),
+	starlogo_agent: (block, place, writer) => writer.who(block, place),
+	starlogo_count: (block, place, writer) => `senses().countWithin(${place.me}, ${breedOf(block.fields.BREED)}, ${writer.value(block, "DISTANCE", place)})`,
+	starlogo_number_of: (block, place, writer) => `senses().countWith(${place.me}, ${breedOf(block.fields.BREED)}, "color", ${writer.value(block, "COLOUR", place)})`,
+	starlogo_nearest: (block, place, writer) => `senses().nearestWithin(${place.me}, ${breedOf(block.fields.BREED)}, ${writer.value(block, "DISTANCE", place)})`,
+	starlogo_distance: (block, place, writer) => `distanceTo(${place.me}, ${writer.value(block, "AGENT", place, "null")})`,
+	starlogo_can_see: (block, place, writer) => `canSee(${place.me}, ${writer.value(block, "AGENT", place, "null")})`,
+	starlogo_touching: (block, place) => `senses().isTouching(${place.me}, ${breedOf(block.fields.BREED)})`,
+	starlogo_key_down: ({ fields }) => `held.has(${text(fields.KEY)})`,
+	starlogo_mouse: ({ fields: { MOUSE } }) => `mouse.${MOUSE === "down" ? "isDown" : MOUSE}`,
+	starlogo_score: () => "game.score",
+	starlogo_clock: () => `(game.frame / ${FRAMES_A_SECOND})`,
+	starlogo_pick: ({ fields }) => `colours.${fields.COLOUR}`,
+	starlogo_any_colour: () => "anyColour()",
+	starlogo_colour_of: (block, place, writer) => `${writer.who(block, place)}.color`,
+};
+
+/** How each kind of script is told to the game. */
+const EVENTS = {
+	starlogo_start: () => "whenTheGameStarts(",
+	starlogo_each: ({ fields }) => `everyFrame(${breedOf(fields.BREED)}, `,
+	starlogo_key: ({ fields }) => `whileKey(${text(fields.KEY)}, ${text(fields.MODE)}, ${breedOf(fields.BREED)}, `,
+	starlogo_timer: ({ fields }, seconds) => `everySeconds(() => ${seconds}, ${breedOf(fields.BREED)}, `,
+	starlogo_click: ({ fields }) => `whenClicked(${breedOf(fields.BREED)}, `,
+	starlogo_collision: ({ fields }) => `whenColliding(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
+	starlogo_touch_start: ({ fields }) => `whenTouchingStarts(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
+	starlogo_touch_end: ({ fields }) => `whenTouchingEnds(${breedOf(fields.BREED)}, ${breedOf(fields.OTHER)}, `,
+};
+
+/** Shapes that a program names, in order. */
+function shapesOf(program) {
+	const found = new Set();
+	JSON.stringify(program, (key, value) => {
+		if (key === "SHAPE" && typeof value === "string") found.add(value);
+		return value;
+	});
+	return [...found].sort();
+}
+
+/** A line that adds a shape's model. */
+function adding(name) {
+	if (BUILT_IN.includes(name)) return `greatLand.addModel(BuiltInModel.${name}());`;
+	if (MADE.includes(name)) return `greatLand.addModel(${name}());`;
+	return `await loader.loadAsync(${text(name)}, assets + ${text(fileOf(name) ?? `${name}.obj`)});${fileOf(name) ? "" : " // your own file"}`;
+}
+
+/** A model that the page makes itself: its vertices and triangles. */
+const making = ({ name, given: { vertices, triangles } }) => `function ${name}() {
+	return new Model(${text(name)}, [${vertices.join(", ")}], [${triangles.join(", ")}]);
+}`;
+
+/**
+ * Writes a program as a module.
+ *
+ * @param {object} program in Blockly's notation
+ * @param {string} title what it is called
+ * @param {Map} models by their names
+ * @returns {string}
+ */
+export function javascriptOf(program, title, models) {
+	const writer = new Writer(program);
+	const scripts = (program.blocks?.blocks ?? []).filter(({ type }) => type in EVENTS).map((block) => {
+		const isAlone = block.type === "starlogo_start";
+		const isPair = block.type in { starlogo_collision: 1, starlogo_touch_start: 1, starlogo_touch_end: 1 };
+		const place = new Place(isAlone ? "null" : "me", isPair ? "collidee" : "null");
+		const seconds = block.inputs?.SECONDS ? writer.value(block, "SECONDS", new Place("null", "null")) : "";
+		return `${EVENTS[block.type](block, seconds)}function* (${isAlone ? "" : isPair ? "me, collidee" : "me"}) {\n${writer.body(block, "DO", place).join("\n")}\n});`;
+	}).map((lines) => lines.replace("{\n\n}", "{}"));
+	const shapes = shapesOf(program);
+	const addModels = shapes.map(adding);
+	const made = shapes.filter((name) => MADE.includes(name)).map((name) => making(models.get(name)));
+	const system = systemOf(program);
+	const main = [...addModels, ...scripts].join("\n");
+	const helpers = neededBy(`${main}\n${ENGINE}`);
+	const has = (word) => new RegExp(`\\b${word}\\b`).test(`${main}\n${helpers.join("\n")}`);
+	const fill = (part) => part.replaceAll("/*old*/", has("areSensesOld") ? "\n\tareSensesOld = true;" : "").replaceAll("/*welcome*/", has("traits") ? "\n\ttraits.welcome(agent);" : "");
+	const colours = Object.entries(COLOURS).filter(([name]) => has(`colours\\.${name}`)).map(([name, colour]) => `${name}: ${hex(colour)}`);
+	const variables = [...writer.names.values()].map((name) => `${NAME.test(name) ? name : text(name)}: 0`);
+	const state = [
+		"/** Who is in the game, and how it stands. */",
+		"export const agents = [];",
+		`export const game = { frame: 0, score: ${has("game\\.score") ? 0 : null}, goal: null, ground: "meadow", ended: null };`,
+		...(variables.length > 0 ? [`const variables = { ${variables.join(", ")} };`] : []),
+		...(colours.length > 0 ? [`const colours = { ${colours.join(", ")} };`] : []),
+		...(has("HALF_WIDTH") ? [`const HALF_WIDTH = ${HALF_WIDTH};`] : []),
+		...(has("seed") ? ["let seed = 20150601;"] : []),
+		...(has("mouse") ? ["export const mouse = { x: 0, y: 0, isDown: false };"] : []),
+		"const held = new Set();", "const pressed = new Set();", "let clicked = null;", "let threads = [];", "const starts = [];", "const scripts = [];",
+	];
+	const blocks = [
+		"const collisions = new CollisionBlocks(greatLand, agents);",
+		...(system === CollisionBlocks.TIGHTEST_FITS ? [] : [`collisions.useCollisionSystem(${text(system)});`]),
+		...(has("traits") ? ["const traits = new TraitBlocks(agents);"] : []),
+		...(has("detection") ? ["const detection = new DetectionBlocks(collisions);", "let areSensesOld = true;"] : []),
+		...(has("systemsOfNow") ? ["const systemsOfNow = new CollisionBlocks(greatLand, []);"] : []),
+	];
+	const whole = [main, BEING, ENGINE, ...helpers, ...made, ...blocks, has("loader") ? "new ModelLoader" : "", "new GreatLand"].join("\n");
+	return [
+		`// “${title.replaceAll(/\s+/g, " ")}”: a program of blocks as a module. It plays without a picture: npm install starlogo-collision, then node with this file.`,
+		`import { ${CLASSES.filter((name) => new RegExp(`\\b${name}\\b`).test(whole.replaceAll(/\/\*\*.*?\*\/|"[^"]*"/gs, ""))).join(", ")} } from "starlogo-collision";`,
+		"",
+		...(addModels.some((line) => line.includes("assets")) ? ["/** Where the models are: the address of the project’s folder of this name; in Node an absolute one. */", "const assets = \"assets/\";"] : []),
+		"const greatLand = new GreatLand();",
+		...(has("loader") ? ["const loader = new ModelLoader(greatLand);"] : []),
+		...addModels, "",
+		...state, "", BEING, "", ...blocks, "",
+		"// the program", "",
+		scripts.join("\n\n"), "",
+		"for (const script of starts) start(script, null, null);", "",
+		"// ten seconds of it", "",
+		`for (let i = 0; i < ${10 * FRAMES_A_SECOND} && !game.ended; i++) step();`,
+		"console.log(`${agents.length} agents after ${game.frame} frames`, game);", "",
+		"// what makes it a game", "",
+		[ENGINE, ...helpers, ...made].map(fill).join("\n\n"), "",
+	].join("\n");
+}
+
+/** The helpers that a text names, and those that these do. */
+function neededBy(code) {
+	const found = new Set();
+	const look = (part) => {
+		for (const [name, helper] of Object.entries(HELPERS)) {
+			if (found.has(name) || !new RegExp(`\\b${name}\\(`).test(part)) continue;
+			found.add(name);
+			look(helper);
+		}
+	};
+	look(code);
+	return Object.keys(HELPERS).filter((name) => found.has(name)).map((name) => HELPERS[name]);
+}

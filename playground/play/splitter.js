@@ -1,0 +1,53 @@
+/** The line between blocks and world, which can be moved: by the pointer and by arrow keys. */
+import { h } from "../shared/dom.js";
+import { texts } from "../shared/language.js";
+
+const KEY = "starlogo-playground.blocks-width";
+/** The least and the largest part of the window that blocks take, in percent, and that which they have at first. */
+const [LEAST, MOST, FIRST] = [25, 72, 50];
+const STEP = 2;
+
+/**
+ * Makes the line.
+ *
+ * @param {HTMLElement} main whose style gets the width
+ */
+export function splitter(main) {
+	const line = h("div.splitter", { role: "separator", tabindex: "0", "aria-orientation": "vertical", "aria-label": texts.play.splitter, "aria-valuemin": LEAST, "aria-valuemax": MOST });
+	let width = FIRST;
+	const set = (percent) => {
+		width = Math.min(MOST, Math.max(LEAST, percent));
+		main.style.setProperty("--blocks", `${width}%`);
+		line.setAttribute("aria-valuenow", String(Math.round(width)));
+	};
+	const keep = () => {
+		try {
+			localStorage.setItem(KEY, String(width));
+		} catch {
+			// it is so as long as the page is open
+		}
+	};
+	try {
+		set(Number(localStorage.getItem(KEY)) || FIRST);
+	} catch {
+		set(FIRST);
+	}
+	line.addEventListener("pointerdown", (event) => {
+		line.setPointerCapture(event.pointerId);
+		event.preventDefault();
+	});
+	line.addEventListener("pointermove", (event) => {
+		if (!line.hasPointerCapture(event.pointerId)) return;
+		const { left, width: all } = main.getBoundingClientRect();
+		set(((event.clientX - left) / all) * 100);
+	});
+	line.addEventListener("pointerup", keep);
+	line.addEventListener("keydown", (event) => {
+		const to = { ArrowLeft: width - STEP, ArrowRight: width + STEP, Home: LEAST, End: MOST }[event.key];
+		if (to === undefined) return;
+		event.preventDefault();
+		set(to);
+		keep();
+	});
+	return line;
+}

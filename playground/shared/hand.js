@@ -1,0 +1,9 @@
+/** Hands text over as a file of the user's. */
+export function hand(text, name, type) {
+	const url = URL.createObjectURL(new Blob([text], { type }));
+	const link = document.createElement("a");
+	link.href = url;
+	link.download = name;
+	link.click();
+	setTimeout(() => URL.revokeObjectURL(url), 1000);
+}

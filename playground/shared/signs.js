@@ -1,0 +1,57 @@
+/** Signs over agents and pairs, which say without colours what is so: a dot for "hit", a triangle for "wrong", a ring for "missed". */
+import { CircleGeometry, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
+import { INK, VERDICTS } from "./colours.js";
+import { Crowd } from "./marks.js";
+
+/** The radius of a sign, in pixels. */
+const RADIUS = 6;
+const BORDER = 1.35;
+
+export class Signs {
+	#shown = [];
+
+	constructor(scene) {
+		const material = new MeshBasicMaterial({ depthTest: false, transparent: true });
+		const upright = Math.PI / 2;
+		const make = (geometry, order) => Object.assign(new Crowd(scene, geometry, material), { order });
+		this.grounds = { hit: make(new CircleGeometry(BORDER, 20), 6), wrong: make(new CircleGeometry(1.25 * BORDER, 3, upright), 6), missed: make(new CircleGeometry(BORDER, 20), 6) };
+		this.faces = { hit: make(new CircleGeometry(1, 20), 7), wrong: make(new CircleGeometry(1.1, 3, upright), 7), missed: make(new RingGeometry(0.55, 1, 20), 7) };
+	}
+
+	/** @param {{kind: string, x: number, y: number, z: number}[]} signs those to be seen from now on */
+	show(signs) {
+		this.#shown = signs;
+	}
+
+	/**
+	 * Turns them to the eye, all as large wherever they are.
+	 *
+	 * @param {import("three").PerspectiveCamera} camera
+	 * @param {number} height of its picture, in pixels
+	 */
+	face(camera, height) {
+		const scale = (2 * RADIUS * Math.tan((camera.fov * Math.PI) / 360)) / height;
+		for (const { kind, x, y, z } of this.#shown) {
+			place.set(x, y, z);
+			const size = scale * camera.position.distanceTo(place);
+			this.grounds[kind].addAt(place, camera.quaternion, size, INK);
+			this.faces[kind].addAt(place, camera.quaternion, size, VERDICTS[kind]);
+		}
+		for (const crowd of this.#crowds) crowd.finish();
+	}
+
+	/** How many signs of a kind there are. */
+	count(kind) {
+		return this.#shown.filter((sign) => sign.kind === kind).length;
+	}
+
+	get #crowds() {
+		return [...Object.values(this.grounds), ...Object.values(this.faces)];
+	}
+
+	dispose() {
+		for (const crowd of this.#crowds) crowd.dispose();
+	}
+}
+
+const place = new Vector3();

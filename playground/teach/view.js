@@ -1,0 +1,78 @@
+/** For teachers: what each lesson is about, how long it takes and how it is solved, with a link to it and one page to print. */
+import { button, h } from "../shared/dom.js";
+import { texts } from "../shared/language.js";
+
+const words = texts.teach;
+/** The lessons in their order, and how many minutes a class needs for each. */
+const MINUTES = { blocks: 10, helmet: 10, wing: 10, main: 15, fast: 15, starts: 15, room: 15, near: 20, see: 20, hunt: 25 };
+const NAMES = Object.keys(MINUTES);
+/** How high the picture of a lesson's blocks may be, in pixels, so that all is on one sheet of paper. */
+const HIGHEST = 390;
+
+export async function createView(main, name) {
+	const view = new TeachView(main);
+	view.open(name);
+	return view;
+}
+
+class TeachView {
+	constructor(main) {
+		this.main = main;
+	}
+
+	/** Shows the page of a lesson, or of all of them. */
+	open(name) {
+		delete this.main.dataset.drawn;
+		if (name in MINUTES) this.#showLesson(name);
+		else this.#showAll();
+		this.main.scrollTop = 0;
+	}
+
+	#showAll() {
+		const total = Object.values(MINUTES).reduce((sum, minutes) => sum + minutes, 0);
+		this.main.replaceChildren(h("section.sheet", { "aria-label": words.title },
+			h("h2", {}, words.title), h("p", {}, words.intro(NAMES.length, total)),
+			h("div.table", {}, h("table", {},
+				h("thead", {}, h("tr", {}, ...[words.lesson, words.minutes, words.page, words.open].map((text) => h("th", { scope: "col" }, text)))),
+				h("tbody", {}, ...NAMES.map((name, i) => h("tr", {},
+					h("th", { scope: "row" }, words.numbered(i + 1, texts.lessons.list[name].title)), h("td", {}, String(MINUTES[name])),
+					h("td", {}, h("a", { href: `#teach/${name}`, "aria-label": words.pageOf(i + 1) }, words.page)), h("td", {}, h("a", { href: `#play/lesson-${name}`, "aria-label": words.openOf(i + 1) }, words.open)))))))));
+	}
+
+	#showLesson(name) {
+		const at = NAMES.indexOf(name);
+		const { title, text, challenge, hint } = texts.lessons.list[name];
+		const { aim, ask, solution } = words.list[name];
+		const address = new URL(location.href);
+		address.hash = `play/lesson-${name}`;
+		const part = (head, ...content) => [h("h3", {}, head), ...content.map((each) => h("p", {}, each))];
+		const picture = h("img.shown", { alt: words.picture(title), width: 800, height: 500 });
+		const blocks = h("div.shown-blocks", { role: "img", "aria-label": words.program(title), inert: true });
+		this.main.replaceChildren(h("section.sheet", { "aria-label": title },
+			h("div.tools.no-print", {}, h("a", { href: "#teach" }, words.all), button(words.print, () => print(), { class: "primary" })),
+			h("p.note", {}, words.of(at + 1, NAMES.length, MINUTES[name])),
+			h("h2", {}, title),
+			h("p", {}, h("a.address", { href: address.href }, address.href)),
+			picture, ...part(words.aim, aim), ...part(words.told, text), ...part(texts.lessons.challenge, challenge), ...part(texts.lessons.hint, hint),
+			h("h3", {}, words.given), blocks,
+			...part(words.ask, ask), h("div.lines", { "aria-hidden": "true" }), ...part(words.solution, solution)));
+		this.#draw(name, picture, blocks);
+	}
+
+	/** Draws what comes late: the words can be read meanwhile. */
+	async #draw(name, picture, blocks) {
+		const [{ LESSONS }, { pictureOf }, messages] = await Promise.all([import("../play/library.js"), import("../play/pictures.js"), import("../play/messages.js")]);
+		if (!picture.isConnected) return;
+		const { program } = LESSONS[name];
+		const address = await pictureOf(program, this.main);
+		if (address) picture.src = address;
+		else picture.remove();
+		await messages.loadMessages();
+		const { showBlocks } = await import("../play/editor.js");
+		if (!blocks.isConnected) return;
+		showBlocks(blocks, program, HIGHEST);
+		this.main.dataset.drawn = name;
+	}
+
+	close() {}
+}

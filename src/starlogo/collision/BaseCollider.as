@@ -1,0 +1,124 @@
+package starlogo.collision
+{
+    import starlogo.agents.Agent;
+    import starlogo.engine;
+    import starlogo.search.BreedInterests;
+    import starlogo.search.FoundPairs;
+
+    use namespace engine;
+
+    /**
+     * A collision system with all parts that a Collision uses. A subclass overrides the parts that it does itself, and another collision system
+     * does the rest.
+     */
+    public class BaseCollider implements CollisionSystem
+    {
+        private var _collisionSystem:CollisionSystem;
+        private var _found:Vector.<Agent> = new Vector.<Agent>();
+
+        /**
+         * A collider that finds what another collision system finds.
+         *
+         * @param collisionSystem the other; null if a subclass overrides <code>areColliding</code>, <code>findCollisions</code> and
+         *     <code>statistics</code>
+         */
+        public function BaseCollider(collisionSystem:CollisionSystem = null)
+        {
+            _collisionSystem = collisionSystem;
+        }
+
+        /** @private A collision system with all parts: itself, or a BaseCollider around it. */
+        engine static function of(system:CollisionSystem):BaseCollider
+        {
+            return system as BaseCollider || new BaseCollider(system);
+        }
+
+        /** The collision system that does what a subclass does not override; null if there is none. */
+        public function get collisionSystem():CollisionSystem
+        {
+            return _collisionSystem;
+        }
+
+        /** @inheritDoc */
+        public function get statistics():CollisionStatistics
+        {
+            return _collisionSystem.statistics;
+        }
+
+        /** @inheritDoc */
+        public function areColliding(a:Agent, b:Agent):Boolean
+        {
+            return _collisionSystem.areColliding(a, b);
+        }
+
+        /** @inheritDoc */
+        public function findCollisions(agents:Vector.<Agent>, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return _collisionSystem.findCollisions(agents, out);
+        }
+
+        /**
+         * Finds every pair of agents that collide and whose breeds are of interest. It may find others too: here it is <code>findCollisions</code>. A
+         * subclass overrides it to test fewer pairs.
+         *
+         * @param agents the agents of the game
+         * @param interests the pairs of breeds; null for all
+         * @param out where to put the pairs; overwritten, and made if null
+         * @return out, as from findCollisions
+         * @throws ArgumentError as findCollisions does
+         */
+        public function findCollisionsAmong(agents:Vector.<Agent>, interests:BreedInterests, out:Vector.<Agent> = null):Vector.<Agent>
+        {
+            return findCollisions(agents, out);
+        }
+
+        /**
+         * How two agents touch, for handlers with a third argument. Here it is what the other collision system tells, if that is a BaseCollider;
+         * otherwise half way between the agents, with a depth of 0.
+         *
+         * @param collider the normal points to it
+         * @param collidee another agent
+         * @param out takes the contact; made if null
+         * @return out, or the new one
+         */
+        public function contactOf(collider:Agent, collidee:Agent, out:Contact = null):Contact
+        {
+            if (_collisionSystem is BaseCollider)
+            {
+                return BaseCollider(_collisionSystem).contactOf(collider, collidee, out);
+            }
+            var contact:Contact = out || new Contact();
+            contact.setBetween(collider, collidee);
+            return contact;
+        }
+
+        /** @private The engine's collider that finds just what this one finds, or null. Snapshots and questions use it. */
+        engine function get collider():Collider
+        {
+            return null;
+        }
+
+        /**
+         * @private Finds the pairs of a Collision's frame. A system of a game's own may return a vector of its own, and need not count.
+         *
+         * @param takePart which agents do, by their indices in the list; null for all
+         */
+        engine function findPairs(agents:Vector.<Agent>, interests:BreedInterests, takePart:Vector.<Boolean>, out:FoundPairs):void
+        {
+            out.read(findCollisionsAmong(takePart == null ? agents : chosen(agents, takePart), interests, _found), agents);
+        }
+
+        /** @private Called when a Collision's frame is over, handlers included, with the Collision's statistics. */
+        engine function onFrame(statistics:CollisionStatistics):void
+        {
+        }
+
+        private static function chosen(agents:Vector.<Agent>, takePart:Vector.<Boolean>):Vector.<Agent>
+        {
+            return agents.filter(function(agent:Agent, index:int, ...ignored):Boolean
+                {
+                    return takePart[index];
+                });
+        }
+    }
+}

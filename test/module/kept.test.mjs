@@ -1,0 +1,34 @@
+/** What is gone from a game is not kept: it can be collected. */
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
+
+const folder = fileURLToPath(new URL("../../bin/module", import.meta.url));
+const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
+const { Agent, BuiltInModel, CollisionBlocks, GreatLand, StructureBlocks } = await import(pathToFileURL(path.join(folder, manifest.exports["."].default)));
+
+setFlagsFromString("--expose-gc");
+const collect = runInNewContext("gc");
+
+// In a function of its own: what its variables held is not held any more when it has returned.
+function show(agents) {
+	const land = new GreatLand();
+	land.addModel(BuiltInModel.sphere());
+	const blocks = new StructureBlocks(new CollisionBlocks(land, agents));
+	for (const agent of agents) blocks.show(agent, true);
+	return { blocks, left: new WeakRef(agents.pop()) };
+}
+
+test("blocks that show the structures of an agent do not keep it when it has left", async () => {
+	const agents = [new Agent("sphere"), new Agent("sphere")];
+	const { blocks, left } = show(agents);
+	// a WeakRef holds its agent until the turn is over
+	await new Promise((resolve) => setTimeout(resolve, 10));
+	collect();
+	assert.equal(left.deref(), undefined);
+	assert.ok(blocks.isShown(agents[0]), "the one that stays is shown");
+});

@@ -1,0 +1,355 @@
+/** How views look and what they say of what is seen: legends, cameras, colours, measures, files. Nothing is painted, as the processor would have to. */
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { begin, open, ready, root, saved } from './browser.mjs';
+
+const LAPTOP = { viewport: { width: 1366, height: 768 }, isDrawn: false };
+
+let site;
+before(async () => {
+	site = await begin();
+});
+after(() => site.close());
+
+const pages = {};
+/** The page that tests of a view share. */
+async function shared(view) {
+	pages[view] ??= await open(site, view, LAPTOP);
+	return pages[view];
+}
+
+/** Drops files on the page together, as the system does. */
+async function drop(page, files) {
+	const data = await page.evaluateHandle((all) => {
+		const transfer = new DataTransfer();
+		for (const [name, bytes] of all) transfer.items.add(new File([Uint8Array.from(bytes)], name));
+		return transfer;
+	}, files.map(([name, content]) => [name, [...content]]));
+	await page.dispatchEvent('.world', 'drop', { dataTransfer: data });
+}
+
+const measured = (page, name) => page.waitForFunction((start) => document.querySelector('.status').textContent.startsWith(`${start}: `) && !document.querySelector('[aria-busy]'), name, { timeout: 60000 });
+const use = (page, program) => page.evaluate((name) => globalThis.playground.programs.choose(name), program);
+/** How steeply the camera looks down, in degrees. */
+const steepness = (page) => page.evaluate(() => {
+	const { camera, controls: { target } } = globalThis.playground.stage;
+	const from = camera.position.clone().sub(target);
+	return (Math.asin(from.z / from.length()) * 180) / Math.PI;
+});
+
+test('Play: one legend and one row of keys, below the picture, and nothing of them over it', async () => {
+	const { page } = await shared('play');
+	await use(page, 'paintball');
+	await page.getByLabel('What the engine sees').check();
+	await page.getByLabel('And beside it').selectOption('exact');
+	await page.waitForSelector('.differences');
+	await page.getByRole('button', { name: 'Step', exact: true }).click();
+	const { legends, pads, covering } = await page.evaluate(() => {
+		const screens = [...document.querySelectorAll('.screen')].map((each) => each.getBoundingClientRect());
+		const all = (selector) => [...document.querySelectorAll(selector)].filter((each) => each.checkVisibility());
+		const covers = (element) => {
+			const box = element.getBoundingClientRect();
+			return screens.some((screen) => box.left < screen.right - 1 && box.right > screen.left + 1 && box.top < screen.bottom - 1 && box.bottom > screen.top + 1);
+		};
+		return { legends: all('.legend').length, pads: all('.keys').length, covering: [...all('.legend'), ...all('.keys')].filter(covers).map(({ className }) => className) };
+	});
+	assert.deepEqual([legends, pads, covering], [1, 1, []]);
+	await page.getByLabel('And beside it').selectOption('');
+	await page.waitForSelector('.differences', { state: 'detached' });
+});
+
+test('Play: behind the main character, where keys move one; else all of it, no steeper than 40 degrees, and who is there is large', async () => {
+	const { page } = await shared('play');
+	const camera = page.getByLabel('Camera');
+	const pixels = (breed) => page.evaluate((which) => {
+		const { world, stage, models } = globalThis.playground;
+		const agent = world.agents.find((each) => each.breed === which);
+		const height = models.get(agent.shape).vertices.reduce((most, value, i) => (i % 3 === 2 ? Math.max(most, value) : most), 0);
+		return stage.pixelOf(agent.x, agent.y, agent.z).y - stage.pixelOf(agent.x, agent.y, agent.z + agent.size * height).y;
+	}, breed);
+	await use(page, 'paintball');
+	assert.equal(await camera.inputValue(), 'follow');
+	assert.ok(await pixels('bears') > 80, `the bear is ${await pixels('bears')} pixels high`);
+	// a wall at its back does not hide it: who clicks on it clicks on nobody else
+	await use(page, 'maze');
+	assert.equal(await camera.inputValue(), 'follow');
+	const clicked = await page.evaluate(() => {
+		const { world, stage } = globalThis.playground;
+		const { x, y } = world.agents.find(({ breed }) => breed === 'people');
+		const box = stage.host.getBoundingClientRect();
+		const at = stage.pixelOf(x, y, 0.6);
+		return stage.agentAt({ clientX: box.left + at.x, clientY: box.top + at.y })?.breed;
+	});
+	assert.equal(clicked, 'people');
+	for (const program of ['helmet', 'wing', 'wall', 'lesson-blocks', 'lesson-room', 'catch', 'pinball']) {
+		await use(page, program);
+		assert.equal(await camera.inputValue(), 'all', program);
+		assert.ok(await steepness(page) <= 40.01, `${program}: ${await steepness(page)} degrees`);
+	}
+	// keys that turn nobody say where to
+	assert.deepEqual(await page.locator('.pad .key').allTextContents(), ['←left', '→right']);
+	await use(page, 'helmet');
+	assert.ok(await pixels('firemen') > 100, `near misses fill the picture: ${await pixels('firemen')}`);
+	// the narrower the window, the more from above, and yet
+	await page.setViewportSize({ width: 500, height: 800 });
+	for (const program of ['wing', 'lesson-blocks']) {
+		await use(page, program);
+		await page.waitForFunction(() => globalThis.playground.stage.camera.aspect < 1.4);
+		assert.ok(await steepness(page) <= 40.01, `${program}, narrow: ${await steepness(page)} degrees`);
+	}
+	await page.setViewportSize(LAPTOP.viewport);
+});
+
+test('colours mean the same in every view, a sign says it too, and they differ for who sees no red', async () => {
+	const found = {};
+	const { page } = await shared('play');
+	await use(page, 'helmet');
+	await page.getByLabel('What the engine sees').check();
+	await page.getByLabel('Collision system').selectOption('unit spheres');
+	await page.getByRole('button', { name: 'Step', exact: true }).click();
+	assert.equal(await page.evaluate(() => globalThis.playground.stage.signs.count('missed')), 2, 'who is missed has the sign of it');
+	const looks = (each) => each.evaluate((list) => Object.fromEntries([...list.children].map((item) => {
+		const { backgroundColor, clipPath, maskImage } = getComputedStyle(item, '::before');
+		return [item.className, [backgroundColor, `${clipPath} ${maskImage}`]];
+	})));
+	found.play = await looks(page.locator('.legend.sees'));
+	const compare = (await shared('compare')).page;
+	await compare.getByRole('radio', { name: 'A scattered game' }).check();
+	found.compare = await looks(compare.locator('.scattered .legend'));
+	assert.deepEqual(found.play, found.compare);
+	assert.deepEqual(Object.keys(found.play).sort(), ['hit', 'missed', 'none', 'wrong']);
+	assert.equal(new Set(Object.values(found.play).map(([, shape]) => shape)).size, 4, 'four signs');
+	const rows = await compare.evaluate(() => {
+		const { gameStage, judged, gameSystem } = globalThis.playground;
+		const { right, wrong, missed } = judged.systems[gameSystem];
+		return [[right, 'hit'], [wrong, 'wrong'], [missed, 'missed']].map(([pairs, kind]) => [pairs.length, gameStage.signs.count(kind)]);
+	});
+	for (const [pairs, signs] of rows) assert.equal(signs, pairs, 'a sign for each pair');
+	assert.ok(rows.every(([pairs]) => pairs > 0));
+	// as seen without red: Viénot, Brettel, Mollon 1999, in linear light
+	const linear = (text) => text.match(/\d+/g).slice(0, 3).map((each) => ((each / 255 + 0.055) / 1.055) ** 2.4);
+	const seen = (text) => {
+		const [r, g, b] = linear(text);
+		const yellow = 0.112 * r + 0.888 * g;
+		return [yellow, yellow, 0.004 * r - 0.004 * g + b].map((each) => 255 * Math.max(0, each) ** (1 / 2.2));
+	};
+	const colours = Object.values(found.play).map(([colour]) => seen(colour));
+	colours.forEach((a, i) => colours.slice(i + 1).forEach((b) => assert.ok(Math.hypot(...a.map((each, k) => each - b[k])) > 45, `${a} and ${b}`)));
+	// no view has colours of its own for what is said of agents
+	for (const file of ['play/scene.js', 'play/beside.js', 'inspect/view.js', 'inspect/questions.js', 'compare/view.js', 'shared/sight.js', 'shared/lab.js', 'shared/signs.js']) {
+		assert.doesNotMatch(readFileSync(path.join(root, 'playground', file), 'utf8'), /0x[0-9a-f]{6}\b|#[0-9a-f]{6}\b/, file);
+	}
+	await page.getByLabel('What the engine sees').uncheck();
+});
+
+test('Inspect: a kept answer is what is so now, and how deep two touch is drawn', async () => {
+	const { page, said } = await shared('inspect');
+	await page.getByLabel('Model', { exact: true }).selectOption('cube');
+	await measured(page, 'Cube');
+	await page.getByLabel('Questions', { exact: true }).check();
+	const answer = (name) => page.textContent(`.answers .${name} dd`);
+	await page.waitForFunction(() => /apart/.test(document.querySelector('.answers .meeting dd').textContent));
+	assert.match(await page.textContent('.measure'), /^0\.\d+ apart$/, 'the distance stands in the picture');
+	await page.locator('.world').focus();
+	await page.keyboard.press('Enter');
+	assert.match(await answer('ray'), /^meets Cube.*\(kept\)$/);
+	const [before] = (await answer('ray')).match(/\d+\.\d+/);
+	// away from under the ray goes the cube, which is chosen first
+	await page.getByLabel('Chosen').selectOption('0');
+	await page.locator('.facts .slider', { hasText: /^Size/ }).locator('input').fill('0.5');
+	assert.match(await answer('ray'), /\(kept\)$/, 'it is still kept');
+	const [now] = (await answer('ray')).match(/\d+\.\d+/) ?? ['nothing'];
+	assert.notEqual(now, before, 'and says what is so now');
+	await page.locator('.facts .slider', { hasText: /^Size/ }).locator('input').fill('1');
+	assert.equal((await answer('ray')).match(/\d+\.\d+/)[0], before);
+	// touching
+	await page.getByLabel('Chosen').selectOption('1');
+	await page.locator('.facts .slider', { hasText: /^x/ }).locator('input').fill('0.45');
+	await page.locator('.facts .slider', { hasText: /^y/ }).locator('input').fill('0');
+	assert.match(await answer('meeting'), /They touch at/);
+	const depth = Number((await answer('meeting')).match(/(\d+\.\d+) patches deep/)[1]);
+	const arrow = await page.evaluate(() => {
+		const { stage } = globalThis.playground;
+		stage.draw();
+		const found = stage.scene.children.find(({ children, isGroup }) => isGroup && children.length === 2 && children[1]?.geometry?.type === 'ConeGeometry');
+		const tip = found.children[1].position.clone().applyQuaternion(found.quaternion);
+		return { isShown: found.visible, length: found.children[0].scale.z, tip: tip.toArray() };
+	});
+	assert.ok(arrow.isShown);
+	assert.ok(Math.abs(arrow.length - depth) < 0.006, `${arrow.length} for ${depth}`);
+	assert.ok(Math.abs(Math.hypot(...arrow.tip) - arrow.length) < 1e-6);
+	assert.match(await page.textContent('.measure'), / deep$/);
+	await page.getByLabel('Structures', { exact: true }).check();
+	assert.equal(await page.evaluate(() => globalThis.playground.stage.label.checkVisibility()), false, 'nothing of it stays');
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Inspect: a glTF file with its data beside it, and which way is up', async () => {
+	const { page, said } = await shared('inspect');
+	const data = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 3, 0]).buffer);
+	const scene = Buffer.from(JSON.stringify({
+		asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 3, 0] }],
+		bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: 'data/the%20boar.bin' }],
+	}));
+	await drop(page, [['boar.gltf', scene]]);
+	await page.waitForSelector('.status.problem');
+	assert.match(await page.textContent('.status'), /boar\.gltf has its data in the boar\.bin\. Drop or choose all of them together/);
+	await drop(page, [['the boar.bin', data], ['boar.gltf', scene]]);
+	await measured(page, 'boar.gltf');
+	assert.equal(await page.textContent('.status'), 'boar.gltf: 3 vertices, 1 triangle');
+	assert.ok(await page.locator('.up-hint').isVisible(), 'a word about the axis');
+	const extent = () => page.evaluate(() => [0, 1, 2].map((axis) => {
+		const values = globalThis.playground.model.vertices.filter((_, i) => i % 3 === axis);
+		return Number((Math.max(...values) - Math.min(...values)).toFixed(3));
+	}));
+	const [, , tall] = await extent();
+	assert.equal(tall, 3);
+	await page.getByLabel('Up', { exact: true }).selectOption('y');
+	await page.waitForFunction(() => Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 2)) < 1);
+	const lying = await extent();
+	await page.getByRole('button', { name: 'Turn by 90°' }).click();
+	await page.waitForFunction((old) => Math.abs(Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 0)) - Math.min(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 0)) - old) > 0.01, lying[0]);
+	assert.deepEqual(await extent(), [lying[1], lying[0], lying[2]]);
+	assert.equal(await page.getByLabel('Up', { exact: true }).locator('option').count(), 6);
+	await page.getByLabel('Model', { exact: true }).selectOption('cube');
+	await measured(page, 'Cube');
+	assert.ok(await page.locator('.up-hint').isHidden(), 'models of the game stand');
+	await page.waitForFunction(() => /1 box at/.test(document.querySelector('.results').textContent) || document.querySelectorAll('.results .card').length > 1);
+	await page.locator('.results .slider input').fill('1');
+	assert.match(await page.textContent('.results .card:last-child .note'), /^1 box at this level; /);
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Compare: short numbers in its program, Copy in sight, and the whole game above the fold', async () => {
+	const { page, said } = await shared('compare');
+	await page.getByRole('radio', { name: 'Two agents', exact: true }).check();
+	const at = await page.evaluate(() => {
+		const { agents: [, ball], stage: { camera, canvas } } = globalThis.playground;
+		const point = camera.position.clone().set(ball.x, ball.y, ball.z + ball.size / 2).project(camera);
+		const box = canvas.getBoundingClientRect();
+		return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
+	});
+	await page.mouse.move(at.x, at.y);
+	await page.mouse.down();
+	await page.mouse.move(at.x + 77, at.y + 13, { steps: 3 });
+	await page.mouse.up();
+	await page.getByText('The same in JavaScript').click();
+	const code = await page.textContent('.code code');
+	assert.match(code, /x: -?\d\.\d/);
+	assert.doesNotMatch(code, /\d\.\d{3}/, code);
+	assert.ok(await page.getByRole('button', { name: 'Copy', exact: true }).isVisible());
+	await page.context().grantPermissions(['clipboard-read', 'clipboard-write']).catch(() => {});
+	await page.getByRole('button', { name: 'Copy', exact: true }).click();
+	await page.waitForFunction(() => document.querySelector('.code [role=status]').textContent !== '');
+	await page.getByText('The same in JavaScript').click();
+	await page.getByRole('radio', { name: 'A scattered game' }).check();
+	const ends = await page.evaluate(() => [...document.querySelectorAll('.scattered .screen, .scattered table, .scattered .legend, .scattered button')].map((each) => each.getBoundingClientRect().bottom));
+	assert.ok(ends.every((end) => end > 0 && end <= 768), `${ends}`);
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('Measure: times of each system, live, in a chart that is kept, downloaded, and put beside another one', async () => {
+	const { page, said } = await shared('measure');
+	await page.getByLabel('Agents up to').selectOption('100');
+	await page.getByLabel('Name of this machine').fill('the old laptop');
+	await page.getByRole('button', { name: 'Measure', exact: true }).click();
+	await page.waitForFunction(() => document.querySelectorAll('.chart g[data-system] path').length > 2);
+	assert.ok(await page.getByRole('button', { name: 'Keep' }).isDisabled(), 'while it measures, the chart grows');
+	await page.waitForFunction(() => document.querySelector('.status').textContent === 'Measured.');
+	const { points, machine } = await page.evaluate(() => globalThis.playground.result);
+	assert.deepEqual(Object.values(points).map((list) => list.map(([count]) => count)), Array(5).fill([25, 50, 100]));
+	assert.ok(Object.values(points).flat().every(([, ms]) => ms > 0 && ms < 10000));
+	assert.equal(machine, 'the old laptop');
+	assert.equal(await page.locator('.chart g[data-system]').count(), 5);
+	await page.getByRole('button', { name: 'Keep' }).click();
+	const file = await saved(page, () => page.getByRole('button', { name: 'Download', exact: true }).click());
+	assert.deepEqual(JSON.parse(file).points, points);
+	assert.match(await saved(page, () => page.getByRole('button', { name: 'Download the chart' }).click()), /^<svg .*ms a frame/s);
+	await page.reload();
+	await ready(page, 'measure');
+	assert.match((await page.getByLabel('Beside it').locator('option').allTextContents()).join(), /the old laptop, /);
+	await page.getByLabel('Beside it').selectOption('0');
+	assert.equal(await page.locator('.chart polyline[stroke-dasharray]').count(), 5);
+	await page.setInputFiles('input[type=file]', { name: 'other.json', mimeType: 'application/json', buffer: Buffer.from(file.replace('the old laptop', 'the new one')) });
+	await page.waitForFunction(() => /the new one/.test(document.querySelector('.status').textContent));
+	await page.setInputFiles('input[type=file]', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{}') });
+	await page.waitForFunction(() => /broken\.json is nothing/.test(document.querySelector('.status').textContent));
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('for teachers: each lesson has a page that is printed on one sheet, its time, and a link that opens it', async () => {
+	const { page, said } = await shared('teach');
+	const links = await page.locator('.sheet tbody tr').evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll('a')].map((each) => each.getAttribute('href'))));
+	assert.equal(links.length, 10);
+	for (const [sheet, lesson] of links) {
+		await page.evaluate((hash) => {
+			location.hash = hash;
+		}, sheet);
+		await page.waitForFunction((hash) => document.querySelector('.address')?.getAttribute('href').endsWith(hash), lesson);
+		assert.match(await page.textContent('.sheet .note'), /^Lesson \d+ of 10, \d+ minutes$/);
+		// with pictures of its world and its blocks
+		await page.waitForSelector(`[data-drawn="${sheet.split('/')[1]}"]`);
+		assert.ok(await page.evaluate(() => document.querySelector('.shown').naturalWidth) === 800);
+		const { blocks, isCut } = await page.evaluate(() => {
+			const { right, bottom } = document.querySelector('.shown-blocks').getBoundingClientRect();
+			const boxes = [...document.querySelectorAll('.shown-blocks .blocklyBlockCanvas .blocklyPath')].map((each) => each.getBoundingClientRect());
+			return { blocks: boxes.length, isCut: boxes.some((box) => box.right > right + 1 || box.bottom > bottom + 1) };
+		});
+		assert.ok(blocks > 3 && !isCut, `${sheet}: ${blocks} blocks`);
+		await page.emulateMedia({ media: 'print' });
+		// A4 at 96 pixels an inch, with margins of half an inch
+		await page.setViewportSize({ width: 698, height: 1026 });
+		assert.ok(await page.evaluate(() => document.querySelector('.sheet').scrollHeight) <= 1026, sheet);
+		assert.equal(await page.locator('.bar').isVisible(), false);
+		await page.emulateMedia({ media: 'screen' });
+	}
+	await page.setViewportSize(LAPTOP.viewport);
+	const play = (await shared('play')).page;
+	await play.goto(`${site.url}#play/lesson-helmet`);
+	await play.waitForFunction(() => /helmet/.test(document.querySelector('.lesson h2')?.textContent));
+	assert.deepEqual(said.splice(0), []);
+});
+
+test('what Inspect and Compare load is 245 KB at most, and one language', async () => {
+	for (const view of ['inspect', 'compare']) {
+		const { page } = await shared(view);
+		const files = await page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname).filter((name) => name.endsWith('.js')));
+		const sizes = [...new Set(files)].filter((name) => !name.includes('formats')).map((name) => gzipSync(readFileSync(path.join(root, 'bin/playground', name.replace('/any/where/', '')))).length);
+		const kilobytes = sizes.reduce((sum, size) => sum + size, 0) / 1024;
+		assert.ok(sizes.length >= 3 && kilobytes < 245, `${view}: ${kilobytes.toFixed(1)} KB in ${sizes.length} files`);
+	}
+});
+
+test('a program is shown as JavaScript, with the way to documentation and examples, whose links all lead somewhere', async () => {
+	const { page, said } = await shared('play');
+	await use(page, 'chase');
+	await page.getByRole('button', { name: 'This program as JavaScript' }).click();
+	const dialog = page.getByRole('dialog', { name: 'This program as JavaScript' });
+	const shown = await dialog.locator('pre').textContent();
+	assert.match(shown, /^\/\/ “Chase”: [^]*import \{ Agent, [^]* \} from "starlogo-collision";[^]*everyFrame\("dragons", function\* \(me\) \{/);
+	assert.equal(await saved(page, () => dialog.getByRole('button', { name: 'Download' }).click()), shown);
+	const folder = path.join(root, 'bin/playground');
+	const links = await dialog.locator('a').evaluateAll((all) => all.map((each) => each.getAttribute('href')));
+	assert.deepEqual(links, ['docs/index.html', 'docs/examples.html']);
+	await page.keyboard.press('Escape');
+	await dialog.waitFor({ state: 'detached' });
+	const html = (file) => readFileSync(path.join(folder, 'docs', file), 'utf8');
+	const files = readdirSync(path.join(folder, 'docs')).filter((file) => file.endsWith('.html'));
+	assert.ok(files.length > 25);
+	let count = 0;
+	for (const file of files) {
+		for (const [, address] of html(file).matchAll(/(?:href|src)="(?!https?:)([^"]*)"/g)) {
+			const [to, place] = address.split('#');
+			assert.ok(to === '' || existsSync(path.join(folder, 'docs', to)), `${file}: ${address}`);
+			assert.ok(!place || html(to || file).includes(`id="${decodeURIComponent(place)}"`), `${file}: ${address}`);
+			count++;
+		}
+	}
+	assert.ok(count > 200, `${count} links`);
+	assert.match(html('examples.html'), /import \{ Agent, .*starlogo-collision[^]*modelFromObject[^]*package/);
+	assert.deepEqual(said.splice(0), []);
+});

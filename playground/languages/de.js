@@ -215,7 +215,7 @@ export const texts = {
 		newShape: (name) => `Agenten können jetzt die Form „${name}“ haben: Wähle sie in einem Block „erzeuge“. Dieser Browser behält sie.`,
 		newShapeForNow: (name) => `Agenten können jetzt die Form „${name}“ haben, solange diese Seite offen ist: Dieser Browser behält keine Modelle, sein Speicher ist voll oder gesperrt.`,
 		brokenModel: (problem) => `Dieses Modell ist nicht zu lesen: ${problem}`,
-		notKept: "Dieser Browser behält keine Programme: Sein Speicher ist voll oder gesperrt. Speichere deins in einer Datei.",
+		notKept: "Dieser Browser behält keine Programme: Sein Speicher ist voll oder gesperrt. Lade deines herunter.",
 		elsewhere: (name) => `„${name}“ wurde in einem anderen Tab geändert. Was du hier änderst, wird ein eigenes Programm.`,
 		stale: "Du hast das Programm geändert. Es läuft weiter wie bisher, bis es neu beginnt.",
 		startAnew: "Neu beginnen",

@@ -218,7 +218,7 @@ export const texts = {
 		newShape: (name) => `Agents can have the shape “${name}” now: choose it in a “create” block. This browser keeps it.`,
 		newShapeForNow: (name) => `Agents can have the shape “${name}” now, as long as this page is open: this browser keeps no models, its storage is full or refused.`,
 		brokenModel: (problem) => `This model cannot be read: ${problem}`,
-		notKept: "This browser keeps no programs: its storage is full or refused. Save yours to a file.",
+		notKept: "This browser keeps no programs: its storage is full or refused. Download yours.",
 		elsewhere: (name) => `“${name}” was changed in another tab. What you change here becomes a program of its own.`,
 		stale: "You have changed the program. It goes on as it was until it starts anew.",
 		startAnew: "Start anew",

@@ -18,6 +18,7 @@ const ball = (...blocks) => create(1, "paintballs", "sphere", size(0.5), paint("
 const ROOM = 4;
 const LONG = 600;
 
+/** What is to be changed stands first, where it is in sight. */
 export const LESSONS = {
 	blocks: {
 		program: program(each("turtles", turn("left", numbers(-4, 4))), start(create(5, "turtles", "turtle", scatter, size(2)))),
@@ -52,9 +53,9 @@ export const LESSONS = {
 	},
 	starts: {
 		program: program(
-			start(wall(-6, 0, 5), wall(0, 0, 5), wall(6, 0, 5), create(1, "turtles", "turtle", size(1.5), go(-10, 0, 0))),
+			collision("turtles", "walls", change(1)),
 			each("turtles", move(0.1)),
-			collision("turtles", "walls", change(1))),
+			start(wall(-6, 0, 5), wall(0, 0, 5), wall(6, 0, 5), create(1, "turtles", "turtle", size(1.5), go(-10, 0, 0)))),
 		isDone: (world, memory) => {
 			memory.met = Math.max(memory.met ?? 0, total(world, "turtles", "walls"));
 			return memory.met >= 3 && world.score === memory.met && touching(world) === 0;
@@ -62,8 +63,8 @@ export const LESSONS = {
 	},
 	room: {
 		program: program(
-			start(wall(ROOM, 0, 2 * ROOM + 0.5), wall(-ROOM, 0, 2 * ROOM + 0.5), wall(0, ROOM, 2 * ROOM + 0.5, 90), wall(0, -ROOM, 2 * ROOM + 0.5, 90), create(1, "bears", "bear", size(1.2), heading(25))),
-			each("bears", move(0.1))),
+			each("bears", move(0.1)),
+			start(wall(ROOM, 0, 2 * ROOM + 0.5), wall(-ROOM, 0, 2 * ROOM + 0.5), wall(0, ROOM, 2 * ROOM + 0.5, 90), wall(0, -ROOM, 2 * ROOM + 0.5, 90), create(1, "bears", "bear", size(1.2), heading(25)))),
 		isDone: (world, memory) => {
 			const [bear] = all(world, "bears");
 			const isInside = bear && Math.abs(bear.x) < ROOM && Math.abs(bear.y) < ROOM;
@@ -73,8 +74,8 @@ export const LESSONS = {
 	},
 	near: {
 		program: program(
-			start(create(1, "bears", "bear", size(1.4)), create(12, "turtles", "turtle", scatter, size(1.3))),
-			each("turtles", move(0.05), turn("left", numbers(-4, 4)))),
+			each("turtles", move(0.05), turn("left", numbers(-4, 4))),
+			start(create(1, "bears", "bear", size(1.4)), create(12, "turtles", "turtle", scatter, size(1.3)))),
 		isDone: (world, memory) => {
 			const [bear] = all(world, "bears");
 			const near = bear ? all(world, "turtles").filter(({ x, y, z }) => Math.hypot(x - bear.x, y - bear.y, z - bear.z) <= 5).length : 0;
@@ -85,8 +86,8 @@ export const LESSONS = {
 	},
 	see: {
 		program: program(
-			start(create(1, "bears", "bear", size(1.4)), wall(4, 0, 5), create(1, "turtles", "turtle", size(1.6), go(8, -6, 0), heading(90))),
-			each("turtles", move(0.05))),
+			each("turtles", move(0.05)),
+			start(create(1, "bears", "bear", size(1.4)), wall(4, 0, 5), create(1, "turtles", "turtle", size(1.6), go(8, -6, 0), heading(90)))),
 		isDone: (world, memory) => {
 			const [[bear], [turtle]] = [all(world, "bears"), all(world, "turtles")];
 			memory.said ??= new Set();
@@ -97,10 +98,10 @@ export const LESSONS = {
 	},
 	hunt: {
 		program: program(
-			start(create(1, "bears", "bear", size(1.4)), create(8, "turtles", "turtle", scatter, size(1.3))),
 			each("bears", move(0.1)),
 			touch("bears", "turtles", remove("collidee"), change(1)),
-			each("turtles", move(0.03), turn("left", numbers(-4, 4)))),
+			each("turtles", move(0.03), turn("left", numbers(-4, 4))),
+			start(create(1, "bears", "bear", size(1.4)), create(8, "turtles", "turtle", scatter, size(1.3)))),
 		isDone: (world, memory) => {
 			memory.most = Math.max(memory.most ?? 0, all(world, "turtles").length);
 			return memory.most >= 8 && all(world, "turtles").length === 0 && total(world, "bears", "turtles") >= 8 && world.seconds <= 30;

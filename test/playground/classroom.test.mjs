@@ -89,6 +89,7 @@ test('the first three lessons are done with the mouse, from the first screen on'
 	await done(page);
 	// three ticks, and the fourth is the next one
 	await press(page, 'Lessons and games');
+	await page.waitForSelector('.gallery .next');
 	assert.equal(await page.locator('.gallery .tick').count(), 3);
 	assert.match(await page.locator('.gallery .next').textContent(), /Precise where it matters/);
 	assert.deepEqual(said, []);

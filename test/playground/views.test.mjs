@@ -113,6 +113,16 @@ for (const view of VIEWS) {
 			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 }, address);
 			for (const scheme of ['light', 'dark']) await faultless(page, scheme);
 		}
+		if (view === 'play') {
+			await page.getByRole('button', { name: 'Blöcke', exact: true }).click();
+			assert.equal(await page.evaluate(() => innerWidth), SIZES.phone.viewport.width, 'beside the blocks the page is no wider');
+			await page.getByRole('button', { name: 'Dieses Programm als JavaScript' }).click();
+			await page.waitForSelector('dialog pre');
+			const { left, right } = await page.evaluate(() => document.querySelector('dialog').getBoundingClientRect());
+			assert.ok(left >= 0 && right <= SIZES.phone.viewport.width, `the dialog is from ${left} to ${right}`);
+			await faultless(page, 'dark');
+			await page.keyboard.press('Escape');
+		}
 		if (view === 'compare') {
 			await page.locator('.modes input').last().check();
 			assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });

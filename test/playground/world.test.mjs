@@ -737,7 +737,10 @@ test('a program as JavaScript is a module on the package that plays the same gam
 	const seen = ({ agents, score, frame, ended }) => [frame, score ?? 0, ended?.how, ...agents.map(({ breed, x, y, z, heading, size, color }) => [breed, x, y, z, heading, size, color].join(' '))].join('\n');
 	const keys = ['up', 'left', 'space', 'right', 'down'];
 	try {
-		for (const [name, state] of Object.entries(all)) {
+		// a part of them; all with -Dfull
+		const tried = Object.entries(all).filter(([name]) => process.env.FULL_TESTS === 'true' || /everything|pinball|starts/.test(name));
+		assert.ok(tried.length >= 3);
+		for (const [name, state] of tried) {
 			const { file } = written(name, state);
 			// the same without the ten seconds that it plays by itself
 			writeFileSync(file, readFileSync(file, 'utf8').replace(/^for \(let i = 0; i < 600 .*\nconsole\.log.*$/m, ''));

@@ -111,7 +111,7 @@ package starlogo.queries
         {
             measure(other);
             _moving.put(at, 0);
-            return isNear(other) && _pairs.areTouching(_table, _row, other);
+            return isNear(other, RelativeMotion.NONE) && _pairs.areTouching(_table, _row, other);
         }
 
         /** Whether the row would have to go into another to be at a place. */
@@ -153,8 +153,12 @@ package starlogo.queries
         {
             measure(other);
             _moving.put(_end, 0);
-            _pairs.findImpact(_table, _row, other, _motion, null);
-            wholeTime = _motion.time;
+            wholeTime = RelativeMotion.NEVER;
+            if (isNear(other, _motion))
+            {
+                _pairs.findImpact(_table, _row, other, _motion, null);
+                wholeTime = _motion.time;
+            }
         }
 
         /** Half of the gap across which the last two that were asked about still touch at a place, unless they are spheres or points. */
@@ -235,13 +239,16 @@ package starlogo.queries
             hair = HAIR * extent + _rounding;
         }
 
-        // Whether the extents of the row and another are no farther apart than a hair.
-        private function isNear(other:int):Boolean
+        // Whether the extents of the row, all along a motion that ends where it is, come as near to those of another as a hair.
+        private function isNear(other:int, motion:RelativeMotion):Boolean
         {
             var extents:Extents = _table.extents;
-            return Math.abs(extents.x[_row] - extents.x[other]) <= extents.halfX[_row] + extents.halfX[other] + hair
-                && Math.abs(extents.y[_row] - extents.y[other]) <= extents.halfY[_row] + extents.halfY[other] + hair
-                && Math.abs(extents.z[_row] - extents.z[other]) <= extents.halfZ[_row] + extents.halfZ[other] + hair;
+            var x:Number = motion.x / 2;
+            var y:Number = motion.y / 2;
+            var z:Number = motion.z / 2;
+            return Math.abs(extents.x[_row] - x - extents.x[other]) <= extents.halfX[_row] + extents.halfX[other] + Math.abs(x) + hair
+                && Math.abs(extents.y[_row] - y - extents.y[other]) <= extents.halfY[_row] + extents.halfY[other] + Math.abs(y) + hair
+                && Math.abs(extents.z[_row] - z - extents.z[other]) <= extents.halfZ[_row] + extents.halfZ[other] + Math.abs(z) + hair;
         }
 
         private function narrowOther(other:int):void

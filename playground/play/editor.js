@@ -169,12 +169,14 @@ export function showBlocks(host, program, highest) {
 	const workspace = adoptStyles(() => Blockly.inject(host, { theme: themes.light, renderer: "zelos", media: "media/", sounds: false, readOnly: true, trashcan: false, zoom: { minScale: 0.1 }, move: { scrollbars: false, drag: false, wheel: false } }));
 	Blockly.serialization.workspaces.load(program, workspace);
 	const blocks = workspace.getTopBlocks(true);
+	for (const block of blocks) block.setCollapsed(false);
+	// else blocks have no sizes yet
+	Blockly.renderManagement.triggerQueuedRenders();
 	const heights = blocks.map((block) => block.getHeightWidth().height + MARGIN);
 	const half = heights.reduce((sum, height) => sum + height, 0) / 2;
 	const ends = [0, 0];
 	const widths = [0, 0];
 	blocks.forEach((block, i) => {
-		block.setCollapsed(false);
 		const column = ends[0] > 0 && ends[0] + heights[i] / 2 > half ? 1 : 0;
 		block.moveTo(new Blockly.utils.Coordinate(column === 0 ? 0 : widths[0] + 2 * MARGIN, ends[column]));
 		const { height, width } = block.getHeightWidth();

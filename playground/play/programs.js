@@ -58,7 +58,11 @@ export class Programs {
 
 	/** Opens what an address names: a program that the page brings, one of the user's, one in a link; else that which was open last, or the first screen. */
 	async open(argument) {
-		if (argument === this.#name) return;
+		if (argument === this.#name) {
+			this.#home?.leave();
+			this.view.draw();
+			return;
+		}
 		if (argument === "" || argument === HOME) {
 			const isFirst = this.#name === null;
 			const isHome = !isFirst || this.isHome(argument);

@@ -310,12 +310,15 @@ test('for teachers: each lesson has a page that is printed on one sheet, its tim
 		// with pictures of its world and its blocks
 		await page.waitForSelector(`[data-drawn="${sheet.split('/')[1]}"]`);
 		assert.ok(await page.evaluate(() => document.querySelector('.shown').naturalWidth) === 800);
-		const { blocks, isCut } = await page.evaluate(() => {
+		const { blocks, isCut, overlap } = await page.evaluate(() => {
 			const { right, bottom } = document.querySelector('.shown-blocks').getBoundingClientRect();
 			const boxes = [...document.querySelectorAll('.shown-blocks .blocklyBlockCanvas .blocklyPath')].map((each) => each.getBoundingClientRect());
-			return { blocks: boxes.length, isCut: boxes.some((box) => box.right > right + 1 || box.bottom > bottom + 1) };
+			const scripts = [...document.querySelectorAll('.shown-blocks .blocklyBlockCanvas > *')].map((each) => each.getBoundingClientRect());
+			const overlaps = scripts.flatMap((a, i) => scripts.slice(i + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
+			return { blocks: boxes.length, isCut: boxes.some((box) => box.right > right + 1 || box.bottom > bottom + 1), overlap: scripts.length > 1 ? overlaps.length : -1 };
 		});
 		assert.ok(blocks > 3 && !isCut, `${sheet}: ${blocks} blocks`);
+		assert.equal(overlap, 0, `${sheet}: scripts are apart`);
 		await page.emulateMedia({ media: 'print' });
 		// A4 at 96 pixels an inch, with margins of half an inch
 		await page.setViewportSize({ width: 698, height: 1026 });

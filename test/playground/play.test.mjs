@@ -739,6 +739,12 @@ test('a lesson is opened, done and left for the next; the first screen has all p
 	await titled(page, 'Smaller');
 	assert.deepEqual(await own(page), ['Smaller']);
 	assert.equal((await agents(page, 'firemen'))[0].size, 2);
+	// an address leads away from the first screen, to the program that is open as well
+	await choose(page, 'all');
+	await page.waitForSelector('.gallery');
+	await choose(page, await idOf(page, 'Smaller'));
+	await page.waitForSelector('.gallery', { state: 'detached' });
+	assert.ok(await page.getByLabel('Collision system').isVisible());
 	assert.deepEqual(said, []);
 	await context.close();
 });

@@ -1,5 +1,6 @@
 package starlogo
 {
+    import flash.errors.IllegalOperationError;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -83,8 +84,8 @@ package starlogo
         public function aFailedLoadLeavesNothing():void
         {
             assertThrows(ArgumentError, /null/, _greatLand.addModel, null);
-            _greatLand.boundingStructures.fitters = new Vector.<Fitter>();
-            assertThrows(ArgumentError, /cube.*fitters/, _greatLand.addModel, BuiltInModel.cube());
+            _greatLand.boundingStructures.fitters = new <Fitter>[new Fitter("unfinished")];
+            assertThrows(IllegalOperationError, /implements neither/, _greatLand.addModel, BuiltInModel.cube());
             assertFalse(_greatLand.hasModel("cube"));
             assertFalse(_greatLand.boundingStructures.has("cube"));
         }

@@ -92,7 +92,7 @@ package starlogo.queries
             _hasContact = _isCareful = false;
             _contact.setNormal(0, 0, 0);
             part = 1;
-            if (!(_rest.motion.lengthSquared > Tolerances.VANISHING))
+            if (!(_rest.length * _rest.length > Tolerances.VANISHING))
             {
                 _rest.advance(at, 1);
                 return;
@@ -236,7 +236,7 @@ package starlogo.queries
 
         private function slide():void
         {
-            var whole:Number = _rest.motion.length;
+            var whole:Number = _rest.length;
             var gone:Number = 0;
             for (var turns:int = 0; turns < MOST_TURNS && isLeft(); turns++)
             {
@@ -287,7 +287,7 @@ package starlogo.queries
         // Whether what is met first is met in the same corner.
         private function isSoon():Boolean
         {
-            return _sweep.time * _rest.motion.length < NEXT * _sweep.extent;
+            return _sweep.time * _rest.length < NEXT * _sweep.extent;
         }
 
         // Lifts the row half a hair off what it still touches of what it has touched at last, if there is room.
@@ -341,7 +341,7 @@ package starlogo.queries
             _along = _contact.along(motion);
             if (_along >= 0 || _isCareful)
             {
-                turnAgainst(_sweep.time + NEXT * _sweep.extent / motion.length);
+                turnAgainst(_sweep.time + NEXT * _sweep.extent / _rest.length);
             }
             return true;
         }
@@ -365,7 +365,7 @@ package starlogo.queries
             {
                 _contact.setNormal(-motion.x, -motion.y, -motion.z);
                 _contact.normalise();
-                _along = -motion.length;
+                _along = -_rest.length;
             }
         }
     }

@@ -226,8 +226,9 @@ package starlogo.queries
         public function timeOfTouch(along:Number, touch:ContactPoint):Number
         {
             var deeper:Number = _loss * (touch.normalX * (touch.x - _middleX) + touch.normalY * (touch.y - _middleY) + touch.normalZ * (touch.z - _middleZ));
-            var earlier:Number = deeper / along;
-            return _foundWhole > time + earlier / 2 ? _foundWhole : time + earlier;
+            // the smaller row never touches before the whole one
+            var earlier:Number = deeper > 0 ? deeper / along : 0;
+            return Math.min(time, _foundWhole > time + earlier / 2 ? _foundWhole : time + earlier);
         }
 
         /** Finds the larger extent of the row and another, and how wide a hair is between them. */

@@ -12,14 +12,17 @@ package starlogo.queries
      */
     public final class SlidePlanes
     {
-        // The sine of the angle up to which a motion runs along a plane; the square of the share of a motion that is none; the cosine from which on
+        // The sine of the angle up to which a motion runs along a plane; the share of a motion that is none; the cosine from which on
         // two planes are one.
         private static const LEVEL:Number = 1e-12;
-        private static const STUCK:Number = 1e-20;
+        private static const STUCK:Number = 1e-10;
         private static const SAME:Number = 1 - 1e-14;
 
         /** What is left of the motion. */
         public var motion:Vector3D = new Vector3D();
+
+        /** How long that is: a field, because V8 makes objects of Numbers that are returned. */
+        public var length:Number = 0;
 
         /** How many planes there are. */
         public var count:int = 0;
@@ -31,6 +34,7 @@ package starlogo.queries
 
         // What was left when the corner began; a projection that is tried; the plane that does not count for it.
         private var _whole:Vector3D = new Vector3D();
+        private var _wholeLength:Number = 0;
         private var _tried:Vector3D = new Vector3D();
         private var _without:int = -1;
 
@@ -43,6 +47,7 @@ package starlogo.queries
         public function begin(whole:Vector3D):void
         {
             motion.copyFrom(whole);
+            length = Math.sqrt(whole.x * whole.x + whole.y * whole.y + whole.z * whole.z);
             count = 0;
             beginCorner();
         }
@@ -52,18 +57,21 @@ package starlogo.queries
         {
             corner = count;
             _whole.copyFrom(motion);
+            _wholeLength = length;
         }
 
         /** Moves a place by the first part of what is left, from 0 to 1, which is left no more. Returns how far that is. */
         public function advance(place:Vector3D, part:Number):Number
         {
-            var length:Number = part * motion.length;
+            var gone:Number = part * length;
             place.x += part * motion.x;
             place.y += part * motion.y;
             place.z += part * motion.z;
             motion.scaleBy(1 - part);
             _whole.scaleBy(1 - part);
-            return length;
+            length *= 1 - part;
+            _wholeLength *= 1 - part;
+            return gone;
         }
 
         /** Adds the plane of a contact, which must not be crossed against its normal. It takes the place of one that is the same but for rounding. */
@@ -93,7 +101,7 @@ package starlogo.queries
         public function findCrossed():ContactPoint
         {
             var crossed:ContactPoint = null;
-            var least:Number = -LEVEL * motion.length;
+            var least:Number = -LEVEL * length;
             for (var i:int = 0; i < count; i++)
             {
                 if (_planes[i].along(motion) < least)
@@ -115,20 +123,21 @@ package starlogo.queries
         {
             _without = without;
             motion.setTo(0, 0, 0);
+            length = 0;
             _tried.copyFrom(_whole);
             tryMotion();
-            var isFree:Boolean = motion.lengthSquared > 0;
+            var isFree:Boolean = length > 0;
             for (var i:int = 0; !isFree && i < count; i++)
             {
                 _tried.copyFrom(_whole);
                 _planes[i].push(_tried, -_planes[i].along(_whole));
                 tryMotion();
             }
-            for (i = 0; motion.lengthSquared == 0 && i < count; i++)
+            for (i = 0; length == 0 && i < count; i++)
             {
                 tryCreases(i);
             }
-            return motion.lengthSquared > STUCK * _whole.lengthSquared;
+            return length > STUCK * _wholeLength;
         }
 
         private static function isSame(a:ContactPoint, b:ContactPoint):Boolean
@@ -156,11 +165,12 @@ package starlogo.queries
         // Takes a projection if it crosses no plane and is longer than the best so far.
         private function tryMotion():void
         {
-            if (!(_tried.lengthSquared > motion.lengthSquared))
+            var long:Number = Math.sqrt(_tried.x * _tried.x + _tried.y * _tried.y + _tried.z * _tried.z);
+            if (!(long > length))
             {
                 return;
             }
-            var least:Number = -LEVEL * _tried.length;
+            var least:Number = -LEVEL * long;
             for (var i:int = 0; i < count; i++)
             {
                 if (i != _without && _planes[i].along(_tried) < least)
@@ -169,6 +179,7 @@ package starlogo.queries
                 }
             }
             motion.copyFrom(_tried);
+            length = long;
         }
     }
 }

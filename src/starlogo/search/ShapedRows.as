@@ -198,7 +198,8 @@ package starlogo.search
         {
             var shape:ModelShape = shapes[row];
             var placement:Placement = placementOf(row, _scratch);
-            var margin:Number = marginOf(row);
+            // marginOf, of whose result V8 would make an object
+            var margin:Number = Tolerances.PLACES * (Math.abs(x[row]) + Math.abs(y[row]) + Math.abs(z[row]));
             if (shape.form == BoundingStructure.SPHERE)
             {
                 // other structures are compared with it by tests that grant this, other spheres are not

@@ -94,6 +94,7 @@ package starlogo.queries
         {
             _table = table;
             _row = row;
+            touchedCount = 0;
             _moving.take(table, row);
             _rounding = OF_PLACES * (Math.abs(table.x[row]) + Math.abs(table.y[row]) + Math.abs(table.z[row]))
                 + OF_MOTION * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));

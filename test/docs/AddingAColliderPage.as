@@ -69,7 +69,9 @@ package docs
             selective.update(crowd);
             assertEquals(expected, calls);
             assertTrue(String(calls), calls > 20);
-            assertTrue(4 * selective.statistics.candidatePairs < all.statistics.candidatePairs);
+            // two of three agents take part, so four of nine pairs do
+            var tested:int = selective.statistics.candidatePairs;
+            assertTrue(tested + " of " + all.statistics.candidatePairs, 2 * tested < all.statistics.candidatePairs);
             assertEquals("trees", Math.floor(crowd.length / 3), selective.statistics.agentsSkipped);
         }
 

@@ -45,8 +45,6 @@ package starlogo.geometry
          * The gap across which shapes touch because their positions are rounded, as a fraction of the sum of the absolute values of all six
          * coordinates. Every collision system has this rule, for standing, sweeping and questions. Smaller than 2.3e-16: shapes at decimal
          * coordinates that touch are told apart. Larger: far from the origin, shapes with a gap collide.
-         *
-         * <p>The formula is written out where it is needed, because V8 makes objects of Numbers that are passed to a function.</p>
          */
         public static const PLACES:Number = 6e-16;
 

@@ -15,7 +15,7 @@ package starlogo.hierarchy
      * encloses the node's own part, not those of its children: a child's sphere or capsule may reach out of its
      * parent's. All is in the model's space.</p>
      *
-     * <p>For exact tests the tree goes on below the thesis's leaves, down to a few triangles (HierarchyRefiner): for a client it ends with those leaves,
+     * <p>For exact tests the tree goes on below the thesis's leaves, down to a few triangles. For a client it ends with those leaves,
      * and so does a visit with any depth limit.</p>
      */
     public final class HierarchyNode

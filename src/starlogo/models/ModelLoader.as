@@ -1,4 +1,3 @@
-// This file is long because most of it tells what may be loaded, and how.
 package starlogo.models
 {
     import flash.display.Shape;

@@ -1,4 +1,3 @@
-// This file is long because all its steps share where the two are, what is tried, and what was found.
 package starlogo.search
 {
     import flash.geom.Vector3D;

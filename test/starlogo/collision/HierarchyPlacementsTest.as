@@ -29,22 +29,10 @@ package starlogo.collision
         private static var sVectors:PlacementVectors;
         private static var sModels:Vector.<Model>;
 
-        [Test(order="1")]
-        public function readsTheModels():void
-        {
-            RealModels.assume();
-            sVectors = new PlacementVectors();
-            sModels = new Vector.<Model>();
-            for each (var name:String in sVectors.models)
-            {
-                sModels.push(RealModels.read(name));
-            }
-        }
-
-        [Test(order="2")]
+        [Test]
         public function hierarchiesOfTrianglesMissNothing():void
         {
-            RealModels.assume();
+            readModels();
             var collider:HierarchicalCollider = new HierarchicalCollider(load(true, 10));
             var precision:Number = 0;
             for each (var depth:int in DEPTHS)
@@ -57,19 +45,19 @@ package starlogo.collision
             }
         }
 
-        [Test(order="3")]
+        [Test]
         public function fullHierarchiesOfTrianglesMissNothing():void
         {
-            RealModels.assume();
+            readModels();
             var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL));
             collider.maxDepth = FULL;
             assertEquals("missed", 0, tallyOf("triangles, full", collider).missed);
         }
 
-        [Test(order="4")]
+        [Test]
         public function hierarchiesOfVerticesMissCollisions():void
         {
-            RealModels.assume();
+            readModels();
             var collider:HierarchicalCollider = new HierarchicalCollider(load(false, FULL));
             for each (var depth:int in DEPTHS.concat(FULL))
             {
@@ -79,24 +67,24 @@ package starlogo.collision
             }
         }
 
-        [Test(order="5")]
+        [Test]
         public function hierarchiesOfSpheresMissNothing():void
         {
-            RealModels.assume();
+            readModels();
             checkKind(BoundingStructure.SPHERE, "spheres");
         }
 
-        [Test(order="6")]
+        [Test]
         public function hierarchiesOfCapsulesMissNothing():void
         {
-            RealModels.assume();
+            readModels();
             checkKind(BoundingStructure.CAPSULE, "capsules");
         }
 
-        [Test(order="7")]
+        [Test]
         public function exactHierarchiesAreTheModels():void
         {
-            RealModels.assume();
+            readModels();
             var collider:HierarchicalCollider = new HierarchicalCollider(load(true, FULL, BoundingStructure.BOX, true));
             collider.exact = true;
             var wrong:Array = [];
@@ -118,10 +106,10 @@ package starlogo.collision
             assertTrue("many are inside", inside > 500 / every);
         }
 
-        [Test(order="8")]
+        [Test]
         public function allFindWhatExactOnesFind():void
         {
-            RealModels.assume();
+            readModels();
             var greatLand:GreatLand = load(true, FULL, BoundingStructure.BOX, true);
             var exact:HierarchicalCollider = new HierarchicalCollider(greatLand);
             var tightest:TightestFitCollider = new TightestFitCollider(greatLand);
@@ -160,13 +148,28 @@ package starlogo.collision
             assertTrue("found: " + found + ", inside: " + inside, found > 0.4 * sVectors.count / stride && inside > 0.08 * sVectors.count / stride);
         }
 
-        [Test(order="9")]
-        public function forgetsTheModels():void
+        [AfterClass]
+        public static function forget():void
         {
             sModels = null;
             sVectors = null;
             sLoaded = null;
             sLoadedKey = "";
+        }
+
+        // Once for all tests. Each may be the only one that is run.
+        private static function readModels():void
+        {
+            RealModels.assume();
+            if (sVectors == null)
+            {
+                sVectors = new PlacementVectors();
+                sModels = new Vector.<Model>();
+                for each (var name:String in sVectors.models)
+                {
+                    sModels.push(RealModels.read(name));
+                }
+            }
         }
 
         private static function checkKind(kind:int, name:String):void

@@ -128,7 +128,14 @@ package starlogo.intersection
             low = third < low ? third : low;
             var high:Number = first > second ? first : second;
             high = third > high ? third : high;
-            var gap:Number = (low > -high ? low : -high) - box.halfX * (x < 0 ? -x : x) - box.halfY * (y < 0 ? -y : y) - box.halfZ * (z < 0 ? -z : z);
+            var gap:Number = -high;
+            gap = low > gap ? low : gap;
+            var side:Number = x < 0 ? -x : x;
+            gap -= box.halfX * side;
+            side = y < 0 ? -y : y;
+            gap -= box.halfY * side;
+            side = z < 0 ? -z : z;
+            gap -= box.halfZ * side;
             return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
         }
     }

@@ -176,8 +176,8 @@ package starlogo.agents
          */
         public function moveTo(x:Number, y:Number, z:Number):void
         {
-            // LARGEST_COORDINATE squared; false for NaN too
-            if (!(x * x + y * y + z * z <= 1e18))
+            // false for NaN too
+            if (!(x * x + y * y + z * z <= 1e240))
             {
                 requireCoordinate("x", x);
                 requireCoordinate("y", y);

@@ -216,15 +216,15 @@ package starlogo.hierarchy
                             {
                                 side = y;
                             }
-                            var near:HierarchyNode = a.low;
-                            far = a.high;
+                            var near:HierarchyNode = a.left;
+                            far = a.right;
                             if (side > 0)
                             {
                                 near = far;
-                                far = a.low;
+                                far = a.left;
                             }
                             stack[top] = far;
-                            stack[top + 1] = b;
+                            stack[int(top + 1)] = b;
                             top += 2;
                             x += a.x - near.x;
                             y += a.y - near.y;
@@ -246,8 +246,8 @@ package starlogo.hierarchy
                             {
                                 side = m02 * x + m12 * y + m22 * z;
                             }
-                            far = b.high;
-                            b = b.low;
+                            far = b.right;
+                            b = b.left;
                             if (side < 0)
                             {
                                 near = b;
@@ -255,7 +255,7 @@ package starlogo.hierarchy
                                 far = near;
                             }
                             stack[top] = a;
-                            stack[top + 1] = far;
+                            stack[int(top + 1)] = far;
                             top += 2;
                         }
                         continue;
@@ -269,7 +269,7 @@ package starlogo.hierarchy
                 }
                 top -= 2;
                 a = stack[top];
-                b = stack[top + 1];
+                b = stack[int(top + 1)];
             }
             return false;
         }

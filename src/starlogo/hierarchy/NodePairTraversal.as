@@ -116,32 +116,32 @@ package starlogo.hierarchy
                         var otherB:HierarchyNode = b;
                         if (next == LEFT_OF_A)
                         {
-                            a = otherA.low;
-                            otherA = otherA.high;
+                            a = otherA.left;
+                            otherA = otherA.right;
                         }
                         else if (next == RIGHT_OF_A)
                         {
-                            a = otherA.high;
-                            otherA = otherA.low;
+                            a = otherA.right;
+                            otherA = otherA.left;
                         }
                         else if (next == LEFT_OF_B)
                         {
-                            b = otherB.low;
-                            otherB = otherB.high;
+                            b = otherB.left;
+                            otherB = otherB.right;
                         }
                         else
                         {
-                            b = otherB.high;
-                            otherB = otherB.low;
+                            b = otherB.right;
+                            otherB = otherB.left;
                         }
                         if (otherFrom <= 1)
                         {
                             nodes[top] = otherA;
-                            nodes[top + 1] = otherB;
+                            nodes[int(top + 1)] = otherB;
                             if (isSwept)
                             {
                                 times[top] = otherFrom;
-                                times[top + 1] = to;
+                                times[int(top + 1)] = to;
                             }
                             top += 2;
                         }
@@ -168,11 +168,11 @@ package starlogo.hierarchy
                 }
                 top -= 2;
                 a = nodes[top];
-                b = nodes[top + 1];
+                b = nodes[int(top + 1)];
                 if (isSwept)
                 {
                     from = times[top];
-                    to = times[top + 1];
+                    to = times[int(top + 1)];
                 }
             }
             return false;

@@ -82,8 +82,8 @@ package starlogo.hierarchy
                                 if (b.cutoffLevel < depthB)
                                 {
                                     var axis:int = a.splitAxis;
-                                    var near:HierarchyNode = a.low;
-                                    var far:HierarchyNode = a.high;
+                                    var near:HierarchyNode = a.left;
+                                    var far:HierarchyNode = a.right;
                                     if (axis == 0)
                                     {
                                         side = x;
@@ -99,11 +99,11 @@ package starlogo.hierarchy
                                     if (side > 0)
                                     {
                                         near = far;
-                                        far = a.low;
+                                        far = a.left;
                                     }
                                     stack[top] = far;
-                                    stack[top + 1] = b;
-                                    stack[top + 2] = near;
+                                    stack[int(top + 1)] = b;
+                                    stack[int(top + 2)] = near;
                                     x += a.x - near.x;
                                     y += a.y - near.y;
                                     axis = b.splitAxis;
@@ -121,13 +121,13 @@ package starlogo.hierarchy
                                     }
                                     if (side < 0)
                                     {
-                                        stack[top + 3] = b.low;
-                                        b = b.high;
+                                        stack[int(top + 3)] = b.left;
+                                        b = b.right;
                                     }
                                     else
                                     {
-                                        stack[top + 3] = b.high;
-                                        b = b.low;
+                                        stack[int(top + 3)] = b.right;
+                                        b = b.left;
                                     }
                                     a = near;
                                     top += 4;
@@ -192,15 +192,15 @@ package starlogo.hierarchy
                         }
                         if (side > 0)
                         {
-                            stack[top] = a.low;
-                            a = a.high;
+                            stack[top] = a.left;
+                            a = a.right;
                         }
                         else
                         {
-                            stack[top] = a.high;
-                            a = a.low;
+                            stack[top] = a.right;
+                            a = a.left;
                         }
-                        stack[top + 1] = b;
+                        stack[int(top + 1)] = b;
                         top += 2;
                         continue;
                     }
@@ -222,13 +222,13 @@ package starlogo.hierarchy
                         }
                         if (side < 0)
                         {
-                            stack[top + 1] = b.low;
-                            b = b.high;
+                            stack[int(top + 1)] = b.left;
+                            b = b.right;
                         }
                         else
                         {
-                            stack[top + 1] = b.high;
-                            b = b.low;
+                            stack[int(top + 1)] = b.right;
+                            b = b.left;
                         }
                         top += 2;
                         continue;
@@ -242,7 +242,7 @@ package starlogo.hierarchy
                 }
                 top -= 2;
                 a = stack[top];
-                b = stack[top + 1];
+                b = stack[int(top + 1)];
             }
             return false;
         }

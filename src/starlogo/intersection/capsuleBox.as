@@ -90,8 +90,91 @@ package starlogo.intersection
             return false;
         }
 
-        include "segmentToBox.inc";
+        // Where the segment's line enters and leaves each slab of the box, and all of them.
+        var inX:Number = -Infinity;
+        var outX:Number = Infinity;
+        if (dx > 0)
+        {
+            inX = (-hx - px) / dx;
+            outX = (hx - px) / dx;
+        }
+        var inY:Number = -Infinity;
+        var outY:Number = Infinity;
+        if (dy > 0)
+        {
+            inY = (-hy - py) / dy;
+            outY = (hy - py) / dy;
+        }
+        var inZ:Number = -Infinity;
+        var outZ:Number = Infinity;
+        if (dz > 0)
+        {
+            inZ = (-hz - pz) / dz;
+            outZ = (hz - pz) / dz;
+        }
+        var lastIn:Number = inX > inY ? inX : inY;
+        lastIn = lastIn > inZ ? lastIn : inZ;
+        var firstOut:Number = outX < outY ? outX : outY;
+        firstOut = firstOut < outZ ? firstOut : outZ;
 
+        var t:Number = lastIn;
+        if (lastIn > firstOut)
+        {
+            // The line passes the box by: it has left one slab before it enters another, and comes closest in between.
+            // Those two count; the third does where, at what would be the minimum without it, it is outside as well.
+            var slope:Number = 0;
+            var curvature:Number = 0;
+            var beyond:Number;
+            if (outX == firstOut)
+            {
+                slope = dx * (px - hx);
+                curvature = dx * dx;
+            }
+            else if (inX == lastIn)
+            {
+                slope = dx * (px + hx);
+                curvature = dx * dx;
+            }
+            if (outY == firstOut)
+            {
+                slope += dy * (py - hy);
+                curvature += dy * dy;
+            }
+            else if (inY == lastIn)
+            {
+                slope += dy * (py + hy);
+                curvature += dy * dy;
+            }
+            if (outZ == firstOut)
+            {
+                slope += dz * (pz - hz);
+                curvature += dz * dz;
+            }
+            else if (inZ == lastIn)
+            {
+                slope += dz * (pz + hz);
+                curvature += dz * dz;
+            }
+            t = -slope / curvature;
+            if (outX != firstOut && inX != lastIn && (t < inX || t > outX))
+            {
+                beyond = t < inX ? px + hx : px - hx;
+                slope += dx * beyond;
+                t = -slope / (curvature + dx * dx);
+            }
+            else if (outY != firstOut && inY != lastIn && (t < inY || t > outY))
+            {
+                beyond = t < inY ? py + hy : py - hy;
+                slope += dy * beyond;
+                t = -slope / (curvature + dy * dy);
+            }
+            else if (outZ != firstOut && inZ != lastIn && (t < inZ || t > outZ))
+            {
+                beyond = t < inZ ? pz + hz : pz - hz;
+                slope += dz * beyond;
+                t = -slope / (curvature + dz * dz);
+            }
+        }
         // NaN too: the products of tiny numbers may vanish
         if (!(t > 0))
         {

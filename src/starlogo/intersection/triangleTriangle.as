@@ -3,25 +3,32 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /**
-     * Whether two triangles meet: they overlap, touch, or have a gap of no more than closest.reach.
+     * Whether two triangles meet: separating axes (Ericson, "Real-Time Collision Detection", §5.2.1), most of
+     * which need not be tried.
      *
-     * <p>Most triangles are on one side of the other's plane. Of those that cross each other's planes, the pieces that they cut out of the line
-     * in both planes decide (Möller, "A fast triangle-triangle intersection test", Journal of Graphics Tools, 1997): where the pieces clearly
-     * overlap the triangles meet. Where the pieces do not overlap, an axis at right angles to the two edges that face each other
-     * separates the triangles. The closest points decide the rest: triangles that just touch or are nearly in one plane, and needles.</p>
+     * <p>Most triangles are on one side of the other's plane. Of those that cross each other's planes, the pieces that they
+     * cut out of the line in both decide (Möller, "A fast triangle-triangle intersection test", Journal of Graphics Tools,
+     * 1997): where the pieces clearly overlap the triangles meet, and where they do not the edges that face each other give the
+     * one axis that can separate. The rest, triangles that just touch or are nearly in one plane, and needles, is left to
+     * TriangleAxes.</p>
      *
-     * <p>Symmetric up to rounding; allocates nothing.</p>
+     * <p>Triangles that overlap, touch, or have a gap of no more than the tolerance always meet. The opposite error is
+     * bounded by geometry, not by the tolerance: of triangles of size 1, those that are farther apart than 1e-7 are
+     * told apart. Symmetric up to rounding; allocates nothing.</p>
+     *
+     * <p>In order: the corners, from a's first; b on one side of a's plane; a on one side of b's; the pieces of the line in both; the edges
+     * that face each other; all axes.</p>
      *
      * @param a has nine numbers of a triangle: x, y, z of each corner
      * @param atA where in a they begin
      * @param b has nine numbers of the other, in the same space
      * @param atB where in b they begin
-     * @param closest finds the closest points. Its reach, the gap that still counts as touching, must be above the rounding errors:
-     *     Tolerances.SURFACES of the coordinates' size is
+     * @param axes for the rest, with the tolerance, the gap that still counts as touching: Tolerances.SURFACES of the coordinates' size is
+     *     above the rounding errors
      *
      * @private
      */
-    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, closest:ClosestTriangles):Boolean
+    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, axes:TriangleAxes):Boolean
     {
         // all relative to a's first corner
         var x:Number = a[atA];
@@ -42,7 +49,8 @@ package starlogo.intersection
         var rx:Number = b[int(atB + 6)] - x;
         var ry:Number = b[int(atB + 7)] - y;
         var rz:Number = b[int(atB + 8)] - z;
-        var limit:Number = closest.reach * closest.reach;
+        var tolerance:Number = axes.tolerance;
+        var limit:Number = tolerance * tolerance;
 
         // b on one side of a's plane
         var nx:Number = uy * vz - uz * vy;
@@ -187,41 +195,46 @@ package starlogo.intersection
             }
             if (overlap < 0)
             {
+                axes.ux = ux;
+                axes.uy = uy;
+                axes.uz = uz;
+                axes.vx = vx;
+                axes.vy = vy;
+                axes.vz = vz;
+                axes.px = px;
+                axes.py = py;
+                axes.pz = pz;
+                axes.qx = qx;
+                axes.qy = qy;
+                axes.qz = qz;
+                axes.rx = rx;
+                axes.ry = ry;
+                axes.rz = rz;
                 // the edges through the ends that face each other: begins are on a first edge, or a second where a third corner is alone
                 var isFirst:Boolean = highA < lowB;
                 var isBegin:Boolean = isFirst ? highA == beginA : lowA == beginA;
-                var isThirdEdge:Boolean = !isBegin && (isThirdA || isSecondA);
-                var ex:Number = isThirdEdge ? vx - ux : isBegin && !isThirdA ? ux : vx;
-                var ey:Number = isThirdEdge ? vy - uy : isBegin && !isThirdA ? uy : vy;
-                var ez:Number = isThirdEdge ? vz - uz : isBegin && !isThirdA ? uz : vz;
-                isBegin = isFirst ? lowB == beginB : highB == beginB;
-                isThirdEdge = !isBegin && (isThirdB || isSecondB);
-                fx = isThirdEdge ? gx - fx : isBegin && !isThirdB ? fx : gx;
-                fy = isThirdEdge ? gy - fy : isBegin && !isThirdB ? fy : gy;
-                fz = isThirdEdge ? gz - fz : isBegin && !isThirdB ? fz : gz;
-                dx = ey * fz - ez * fy;
-                dy = ez * fx - ex * fz;
-                dz = ex * fy - ey * fx;
-                onU = dx * ux + dy * uy + dz * uz;
-                onV = dx * vx + dy * vy + dz * vz;
-                lowA = onU < 0 ? onU : 0;
-                lowA = onV < lowA ? onV : lowA;
-                highA = onU > 0 ? onU : 0;
-                highA = onV > highA ? onV : highA;
-                onP = dx * px + dy * py + dz * pz;
-                onQ = dx * qx + dy * qy + dz * qz;
-                onR = dx * rx + dy * ry + dz * rz;
-                lowB = onP < onQ ? onP : onQ;
-                lowB = onR < lowB ? onR : lowB;
-                highB = onP > onQ ? onP : onQ;
-                highB = onR > highB ? onR : highB;
-                near = lowB > highA ? lowB - highA : lowA - highB;
-                if (near > 0 && near * near > limit * (dx * dx + dy * dy + dz * dz))
+                if (!isBegin || isThirdA)
                 {
-                    return false;
+                    var isThirdEdge:Boolean = !isBegin && (isThirdA || isSecondA);
+                    ux = isThirdEdge ? vx - ux : vx;
+                    uy = isThirdEdge ? vy - uy : vy;
+                    uz = isThirdEdge ? vz - uz : vz;
                 }
+                isBegin = isFirst ? lowB == beginB : highB == beginB;
+                if (!isBegin || isThirdB)
+                {
+                    isThirdEdge = !isBegin && (isThirdB || isSecondB);
+                    fx = isThirdEdge ? gx - fx : gx;
+                    fy = isThirdEdge ? gy - fy : gy;
+                    fz = isThirdEdge ? gz - fz : gz;
+                }
+                axes.axisX = uy * fz - uz * fy;
+                axes.axisY = uz * fx - ux * fz;
+                axes.axisZ = ux * fy - uy * fx;
+                return !axes.isAxis() && !axes.areApart();
             }
         }
-        return closest.areWithin(a, atA, b, atB);
+        axes.relate(a, atA, b, atB);
+        return !axes.areApart();
     }
 }

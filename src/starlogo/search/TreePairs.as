@@ -4,7 +4,6 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.HierarchyTraversal;
@@ -155,8 +154,11 @@ package starlogo.search
         /** How many levels are visited of a row's tree. */
         public function depthOf(table:AgentTable, row:int):int
         {
-            var depth:int = table.depths[row] == 0 ? maxDepth : table.depths[row];
-            return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
+            if (exact)
+            {
+                return int.MAX_VALUE;
+            }
+            return table.depths[row] == 0 ? maxDepth : table.depths[row];
         }
 
         /** Begins to count the tests of a search. */

@@ -133,10 +133,10 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (node.low != null)
+                if (!node.isLeaf)
                 {
-                    stack[top] = node.high;
-                    stack[top + 1] = node.low;
+                    stack[top] = node.right;
+                    stack[int(top + 1)] = node.left;
                     top += 2;
                     continue;
                 }

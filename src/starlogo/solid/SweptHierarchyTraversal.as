@@ -12,6 +12,7 @@ package starlogo.solid
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;
 
@@ -38,7 +39,7 @@ package starlogo.solid
         // Where the first model is at time 0.
         private var _start:Placement = new Placement();
 
-        // The pair, as setPair says.
+        // The pair, as setPair says; the first may be the one that was given second, because that is much larger.
         private var _a:SolidHierarchy;
         private var _placementA:Placement;
         private var _depthA:int;
@@ -47,9 +48,11 @@ package starlogo.solid
         private var _placementB:Placement;
         private var _depthB:int;
         private var _isExact:Boolean;
+        private var _isTurned:Boolean;
 
         // Stands for a structure.
         private var _leaf:HierarchyNode = new HierarchyNode();
+        private var _turned:RelativeMotion = new RelativeMotion();
 
         // What decided about the trees that were looked at last: a traversal, and triangles or not.
         private var _traversal:NodePairTraversal;
@@ -105,6 +108,13 @@ package starlogo.solid
         public function setPair(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):void
         {
+            if (b != null && placementB.size > Tolerances.MUCH_LARGER * placementA.size)
+            {
+                setPair(b, placementB, depthB, a, a.root.bounds, placementA, depthA, exact);
+                _isTurned = true;
+                return;
+            }
+            _isTurned = false;
             _a = a;
             _placementA = placementA;
             _depthA = depthA;
@@ -122,7 +132,12 @@ package starlogo.solid
          */
         public function findTime(motion:RelativeMotion):void
         {
-            relate(_placementA, _placementB, motion);
+            if (_b == null && _placementB.size > Tolerances.MUCH_LARGER * _placementA.size)
+            {
+                findTimeOfPoint(motion);
+                return;
+            }
+            var ownMotion:RelativeMotion = relatePair(motion);
             if (isStandingOverlap())
             {
                 motion.time = 0;
@@ -133,9 +148,9 @@ package starlogo.solid
                 motion.time = _traversal.time;
                 return;
             }
-            _start.x += motion.x;
-            _start.y += motion.y;
-            _start.z += motion.z;
+            _start.x += ownMotion.x;
+            _start.y += ownMotion.y;
+            _start.z += ownMotion.z;
             motion.time = isStandingOverlap() ? 1 : RelativeMotion.NEVER;
         }
 
@@ -148,7 +163,7 @@ package starlogo.solid
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            relate(_placementA, _placementB, motion);
+            var ownMotion:RelativeMotion = relatePair(motion);
             var isOfFirst:Boolean = findFirst() && _traversal.time <= motion.time + Tolerances.SAME_TIME;
             _pose.motion.time = motion.time;
             if (isOfFirst)
@@ -159,7 +174,7 @@ package starlogo.solid
             {
                 findContactOf(_a.root.bounds, _structureB, out);
             }
-            moveToWorld(_placementA, motion, out);
+            conclude(motion, ownMotion, out);
         }
 
         /**
@@ -170,17 +185,17 @@ package starlogo.solid
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            relate(_placementA, _placementB, motion);
+            var ownMotion:RelativeMotion = relatePair(motion);
             if (!findFirst())
             {
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
-            motion.time = _pose.motion.time = _traversal.time;
+            motion.time = ownMotion.time = _pose.motion.time = _traversal.time;
             if (out != null)
             {
                 findContactOfFirst(out);
-                moveToWorld(_placementA, motion, out);
+                conclude(motion, ownMotion, out);
             }
         }
 
@@ -219,11 +234,11 @@ package starlogo.solid
                 _leaf.structure = _structureB;
                 return _structures.find(_a.root, _depthA, _leaf, 1, null);
             }
-            _isByTriangles = _isExact && _exact.prepare(_a, _b);
-            if (_isByTriangles || _a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
+            if (_a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
             {
                 _traversal = _boxes;
             }
+            _isByTriangles = _isExact && _exact.prepare(_a, _b);
             if (_isByTriangles)
             {
                 return _traversal.find(_a.root, int.MAX_VALUE, _b.root, int.MAX_VALUE, _exact);
@@ -287,6 +302,37 @@ package starlogo.solid
             start.z += motion.startZ;
             _pose.relate(start, b);
             _pose.relateMotion(a, motion);
+        }
+
+        // The same for the pair; returns the motion of the one that is first in it.
+        private function relatePair(motion:RelativeMotion):RelativeMotion
+        {
+            if (_isTurned)
+            {
+                _turned.turn(motion);
+                motion = _turned;
+            }
+            relate(_placementA, _placementB, motion);
+            return motion;
+        }
+
+        // Takes a contact into the world, and into the order in which the pair was given.
+        private function conclude(motion:RelativeMotion, ownMotion:RelativeMotion, out:ContactPoint):void
+        {
+            moveToWorld(_placementA, ownMotion, out);
+            if (_isTurned)
+            {
+                out.turn(motion);
+            }
+        }
+
+        // The first model is so small that it is a point of the second's space.
+        private function findTimeOfPoint(motion:RelativeMotion):void
+        {
+            _turned.turn(motion);
+            relate(_placementB, _placementA, _turned);
+            findTimeOfImpact(_pose.pointOf(_a.root), _structureB, _pose.motion);
+            motion.time = _pose.motion.time;
         }
     }
 }

@@ -17,9 +17,6 @@ package starlogo.solid
         protected var solidA:Solid;
         protected var solidB:Solid;
 
-        /** The triangles of a leaf of the second model in the space of the first. */
-        protected var moved:MovedTriangles;
-
         /** How close triangles of these models touch. */
         protected var touching:Number;
 
@@ -29,7 +26,6 @@ package starlogo.solid
         public function TrianglePairTest(pose:RelativePose)
         {
             this.pose = pose;
-            moved = new MovedTriangles(pose);
         }
 
         /**
@@ -45,7 +41,6 @@ package starlogo.solid
             }
             solidA = a.solid;
             solidB = b.solid;
-            moved.begin(solidB.corners);
             touching = pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * pose.placement.size);
             return true;
         }

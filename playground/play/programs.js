@@ -1,11 +1,12 @@
 /** Which program is open, and what becomes of it: the user's own are never lost, whatever is opened in their place. */
 import { CollisionBlocks } from "starlogo-collision";
 import { button, fileButton, h } from "../shared/dom.js";
+import { hand } from "../shared/hand.js";
 import { texts } from "../shared/language.js";
 import { MODEL_FILE } from "./kept.js";
 import { LESSON_NAMES, LessonCard } from "./lessoncard.js";
 import { create, program as programOf, size, start } from "./notation.js";
-import { Shelf, download, fileName, fromLink, isProgram, meaning, toLink } from "./storage.js";
+import { Shelf, fileName, fromLink, isProgram, meaning, toLink } from "./storage.js";
 
 const words = texts.play;
 /** What the first screen's names of models begin with. */
@@ -378,7 +379,7 @@ export class Programs {
 	}
 
 	#download() {
-		download(JSON.stringify({ name: this.#title, ...this.program }, null, 1), "application/json", `${fileName(this.#title)}.json`);
+		hand(JSON.stringify({ name: this.#title, ...this.program }, null, 1), `${fileName(this.#title)}.json`, "application/json");
 	}
 
 	async #showJavascript() {

@@ -129,13 +129,3 @@ export const meaning = (program) => JSON.stringify(program, function meant(key, 
 
 /** A name that every system takes for a file. */
 export const fileName = (title) => title.replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, " ").replaceAll(/\s+/g, " ").trim() || "program";
-
-/** Hands a text over as a file. */
-export function download(text, type, name) {
-	const url = URL.createObjectURL(new Blob([text], { type }));
-	const link = document.createElement("a");
-	link.href = url;
-	link.download = name;
-	link.click();
-	setTimeout(() => URL.revokeObjectURL(url), 1000);
-}

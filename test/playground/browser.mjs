@@ -17,6 +17,20 @@ export const SIZES = {
 	phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, ...(isChromium && { isMobile: true }) },
 };
 
+/** Drags the second of two agents in the world, with the mouse, by pixels. */
+export async function dragBall(page, dx, dy) {
+	const at = await page.evaluate(() => {
+		const { agents: [, ball], stage: { camera, canvas } } = globalThis.playground;
+		const point = camera.position.clone().set(ball.x, ball.y, ball.z + ball.size / 2).project(camera);
+		const box = canvas.getBoundingClientRect();
+		return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
+	});
+	await page.mouse.move(at.x, at.y);
+	await page.mouse.down();
+	await page.mouse.move(at.x + dx, at.y + dy, { steps: 4 });
+	await page.mouse.up();
+}
+
 /** How long anything may take, in milliseconds. */
 export const PATIENCE = 120000;
 

@@ -4,7 +4,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { begin, open, ready, root, saved } from './browser.mjs';
+import { begin, dragBall, open, ready, root, saved } from './browser.mjs';
 
 const LAPTOP = { viewport: { width: 1366, height: 768 }, isDrawn: false };
 
@@ -240,16 +240,7 @@ test('Inspect: a glTF file with its data beside it, and which way is up', async 
 test('Compare: short numbers in its program, Copy in sight, and the whole game above the fold', async () => {
 	const { page, said } = await shared('compare');
 	await page.getByRole('radio', { name: 'Two agents', exact: true }).check();
-	const at = await page.evaluate(() => {
-		const { agents: [, ball], stage: { camera, canvas } } = globalThis.playground;
-		const point = camera.position.clone().set(ball.x, ball.y, ball.z + ball.size / 2).project(camera);
-		const box = canvas.getBoundingClientRect();
-		return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
-	});
-	await page.mouse.move(at.x, at.y);
-	await page.mouse.down();
-	await page.mouse.move(at.x + 77, at.y + 13, { steps: 3 });
-	await page.mouse.up();
+	await dragBall(page, 77, 13);
 	await page.getByText('The same in JavaScript').click();
 	const code = await page.textContent('.code code');
 	assert.match(code, /x: -?\d\.\d/);

@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, hold, open, ready, root } from './browser.mjs';
+import { SIZES, begin, dragBall, hold, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
@@ -328,16 +328,7 @@ test('Compare: two agents are moved by sliders and by dragging', async () => {
 	await z.fill('0.1');
 	const x = page.locator('details[open] .slider', { hasText: /^x/ }).locator('input');
 	const before = await x.inputValue();
-	const at = await page.evaluate(() => {
-		const { agents: [, ball], stage: { camera, canvas } } = globalThis.playground;
-		const point = camera.position.clone().set(ball.x, ball.y, ball.z + ball.size / 2).project(camera);
-		const box = canvas.getBoundingClientRect();
-		return { x: box.left + ((point.x + 1) / 2) * box.width, y: box.top + ((1 - point.y) / 2) * box.height };
-	});
-	await page.mouse.move(at.x, at.y);
-	await page.mouse.down();
-	await page.mouse.move(at.x + 120, at.y + 10, { steps: 4 });
-	await page.mouse.up();
+	await dragBall(page, 120, 10);
 	assert.notEqual(await x.inputValue(), before);
 	assert.deepEqual(said.splice(0), []);
 });

@@ -37,6 +37,12 @@ package starlogo.broadphase
         {
         }
 
+        /** Half the largest length of a row. */
+        public function largestHalf(row:int):Number
+        {
+            return Math.max(halfX[row], Math.max(halfY[row], halfZ[row]));
+        }
+
         /** Makes sure that there are so many rows; new ones are points at the origin that fit no level yet. */
         public function grow(length:int):void
         {

@@ -136,7 +136,8 @@ package starlogo.collision
             _statistics.findMs = getTimer() - start;
         }
 
-        private static function requireTwo(a:Agent, b:Agent):void
+        /** @private Throws an ArgumentError if one of two agents is null, or they are the same. */
+        engine static function requireTwo(a:Agent, b:Agent):void
         {
             if (a == null || b == null)
             {

@@ -3,6 +3,7 @@ package starlogo.queries
     import flash.geom.Vector3D;
     import starlogo.agents.Agent;
     import starlogo.broadphase.Extents;
+    import starlogo.collision.Collider;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -45,14 +46,7 @@ package starlogo.queries
          */
         public function find(a:Agent, b:Agent, pointA:Vector3D, pointB:Vector3D):void
         {
-            if (a == null || b == null)
-            {
-                throw new ArgumentError("two agents are needed, not " + a + " and " + b);
-            }
-            if (a === b)
-            {
-                throw new ArgumentError("two agents are needed: " + a + " is no pair with itself");
-            }
+            Collider.requireTwo(a, b);
             var table:AgentTable = _seen.table;
             var rowA:int = _seen.rowOfNow(a, 0);
             var rowB:int = table.rowOf(b);

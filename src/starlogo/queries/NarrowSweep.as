@@ -235,9 +235,7 @@ package starlogo.queries
         /** Finds the larger extent of the row and another, and how wide a hair is between them. */
         public function measure(other:int):void
         {
-            var extents:Extents = _table.extents;
-            var half:Number = Math.max(extents.halfX[other], Math.max(extents.halfY[other], extents.halfZ[other]));
-            extent = 2 * Math.max(half, _moving.largestHalf);
+            extent = 2 * Math.max(_table.extents.largestHalf(other), _moving.largestHalf);
             hair = HAIR * extent + _rounding;
         }
 

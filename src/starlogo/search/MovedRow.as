@@ -47,7 +47,7 @@ package starlogo.search
             _at.x = NaN;
             _isCopied = false;
             var extents:Extents = table.extents;
-            largestHalf = Math.max(extents.halfX[row], Math.max(extents.halfY[row], extents.halfZ[row]));
+            largestHalf = extents.largestHalf(row);
             leastHalf = Math.min(extents.halfX[row], Math.min(extents.halfY[row], extents.halfZ[row]));
         }
 

@@ -128,9 +128,7 @@ package starlogo.search
             _x = table.x[a] + (motion.startX + time * motion.x);
             _y = table.y[a] + (motion.startY + time * motion.y);
             _z = table.z[a] + (motion.startZ + time * motion.z);
-            var extents:Extents = table.extents;
-            var half:Number = Math.max(extents.halfX[b], Math.max(extents.halfY[b], extents.halfZ[b]));
-            half = Math.max(half, _moved.largestHalf);
+            var half:Number = Math.max(table.extents.largestHalf(b), _moved.largestHalf);
             // two points have none: then it is how far apart they may be and still touch
             var rounding:Number = table.marginOf(a) + table.marginOf(b);
             _extent = Math.max(2 * half, Math.max(rounding, LEAST_EXTENT));

@@ -10,6 +10,9 @@ const SYSTEMS = { bins: BinCollider, tightest: TightestFitCollider, hierarchical
 /** More than the rounding of places and sizes: pairs that may touch by the client's rule are all found, and then tested by it. */
 const MARGIN = 1e-9;
 
+/** Beyond this coordinate agents take no part: half of a size away an Agent can still be. */
+const FARTHEST = Agent.LARGEST_COORDINATE - Agent.LARGEST_SIZE;
+
 /** A key has the turn in its lower part; no game is updated so often. */
 const TURNS = 2 ** 36;
 
@@ -300,10 +303,10 @@ export class NovaCollisions {
 
 	/** Whether one of a state can take part; all of a body but its place is then as in the state. */
 	#pose(body, { x, y, z, size, heading, shape }) {
-		if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z) && size >= 0 && size < Infinity)) return false;
+		if (!(Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) <= FARTHEST && size >= 0 && size < Agent.LARGEST_SIZE)) return false;
 		if (this.#isBins) {
 			body.shape = SPHERE;
-			body.size = size + size * MARGIN + MARGIN;
+			body.size = Math.min(Math.max(size + size * MARGIN + MARGIN, Agent.SMALLEST_SIZE), Agent.LARGEST_SIZE);
 			return true;
 		}
 		if (!(size > Agent.SMALLEST_SIZE)) return false;

@@ -3,7 +3,7 @@ package support
     import starlogo.agents.Agent;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.intersection.TriangleAxes;
+    import starlogo.intersection.ClosestTriangles;
     import starlogo.intersection.triangleTriangle;
     import starlogo.models.Model;
 
@@ -14,7 +14,7 @@ package support
     {
         private static var sCornersA:Vector.<Number> = new Vector.<Number>();
         private static var sCornersB:Vector.<Number> = new Vector.<Number>();
-        private static var sAxes:TriangleAxes = new TriangleAxes();
+        private static var sClosest:ClosestTriangles = new ClosestTriangles();
 
         /** Whether the models of two agents meet where these stand. */
         public static function meet(a:Agent, modelA:Model, b:Agent, modelB:Model):Boolean
@@ -22,7 +22,7 @@ package support
             place(a.worldPlacement(), modelA, sCornersA);
             place(b.worldPlacement(), modelB, sCornersB);
             var extents:Vector.<Number> = extentsOf(sCornersB);
-            sAxes.tolerance = 1e-12;
+            sClosest.reach = 1e-12;
             for (var i:int = 0; i < sCornersA.length; i += 9)
             {
                 if (!isOver(sCornersA[i], sCornersA[i + 3], sCornersA[i + 6], extents[0], extents[3])
@@ -40,7 +40,7 @@ package support
                 {
                     if (isOver(sCornersB[j], sCornersB[int(j + 3)], sCornersB[int(j + 6)], minX, maxX)
                             && isOver(sCornersB[int(j + 1)], sCornersB[int(j + 4)], sCornersB[int(j + 7)], minY, maxY)
-                            && triangleTriangle(sCornersA, i, sCornersB, j, sAxes))
+                            && triangleTriangle(sCornersA, i, sCornersB, j, sClosest))
                     {
                         return true;
                     }

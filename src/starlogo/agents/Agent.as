@@ -15,13 +15,13 @@ package starlogo.agents
          * The largest coordinate, in patches: squares of distances stay far from what a Number can hold, and all tests are
          * right up to it.
          */
-        public static const LARGEST_COORDINATE:Number = 1e120;
+        public static const LARGEST_COORDINATE:Number = 1e9;
 
         /** The largest size. */
-        public static const LARGEST_SIZE:Number = 1e120;
+        public static const LARGEST_SIZE:Number = 1e6;
 
         /** The smallest size. */
-        public static const SMALLEST_SIZE:Number = 1e-120;
+        public static const SMALLEST_SIZE:Number = 1e-6;
 
         /** For <code>collideAs</code>: the tightest of all. */
         public static const TIGHTEST:String = "tightest";

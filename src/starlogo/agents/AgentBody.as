@@ -176,8 +176,8 @@ package starlogo.agents
          */
         public function moveTo(x:Number, y:Number, z:Number):void
         {
-            // false for NaN too
-            if (!(x * x + y * y + z * z <= 1e240))
+            // LARGEST_COORDINATE squared; false for NaN too
+            if (!(x * x + y * y + z * z <= 1e18))
             {
                 requireCoordinate("x", x);
                 requireCoordinate("y", y);

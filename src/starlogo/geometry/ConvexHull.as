@@ -3,7 +3,6 @@ package starlogo.geometry
     import starlogo.geometry.hull.HullGrid;
     import starlogo.geometry.hull.HullMesh;
     import starlogo.geometry.hull.InitialSimplex;
-    import starlogo.geometry.hull.PlanarHull;
     import starlogo.geometry.hull.QuickHull;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -33,7 +32,6 @@ package starlogo.geometry
         // the work under way
         private var _work:StepSequence = new StepSequence();
         private var _simplex:InitialSimplex;
-        private var _planarHull:PlanarHull;
         private var _quickHull:QuickHull;
 
         /**
@@ -205,9 +203,13 @@ package starlogo.geometry
 
         private function newHull():Steps
         {
-            _planarHull = dimension == 2 ? new PlanarHull(_grid.points) : null;
-            _quickHull = dimension == 3 ? new QuickHull(_grid.points, _simplex.corners) : null;
-            return _quickHull || _planarHull;
+            if (dimension > 1)
+            {
+                var corners:Vector.<int> = _simplex.corners.concat();
+                corners[3] = dimension == 2 ? apex : corners[3];
+                _quickHull = new QuickHull(_grid.points, corners);
+            }
+            return _quickHull;
         }
 
         private function newMesh():Steps
@@ -219,15 +221,41 @@ package starlogo.geometry
                     corners = _quickHull.triangles;
                     break;
                 case 2:
-                    corners = _planarHull.corners;
+                    corners = outline(_quickHull.triangles);
                     break;
                 default:
                     corners = _simplex.corners.slice(0, dimension + 1);
             }
             _mesh = new HullMesh(_vertices, corners, dimension == 3);
-            _planarHull = null;
             _quickHull = null;
             return _mesh;
+        }
+
+        // The point above a plane's vertices.
+        private function get apex():int
+        {
+            return _vertices.length / 3;
+        }
+
+        // The corners of a plane's hull, one after the other: each triangle at the apex has an edge of it.
+        private function outline(triangles:Vector.<int>):Vector.<int>
+        {
+            var next:Object = {};
+            for (var i:int = 0; i < triangles.length; i++)
+            {
+                if (triangles[i] == apex)
+                {
+                    var first:int = i - i % 3;
+                    var start:int = triangles[first + (i + 1) % 3];
+                    next[start] = triangles[first + (i + 2) % 3];
+                }
+            }
+            var corners:Vector.<int> = new <int>[start];
+            for (var corner:int = next[start]; corner != start; corner = next[corner])
+            {
+                corners.push(corner);
+            }
+            return corners;
         }
 
         private function placeOnGrid():Vector.<Number>

@@ -110,6 +110,14 @@ package starlogo.hierarchy
                 squared += gap * gap;
             }
 
+            // what is left out anyway need not be measured exactly
+            var far:Number = least + pose.gap + 2 * SLACK * (least + reach);
+            if (squared > far * far)
+            {
+                bound = least;
+                return;
+            }
+
             // the products are larger by the scale
             var scale:Number = _scale;
             var squaredInB:Number = 0;
@@ -134,7 +142,7 @@ package starlogo.hierarchy
             {
                 squaredInB += gap * gap;
             }
-            var least:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
+            var apart:Number = Math.sqrt(squared > squaredInB ? squared : squaredInB);
 
             // along the line between the closest points so far: what is not nearer is mostly not so along that
             var toX:Number = directionX;
@@ -154,15 +162,15 @@ package starlogo.hierarchy
                 toY = toY < 0 ? -toY : toY;
                 toZ = toZ < 0 ? -toZ : toZ;
                 gap = (gap - halfX * toX - halfY * toY - halfZ * toZ) / length;
-                if (gap > least)
+                if (gap > apart)
                 {
-                    least = gap;
+                    apart = gap;
                 }
             }
-            least -= SLACK * (least + reach) + pose.gap;
-            if (least > bound)
+            apart -= SLACK * (apart + reach) + pose.gap;
+            if (apart > bound)
             {
-                bound = least;
+                bound = apart;
             }
         }
 

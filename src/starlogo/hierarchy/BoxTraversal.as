@@ -216,15 +216,15 @@ package starlogo.hierarchy
                             {
                                 side = y;
                             }
-                            var near:HierarchyNode = a.left;
-                            far = a.right;
+                            var near:HierarchyNode = a.low;
+                            far = a.high;
                             if (side > 0)
                             {
                                 near = far;
-                                far = a.left;
+                                far = a.low;
                             }
                             stack[top] = far;
-                            stack[int(top + 1)] = b;
+                            stack[top + 1] = b;
                             top += 2;
                             x += a.x - near.x;
                             y += a.y - near.y;
@@ -246,8 +246,8 @@ package starlogo.hierarchy
                             {
                                 side = m02 * x + m12 * y + m22 * z;
                             }
-                            far = b.right;
-                            b = b.left;
+                            far = b.high;
+                            b = b.low;
                             if (side < 0)
                             {
                                 near = b;
@@ -255,7 +255,7 @@ package starlogo.hierarchy
                                 far = near;
                             }
                             stack[top] = a;
-                            stack[int(top + 1)] = far;
+                            stack[top + 1] = far;
                             top += 2;
                         }
                         continue;
@@ -269,7 +269,7 @@ package starlogo.hierarchy
                 }
                 top -= 2;
                 a = stack[top];
-                b = stack[int(top + 1)];
+                b = stack[top + 1];
             }
             return false;
         }

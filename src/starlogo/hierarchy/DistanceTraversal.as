@@ -92,7 +92,10 @@ package starlogo.hierarchy
             _count = 0;
             directionX = directionY = directionZ = 0;
             bound = 0;
-            push(a, b, a, b);
+            _decidingA = a;
+            _decidingB = b;
+            estimate(a, b);
+            push(a, b, bound, _decidingA, _decidingB);
             while (_count > 0 && least > 0)
             {
                 _count--;
@@ -104,9 +107,9 @@ package starlogo.hierarchy
                 }
                 nodeVisits++;
                 a = nodes[top];
-                b = nodes[int(top + 1)];
-                _decidingA = nodes[int(top + 2)];
-                _decidingB = nodes[int(top + 3)];
+                b = nodes[top + 1];
+                _decidingA = nodes[top + 2];
+                _decidingB = nodes[top + 3];
                 var aEnds:Boolean = a.cutoffLevel >= depthA;
                 var bEnds:Boolean = b.cutoffLevel >= depthB;
                 if (!aEnds || !bEnds)
@@ -205,36 +208,43 @@ package starlogo.hierarchy
         {
             var aboveA:HierarchyNode = _decidingA;
             var aboveB:HierarchyNode = _decidingB;
-            var lower:int = _count;
             var above:Number = bound;
-            push(isFirst ? a.left : a, isFirst ? b : b.left, aboveA, aboveB);
+            var highA:HierarchyNode = isFirst ? a.high : a;
+            var highB:HierarchyNode = isFirst ? b : b.high;
+            a = isFirst ? a.low : a;
+            b = isFirst ? b : b.low;
+            estimate(a, b);
+            var low:Number = bound;
+            var lowA:HierarchyNode = _decidingA;
+            var lowB:HierarchyNode = _decidingB;
             bound = above;
-            push(isFirst ? a.right : a, isFirst ? b : b.right, aboveA, aboveB);
-            if (_bounds[lower] < _bounds[int(lower + 1)])
+            _decidingA = aboveA;
+            _decidingB = aboveB;
+            estimate(highA, highB);
+            if (low < bound)
             {
-                above = _bounds[lower];
-                _bounds[lower] = _bounds[int(lower + 1)];
-                _bounds[int(lower + 1)] = above;
-                for (var at:int = 4 * lower; at < 4 * lower + 4; at++)
-                {
-                    aboveA = _nodes[at];
-                    _nodes[at] = _nodes[int(at + 4)];
-                    _nodes[int(at + 4)] = aboveA;
-                }
+                push(highA, highB, bound, _decidingA, _decidingB);
+                push(a, b, low, lowA, lowB);
+            }
+            else
+            {
+                push(a, b, low, lowA, lowB);
+                push(highA, highB, bound, _decidingA, _decidingB);
             }
         }
 
-        private function push(a:HierarchyNode, b:HierarchyNode, aboveA:HierarchyNode, aboveB:HierarchyNode):void
+        private function push(a:HierarchyNode, b:HierarchyNode, itsBound:Number, itsA:HierarchyNode, itsB:HierarchyNode):void
         {
-            _decidingA = aboveA;
-            _decidingB = aboveB;
-            estimate(a, b);
+            if (itsBound >= least)
+            {
+                return;
+            }
             var top:int = 4 * _count;
             _nodes[top] = a;
-            _nodes[int(top + 1)] = b;
-            _nodes[int(top + 2)] = _decidingA;
-            _nodes[int(top + 3)] = _decidingB;
-            _bounds[_count] = bound;
+            _nodes[top + 1] = b;
+            _nodes[top + 2] = itsA;
+            _nodes[top + 3] = itsB;
+            _bounds[_count] = itsBound;
             _count++;
         }
     }

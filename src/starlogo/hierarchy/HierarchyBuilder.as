@@ -3,6 +3,7 @@ package starlogo.hierarchy
     import starlogo.bounding.BoundingStructure;
     import starlogo.engine;
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
 
     use namespace engine;
 
@@ -29,7 +30,6 @@ package starlogo.hierarchy
         private var _tree:StoredTree = null;
         private var _maker:NodeMaker;
         private var _divider:NodeDivider;
-        private var _isDividing:Boolean = false;
         private var _nodes:Vector.<HierarchyNode>;
         private var _structures:NodeStructures;
         private var _next:int = 0;
@@ -89,50 +89,34 @@ package starlogo.hierarchy
 
         private function addDivision():void
         {
-            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).repeat(divideSome).call(addStructures);
+            slices(_items.count, ITEMS_PER_STEP, _items.measure).call(makeRoot).begin(newDivider).call(useDivided);
         }
 
         private function makeRoot():void
         {
             var extents:Vector.<Number> = _items.extents;
             _maker = new NodeMaker(_hierarchy, extents);
-            _divider = new NodeDivider(_hierarchy, _items, _maker, _minVerticesToSplit, _splitByMean);
             var root:HierarchyNode = _maker.make(1, 0, _items.count, extents);
             if (root.radius - root.radius != 0)
             {
                 throw new ArgumentError("the coordinates are too large: the model's extent is not a finite number");
             }
             _hierarchy.root = root;
-            _nodes = new <HierarchyNode>[root];
         }
 
-        private function divideSome():Boolean
+        private function newDivider():Steps
         {
-            var left:int = ITEMS_PER_STEP;
-            // children are appended while their parents are divided
-            while (left > 0 && _next < _nodes.length)
-            {
-                var node:HierarchyNode = _nodes[_next];
-                if (!_isDividing)
-                {
-                    _isDividing = node.level < _maxDepth && _divider.beginNode(node);
-                    left -= ITEMS_PER_NODE;
-                }
-                if (_isDividing)
-                {
-                    _isDividing = _divider.advance(ITEMS_PER_STEP);
-                    left -= node.end - node.first;
-                }
-                if (!_isDividing)
-                {
-                    _next++;
-                    if (!node.isLeaf)
-                    {
-                        _nodes.push(node.left, node.right);
-                    }
-                }
-            }
-            return _next < _nodes.length;
+            _divider = new NodeDivider(_hierarchy.root, _items, _maker);
+            _divider.minVerticesToSplit = _minVerticesToSplit;
+            _divider.maxDepth = _maxDepth;
+            _divider.splitByMean = _splitByMean;
+            return _divider;
+        }
+
+        private function useDivided():void
+        {
+            _nodes = _divider.nodes;
+            addStructures();
         }
 
         private function addStructures():void
@@ -140,7 +124,6 @@ package starlogo.hierarchy
             if (_hierarchy.boundsKind != BoundingStructure.BOX)
             {
                 _structures = new NodeStructures(_hierarchy.boundsKind, _items, 2 * _maker.marginOf(1));
-                _next = 0;
                 repeat(encloseSome).repeat(coverSome);
             }
         }

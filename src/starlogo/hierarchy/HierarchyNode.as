@@ -13,18 +13,21 @@ package starlogo.hierarchy
      *
      * <p>A part is made of whole triangles where the model has them, otherwise of vertices. The structure of a node
      * encloses the node's own part, not those of its children: a child's sphere or capsule may reach out of its
-     * parent's. All is in the model's space. Plain fields, because the traversal reads them: do not set them.</p>
+     * parent's. All is in the model's space.</p>
+     *
+     * <p>For exact tests the tree goes on below the thesis's leaves, down to a few triangles. For a client it ends with those leaves,
+     * and so does a visit with any depth limit.</p>
      */
     public final class HierarchyNode
     {
-        /** The child on the low side of the split, or null. */
-        public var left:HierarchyNode;
+        /** @private The largest depth limit: a visit with it ends at the thesis's leaves, and one without a limit, int.MAX_VALUE, goes on below. */
+        engine static const LARGEST_DEPTH:int = int.MAX_VALUE - 1;
 
-        /** The child on the high side of the split, or null. */
-        public var right:HierarchyNode;
+        /** @private The child on the low side of the split, or null: below the thesis's leaves too. */
+        engine var low:HierarchyNode;
 
-        /** Whether the node has no children. */
-        public var isLeaf:Boolean = true;
+        /** @private The child on the high side of the split, or null: as low. */
+        engine var high:HierarchyNode;
 
         /** @private The hierarchy that the node is of. */
         engine var hierarchy:Hierarchy;
@@ -32,7 +35,7 @@ package starlogo.hierarchy
         /** @private The number of levels down to this one, the root's being 1; 0 for a node that represents a single structure. */
         engine var level:int = 0;
 
-        /** @private The largest depth limit at which a visit ends here: its level, or for a leaf any. */
+        /** @private The largest depth limit at which a visit ends here: its level, or for a leaf of the thesis's LARGEST_DEPTH, or for one without children any. */
         engine var cutoffLevel:int = int.MAX_VALUE;
 
         /** @private The node's items are those from first up to, and not including, end in the hierarchy's order. */
@@ -81,6 +84,24 @@ package starlogo.hierarchy
         {
         }
 
+        /** The child on the low side of the split, or null. */
+        public function get left():HierarchyNode
+        {
+            return isLeaf ? null : low;
+        }
+
+        /** The child on the high side of the split, or null. */
+        public function get right():HierarchyNode
+        {
+            return isLeaf ? null : high;
+        }
+
+        /** Whether the node has no children. */
+        public function get isLeaf():Boolean
+        {
+            return cutoffLevel >= LARGEST_DEPTH;
+        }
+
         /**
          * How many vertices are under the node: those of its triangles, each once, where the model has triangles. The
          * counts of two children then add up to more than their parent's where they share vertices.
@@ -116,7 +137,7 @@ package starlogo.hierarchy
         }
 
         /**
-         * The numbers of the triangles under the node; the model's first triangle is 0.
+         * The numbers of the triangles under the node, the smallest first; the model's first triangle is 0.
          *
          * @param out overwritten; made if null
          * @return out
@@ -127,8 +148,8 @@ package starlogo.hierarchy
         }
 
         /**
-         * The numbers of the vertices under the node, where only vertices are known; the model's first vertex is 0. With
-         * triangles, none: the triangles name the vertices.
+         * The numbers of the vertices under the node, the smallest first, where only vertices are known; the model's first vertex is 0.
+         * With triangles, none: the triangles name the vertices.
          *
          * @param out overwritten; made if null
          * @return out
@@ -180,6 +201,7 @@ package starlogo.hierarchy
             {
                 out.push(hierarchy.order[i]);
             }
+            out.sort(Array.NUMERIC);
             return out;
         }
     }

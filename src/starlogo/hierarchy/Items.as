@@ -36,27 +36,27 @@ package starlogo.hierarchy
         private var _extents:Vector.<Number>;
         private var _stride:int;
         private var _high:int;
-        private var _areMeasured:Boolean;
+        private var _isOrdered:Boolean;
 
-        // the division under way: the last item that is not looked at; the first is the middle
+        // the division under way: the last item that is not looked at; the first is the middle, or if that waits to be put last, the next
         private var _last:int;
+        private var _waiting:int;
         private var _split:Number;
 
         /**
          * @param vertices x, y, z each
          * @param triangles three vertex indices each, or null if the vertices are the items
-         * @param measured the triangles' extents, as writeExtents writes them, if these are known
+         * @param order the order that they are in; null for that of their numbers
          */
-        public function Items(vertices:Vector.<Number>, triangles:Vector.<uint>, measured:Vector.<Number> = null)
+        public function Items(vertices:Vector.<Number>, triangles:Vector.<uint>, order:Vector.<int> = null)
         {
             _vertices = vertices;
             _triangles = triangles;
             count = (triangles == null ? vertices.length : triangles.length) / 3;
-            order = new Vector.<int>(count, true);
+            _isOrdered = order != null;
+            this.order = _isOrdered ? order : new Vector.<int>(count, true);
             _stride = triangles == null ? 3 : 6;
             _high = triangles == null ? 0 : 3;
-            _extents = measured;
-            _areMeasured = triangles == null || measured != null;
         }
 
         /** Measures some items and puts them into the order; to be done for all before anything else. */
@@ -68,8 +68,11 @@ package starlogo.hierarchy
             }
             for (var i:int = first; i < end; i++)
             {
-                order[i] = i;
-                if (!_areMeasured)
+                if (!_isOrdered)
+                {
+                    order[i] = i;
+                }
+                if (_triangles != null)
                 {
                     writeExtents(_vertices, _triangles, 3 * i, _extents, 6 * i);
                 }
@@ -121,6 +124,7 @@ package starlogo.hierarchy
         {
             middle = first;
             _last = end - 1;
+            _waiting = 0;
             this.axis = axis;
             _split = split;
             write(leftExtents, Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
@@ -164,7 +168,8 @@ package starlogo.hierarchy
 
         /**
          * Goes on with the division. For each item, in this order: its extents, the side of the splitting point that its centre is on, its
-         * place, and the extents of those on that side, which are in locals meanwhile.
+         * place, and the extents of those on that side, which are in locals meanwhile. The first that belongs last waits for the last that belongs
+         * first, and the two change places: what is divided already stays as it is.
          *
          * @param most how many items to look at
          * @return whether there are more
@@ -179,7 +184,8 @@ package starlogo.hierarchy
             var split:Number = _split;
             var i:int = middle;
             var last:int = _last;
-            var left:int = last - i + 1 - most;
+            var waiting:int = _waiting;
+            var left:int = last - i - waiting + 1 - most;
             left = left < 0 ? 0 : left;
             var leftMinX:Number = leftExtents[0];
             var leftMinY:Number = leftExtents[1];
@@ -193,9 +199,10 @@ package starlogo.hierarchy
             var rightMaxX:Number = rightExtents[3];
             var rightMaxY:Number = rightExtents[4];
             var rightMaxZ:Number = rightExtents[5];
-            while (last - i >= left)
+            while (last - i - waiting >= left)
             {
-                var item:int = items[i];
+                var place:int = waiting == 0 ? i : last;
+                var item:int = items[place];
                 var at:int = item * stride;
                 var minX:Number = all[at];
                 var minY:Number = all[int(at + 1)];
@@ -207,6 +214,13 @@ package starlogo.hierarchy
                 var sum:Number = along == 0 ? minX + maxX : (along == 1 ? minY + maxY : minZ + maxZ);
                 if (sum < split)
                 {
+                    if (waiting == 1)
+                    {
+                        items[last] = items[i];
+                        items[i] = item;
+                        last--;
+                        waiting = 0;
+                    }
                     i++;
                     leftMinX = minX < leftMinX ? minX : leftMinX;
                     leftMaxX = maxX > leftMaxX ? maxX : leftMaxX;
@@ -217,9 +231,8 @@ package starlogo.hierarchy
                 }
                 else
                 {
-                    items[i] = items[last];
-                    items[last] = item;
-                    last--;
+                    last -= waiting;
+                    waiting = 1;
                     rightMinX = minX < rightMinX ? minX : rightMinX;
                     rightMaxX = maxX > rightMaxX ? maxX : rightMaxX;
                     rightMinY = minY < rightMinY ? minY : rightMinY;
@@ -232,6 +245,7 @@ package starlogo.hierarchy
             write(rightExtents, rightMinX, rightMinY, rightMinZ, rightMaxX, rightMaxY, rightMaxZ);
             middle = i;
             _last = last;
+            _waiting = waiting;
             return left > 0;
         }
 

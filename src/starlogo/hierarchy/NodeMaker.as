@@ -69,14 +69,21 @@ package starlogo.hierarchy
             return node;
         }
 
-        /** Divides a node between two others. */
-        public function divide(node:HierarchyNode, axis:int, left:HierarchyNode, right:HierarchyNode):void
+        /**
+         * Divides a node between two others.
+         *
+         * @param node has no children yet
+         * @param axis along which it is split
+         * @param low the child on the low side
+         * @param high the child on the high side
+         * @param cutoffLevel the largest depth limit at which a visit ends at the node
+         */
+        public function divide(node:HierarchyNode, axis:int, low:HierarchyNode, high:HierarchyNode, cutoffLevel:int):void
         {
-            node.isLeaf = false;
-            node.cutoffLevel = node.level;
+            node.cutoffLevel = cutoffLevel;
             node.splitAxis = axis;
-            node.left = left;
-            node.right = right;
+            node.low = low;
+            node.high = high;
         }
     }
 }

@@ -116,32 +116,32 @@ package starlogo.hierarchy
                         var otherB:HierarchyNode = b;
                         if (next == LEFT_OF_A)
                         {
-                            a = otherA.left;
-                            otherA = otherA.right;
+                            a = otherA.low;
+                            otherA = otherA.high;
                         }
                         else if (next == RIGHT_OF_A)
                         {
-                            a = otherA.right;
-                            otherA = otherA.left;
+                            a = otherA.high;
+                            otherA = otherA.low;
                         }
                         else if (next == LEFT_OF_B)
                         {
-                            b = otherB.left;
-                            otherB = otherB.right;
+                            b = otherB.low;
+                            otherB = otherB.high;
                         }
                         else
                         {
-                            b = otherB.right;
-                            otherB = otherB.left;
+                            b = otherB.high;
+                            otherB = otherB.low;
                         }
                         if (otherFrom <= 1)
                         {
                             nodes[top] = otherA;
-                            nodes[int(top + 1)] = otherB;
+                            nodes[top + 1] = otherB;
                             if (isSwept)
                             {
                                 times[top] = otherFrom;
-                                times[int(top + 1)] = to;
+                                times[top + 1] = to;
                             }
                             top += 2;
                         }
@@ -168,11 +168,11 @@ package starlogo.hierarchy
                 }
                 top -= 2;
                 a = nodes[top];
-                b = nodes[int(top + 1)];
+                b = nodes[top + 1];
                 if (isSwept)
                 {
                     from = times[top];
-                    to = times[int(top + 1)];
+                    to = times[top + 1];
                 }
             }
             return false;

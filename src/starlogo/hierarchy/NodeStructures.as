@@ -50,14 +50,14 @@ package starlogo.hierarchy
             if (_kind == BoundingStructure.SPHERE)
             {
                 var sphere:Sphere = Sphere(node.structure.clone());
-                sphere.radius = Math.max(sphere.radius, reachOf(node.left, sphere.center, sphere.center),
-                        reachOf(node.right, sphere.center, sphere.center)) + _margin;
+                sphere.radius = Math.max(sphere.radius, reachOf(node.low, sphere.center, sphere.center),
+                        reachOf(node.high, sphere.center, sphere.center)) + _margin;
                 node.cover = sphere;
                 return;
             }
             var capsule:Capsule = Capsule(node.structure.clone());
-            capsule.radius = Math.max(capsule.radius, reachOf(node.left, capsule.start, capsule.end),
-                    reachOf(node.right, capsule.start, capsule.end)) + _margin;
+            capsule.radius = Math.max(capsule.radius, reachOf(node.low, capsule.start, capsule.end),
+                    reachOf(node.high, capsule.start, capsule.end)) + _margin;
             node.cover = capsule;
         }
 

@@ -78,13 +78,13 @@ package starlogo.hierarchy
                 }
                 else if (isLeftFirst(node, ray))
                 {
-                    waiting = push(waiting, node.right, entered, ray);
-                    waiting = push(waiting, node.left, entered, ray);
+                    waiting = push(waiting, node.high, entered, ray);
+                    waiting = push(waiting, node.low, entered, ray);
                 }
                 else
                 {
-                    waiting = push(waiting, node.left, entered, ray);
-                    waiting = push(waiting, node.right, entered, ray);
+                    waiting = push(waiting, node.low, entered, ray);
+                    waiting = push(waiting, node.high, entered, ray);
                 }
             }
             ray.from = start;

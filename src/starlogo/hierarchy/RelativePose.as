@@ -3,7 +3,6 @@ package starlogo.hierarchy
     import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
-    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
@@ -30,8 +29,6 @@ package starlogo.hierarchy
 
         /** How the second model moves from there, of models that move: from time 0 to time 1, its start being 0. */
         public var motion:RelativeMotion = new RelativeMotion();
-
-        private var _point:Sphere = new Sphere(new Vector3D(), 0);
 
         /** Until relate is called, both are in one place. */
         public function RelativePose()
@@ -170,17 +167,6 @@ package starlogo.hierarchy
         public function widen(structure:BoundingStructure):void
         {
             structure.widen(gap);
-        }
-
-        /** The second model, which is so small that it is a point of the first's space: a sphere around it, which the next call overwrites. */
-        public function pointOf(root:HierarchyNode):Sphere
-        {
-            var center:Vector3D = _point.center;
-            center.x = placement.x;
-            center.y = placement.y;
-            center.z = placement.z;
-            _point.radius = placement.size * root.radius + gap;
-            return _point;
         }
 
         /**

@@ -62,9 +62,9 @@ package starlogo.hierarchy
             }
             nodeVisits += 2;
             var dividesA:Boolean = bEnds || (!aEnds && a.radius >= pose.placement.size * b.radius);
-            sweep(dividesA ? a.left : a, dividesA ? b : b.left, false);
+            sweep(dividesA ? a.low : a, dividesA ? b : b.low, false);
             var left:Number = from;
-            sweep(dividesA ? a.right : a, dividesA ? b : b.right, false);
+            sweep(dividesA ? a.high : a, dividesA ? b : b.high, false);
             if (left < from)
             {
                 otherFrom = from;

@@ -82,8 +82,8 @@ package starlogo.hierarchy
                                 if (b.cutoffLevel < depthB)
                                 {
                                     var axis:int = a.splitAxis;
-                                    var near:HierarchyNode = a.left;
-                                    var far:HierarchyNode = a.right;
+                                    var near:HierarchyNode = a.low;
+                                    var far:HierarchyNode = a.high;
                                     if (axis == 0)
                                     {
                                         side = x;
@@ -99,11 +99,11 @@ package starlogo.hierarchy
                                     if (side > 0)
                                     {
                                         near = far;
-                                        far = a.left;
+                                        far = a.low;
                                     }
                                     stack[top] = far;
-                                    stack[int(top + 1)] = b;
-                                    stack[int(top + 2)] = near;
+                                    stack[top + 1] = b;
+                                    stack[top + 2] = near;
                                     x += a.x - near.x;
                                     y += a.y - near.y;
                                     axis = b.splitAxis;
@@ -121,13 +121,13 @@ package starlogo.hierarchy
                                     }
                                     if (side < 0)
                                     {
-                                        stack[int(top + 3)] = b.left;
-                                        b = b.right;
+                                        stack[top + 3] = b.low;
+                                        b = b.high;
                                     }
                                     else
                                     {
-                                        stack[int(top + 3)] = b.right;
-                                        b = b.left;
+                                        stack[top + 3] = b.high;
+                                        b = b.low;
                                     }
                                     a = near;
                                     top += 4;
@@ -192,15 +192,15 @@ package starlogo.hierarchy
                         }
                         if (side > 0)
                         {
-                            stack[top] = a.left;
-                            a = a.right;
+                            stack[top] = a.low;
+                            a = a.high;
                         }
                         else
                         {
-                            stack[top] = a.right;
-                            a = a.left;
+                            stack[top] = a.high;
+                            a = a.low;
                         }
-                        stack[int(top + 1)] = b;
+                        stack[top + 1] = b;
                         top += 2;
                         continue;
                     }
@@ -222,13 +222,13 @@ package starlogo.hierarchy
                         }
                         if (side < 0)
                         {
-                            stack[int(top + 1)] = b.left;
-                            b = b.right;
+                            stack[top + 1] = b.low;
+                            b = b.high;
                         }
                         else
                         {
-                            stack[int(top + 1)] = b.right;
-                            b = b.left;
+                            stack[top + 1] = b.high;
+                            b = b.low;
                         }
                         top += 2;
                         continue;
@@ -242,7 +242,7 @@ package starlogo.hierarchy
                 }
                 top -= 2;
                 a = stack[top];
-                b = stack[int(top + 1)];
+                b = stack[top + 1];
             }
             return false;
         }

@@ -18,6 +18,9 @@ package starlogo.intersection
         // Numbers of a corner in _over.
         private static const PER_CORNER:int = 5;
 
+        /** areWithin's distance. */
+        public var reach:Number = 0;
+
         /** The square of the least distance of the pairs since begin. */
         public var squared:Number = Infinity;
 
@@ -59,6 +62,30 @@ package starlogo.intersection
         {
             addFace(a, atA, b, atB, false);
             addFace(b, atB, a, atA, true);
+            addEdges(a, atA, b, atB);
+        }
+
+        /** Whether two triangles, given as to add, are no farther apart than the reach. It begins anew, and the points found are not always the closest. */
+        public function areWithin(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):Boolean
+        {
+            var limit:Number = reach * reach;
+            squared = Infinity;
+            addFace(a, atA, b, atB, false);
+            if (squared <= limit)
+            {
+                return true;
+            }
+            addFace(b, atB, a, atA, true);
+            if (squared <= limit)
+            {
+                return true;
+            }
+            addEdges(a, atA, b, atB);
+            return squared <= limit;
+        }
+
+        private function addEdges(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
+        {
             var endA:int = atA + 6;
             for (var i:int = atA; i <= atA + 6; i += 3)
             {

@@ -147,8 +147,7 @@ package starlogo.intersection
         }
 
         /**
-         * Finds where on the segment, from 0 to 1, the point is that is nearest to the box; of several, one in their midst. Along the segment
-         * the squared distance is convex, and quadratic between the planes of the box's faces; see capsuleBox.
+         * Finds where on the segment, from 0 to 1, the point is that is nearest to the box; of several, one in their midst.
          */
         private function findShare():void
         {
@@ -161,90 +160,14 @@ package starlogo.intersection
             var dx:Number = alongX;
             var dy:Number = alongY;
             var dz:Number = alongZ;
-            // Where the segment's line enters and leaves each slab of the box, and all of them.
-            var inX:Number = -Infinity;
-            var outX:Number = Infinity;
-            if (dx > 0)
-            {
-                inX = (-hx - px) / dx;
-                outX = (hx - px) / dx;
-            }
-            var inY:Number = -Infinity;
-            var outY:Number = Infinity;
-            if (dy > 0)
-            {
-                inY = (-hy - py) / dy;
-                outY = (hy - py) / dy;
-            }
-            var inZ:Number = -Infinity;
-            var outZ:Number = Infinity;
-            if (dz > 0)
-            {
-                inZ = (-hz - pz) / dz;
-                outZ = (hz - pz) / dz;
-            }
-            var lastIn:Number = inX > inY ? inX : inY;
-            lastIn = lastIn > inZ ? lastIn : inZ;
-            var firstOut:Number = outX < outY ? outX : outY;
-            firstOut = firstOut < outZ ? firstOut : outZ;
+            include "segmentToBox.inc";
+
             if (lastIn <= firstOut)
             {
                 lastIn = lastIn > 0 ? (lastIn < 1 ? lastIn : 1) : 0;
                 firstOut = firstOut > 0 ? (firstOut < 1 ? firstOut : 1) : 0;
                 share = (lastIn + firstOut) / 2;
                 return;
-            }
-
-            // The line has left one slab before it enters another, and comes closest in between. Those two count; the third does where,
-            // at what would be the minimum without it, it is outside as well.
-            var slope:Number = 0;
-            var curvature:Number = 0;
-            if (outX == firstOut)
-            {
-                slope = dx * (px - hx);
-                curvature = dx * dx;
-            }
-            else if (inX == lastIn)
-            {
-                slope = dx * (px + hx);
-                curvature = dx * dx;
-            }
-            if (outY == firstOut)
-            {
-                slope += dy * (py - hy);
-                curvature += dy * dy;
-            }
-            else if (inY == lastIn)
-            {
-                slope += dy * (py + hy);
-                curvature += dy * dy;
-            }
-            if (outZ == firstOut)
-            {
-                slope += dz * (pz - hz);
-                curvature += dz * dz;
-            }
-            else if (inZ == lastIn)
-            {
-                slope += dz * (pz + hz);
-                curvature += dz * dz;
-            }
-            var t:Number = -slope / curvature;
-            var face:Number;
-            if (outX != firstOut && inX != lastIn && (t < inX || t > outX))
-            {
-                face = t < inX ? px + hx : px - hx;
-                t = -(slope + dx * face) / (curvature + dx * dx);
-            }
-            else if (outY != firstOut && inY != lastIn && (t < inY || t > outY))
-            {
-                face = t < inY ? py + hy : py - hy;
-                t = -(slope + dy * face) / (curvature + dy * dy);
-            }
-            else if (outZ != firstOut && inZ != lastIn && (t < inZ || t > outZ))
-            {
-                face = t < inZ ? pz + hz : pz - hz;
-                t = -(slope + dz * face) / (curvature + dz * dz);
             }
             // false for NaN too
             share = t > 0 ? (t < 1 ? t : 1) : 0;

@@ -11,8 +11,7 @@ package starlogo.intersection
     /** The kernel of two capsules (Ericson, "Real-Time Collision Detection", §5.1.9). */
     internal final class SegmentSegment extends ClosestPoints
     {
-        // The segments, u and v, their products and their cross product; for the latter's products of four lengths, over the product of
-        // two powers of two near their lengths.
+        // The segments, u and v, their products and their cross product.
         private var _ux:Number;
         private var _uy:Number;
         private var _uz:Number;
@@ -26,7 +25,6 @@ package starlogo.intersection
         private var _crossX:Number;
         private var _crossY:Number;
         private var _crossZ:Number;
-        private var _unit:Number;
         private var _denominator:Number;
 
         /** Nothing related yet. */
@@ -96,17 +94,14 @@ package starlogo.intersection
             var uu:Number = ux * ux + uy * uy + uz * uz;
             var vv:Number = vx * vx + vy * vy + vz * vz;
             var uv:Number = ux * vx + uy * vy + uz * vz;
-            // Products of four lengths might overflow or vanish.
-            var longest:Number = uu > vv ? uu : vv;
-            _unit = longest > 1e140 || longest < 1e-140 && longest > 0 ? 1 / longest : 1;
-            _denominator = uu * _unit * vv - uv * _unit * uv;
-            _isNearlyParallel = _denominator <= Tolerances.NEARLY_PARALLEL * uu * _unit * vv;
+            _denominator = uu * vv - uv * uv;
+            _isNearlyParallel = _denominator <= Tolerances.NEARLY_PARALLEL * uu * vv;
             if (_isNearlyParallel)
             {
                 _crossX = uy * vz - uz * vy;
                 _crossY = uz * vx - ux * vz;
                 _crossZ = ux * vy - uy * vx;
-                _denominator = _crossX * _unit * _crossX + _crossY * _unit * _crossY + _crossZ * _unit * _crossZ;
+                _denominator = _crossX * _crossX + _crossY * _crossY + _crossZ * _crossZ;
             }
             _uu = uu;
             _vv = vv;
@@ -128,19 +123,17 @@ package starlogo.intersection
             var uu:Number = _uu;
             var vv:Number = _vv;
             var uv:Number = _uv;
-            var unit:Number = _unit;
             var alongU:Number = ux * x + uy * y + uz * z;
             var alongV:Number = vx * x + vy * y + vz * z;
             var numerator:Number;
             if (_isNearlyParallel)
             {
                 // the same from cross products, which do not cancel
-                numerator = (vy * z - vz * y) * unit * _crossX + (vz * x - vx * z) * unit * _crossY
-                    + (vx * y - vy * x) * unit * _crossZ;
+                numerator = (vy * z - vz * y) * _crossX + (vz * x - vx * z) * _crossY + (vx * y - vy * x) * _crossZ;
             }
             else
             {
-                numerator = uv * unit * alongV - vv * unit * alongU;
+                numerator = uv * alongV - vv * alongU;
             }
             var onA:Number = numerator <= 0 ? 0 : (numerator >= _denominator ? 1 : numerator / _denominator);
             var onB:Number = uv * onA + alongV;

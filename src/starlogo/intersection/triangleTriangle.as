@@ -3,34 +3,29 @@ package starlogo.intersection
     import starlogo.geometry.Tolerances;
 
     /**
-     * Whether two triangles meet: separating axes (Ericson, "Real-Time Collision Detection", §5.2.1), most of
-     * which need not be tried.
+     * Whether two triangles meet: they overlap, touch, or have a gap of no more than closest.reach.
      *
-     * <p>Most triangles are on one side of the other's plane. Of those that cross each other's planes, the pieces that they
-     * cut out of the line in both decide (Möller, "A fast triangle-triangle intersection test", Journal of Graphics Tools,
-     * 1997): where the pieces clearly overlap the triangles meet, and where they do not the edges that face each other give the
-     * one axis that can separate. The rest, triangles that just touch or are nearly in one plane, and needles, is left to
-     * TriangleAxes.</p>
+     * <p>The quick test finds an axis along which the gap is larger: the second's normal, or a direction at right angles to an edge of each. Where two
+     * triangles cross each other's planes, each has a corner alone on one side. Only edges from these two corners can be the ones that face
+     * each other (Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", Journal of Graphics
+     * Tools, 2003). The closest points decide all other pairs: triangles that overlap, just touch or are nearly in one plane, and needles.</p>
      *
-     * <p>Triangles that overlap, touch, or have a gap of no more than the tolerance always meet. The opposite error is
-     * bounded by geometry, not by the tolerance: of triangles of size 1, those that are farther apart than 1e-7 are
-     * told apart. Symmetric up to rounding; allocates nothing.</p>
-     *
-     * <p>In order: the corners, from a's first; b on one side of a's plane; a on one side of b's; the pieces of the line in both; the edges
-     * that face each other; all axes.</p>
+     * <p>Symmetric up to rounding; allocates nothing.</p>
      *
      * @param a has nine numbers of a triangle: x, y, z of each corner
      * @param atA where in a they begin
      * @param b has nine numbers of the other, in the same space
      * @param atB where in b they begin
-     * @param axes for the rest, with the tolerance, the gap that still counts as touching: Tolerances.SURFACES of the coordinates' size is
-     *     above the rounding errors
+     * @param closest finds the closest points. Its reach, the gap that still counts as touching, must be above the rounding errors:
+     *     Tolerances.SURFACES of the coordinates' size is
      *
      * @private
      */
-    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, axes:TriangleAxes):Boolean
+    public function triangleTriangle(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int, closest:ClosestTriangles):Boolean
     {
-        // all relative to a's first corner
+        var limit:Number = closest.reach * closest.reach;
+
+        // a's edges u and v from its first corner, b's edges f and g from its first corner, and from the one corner to the other: d
         var x:Number = a[atA];
         var y:Number = a[int(atA + 1)];
         var z:Number = a[int(atA + 2)];
@@ -40,201 +35,160 @@ package starlogo.intersection
         var vx:Number = a[int(atA + 6)] - x;
         var vy:Number = a[int(atA + 7)] - y;
         var vz:Number = a[int(atA + 8)] - z;
-        var px:Number = b[atB] - x;
-        var py:Number = b[int(atB + 1)] - y;
-        var pz:Number = b[int(atB + 2)] - z;
-        var qx:Number = b[int(atB + 3)] - x;
-        var qy:Number = b[int(atB + 4)] - y;
-        var qz:Number = b[int(atB + 5)] - z;
-        var rx:Number = b[int(atB + 6)] - x;
-        var ry:Number = b[int(atB + 7)] - y;
-        var rz:Number = b[int(atB + 8)] - z;
-        var tolerance:Number = axes.tolerance;
-        var limit:Number = tolerance * tolerance;
-
-        // b on one side of a's plane
-        var nx:Number = uy * vz - uz * vy;
-        var ny:Number = uz * vx - ux * vz;
-        var nz:Number = ux * vy - uy * vx;
-        var areaA:Number = nx * nx + ny * ny + nz * nz;
-        var atP:Number = nx * px + ny * py + nz * pz;
-        var atQ:Number = nx * qx + ny * qy + nz * qz;
-        var atR:Number = nx * rx + ny * ry + nz * rz;
-        var near:Number;
-        var own:Number;
-        if ((atP > 0 && atQ > 0 && atR > 0) || (atP < 0 && atQ < 0 && atR < 0))
-        {
-            near = atP < 0 ? -atP : atP;
-            own = atQ < 0 ? -atQ : atQ;
-            near = near < own ? near : own;
-            own = atR < 0 ? -atR : atR;
-            near = near < own ? near : own;
-            // a needle's own corners need not be on the plane that was computed
-            own = nx * ux + ny * uy + nz * uz;
-            own = own < 0 ? -own : own;
-            near -= own;
-            own = nx * vx + ny * vy + nz * vz;
-            own = own < 0 ? -own : own;
-            near -= own;
-            if (near > 0 && near * near > limit * areaA)
-            {
-                return false;
-            }
-        }
+        var dx:Number = b[atB] - x;
+        var dy:Number = b[int(atB + 1)] - y;
+        var dz:Number = b[int(atB + 2)] - z;
+        var fx:Number = b[int(atB + 3)] - x - dx;
+        var fy:Number = b[int(atB + 4)] - y - dy;
+        var fz:Number = b[int(atB + 5)] - z - dz;
+        var gx:Number = b[int(atB + 6)] - x - dx;
+        var gy:Number = b[int(atB + 7)] - y - dy;
+        var gz:Number = b[int(atB + 8)] - z - dz;
 
         // a on one side of b's plane
-        var fx:Number = qx - px;
-        var fy:Number = qy - py;
-        var fz:Number = qz - pz;
-        var gx:Number = rx - px;
-        var gy:Number = ry - py;
-        var gz:Number = rz - pz;
-        var mx:Number = fy * gz - fz * gy;
-        var my:Number = fz * gx - fx * gz;
-        var mz:Number = fx * gy - fy * gx;
-        var areaB:Number = mx * mx + my * my + mz * mz;
-        var at0:Number = -mx * px - my * py - mz * pz;
-        var atU:Number = at0 + mx * ux + my * uy + mz * uz;
-        var atV:Number = at0 + mx * vx + my * vy + mz * vz;
-        if ((at0 > 0 && atU > 0 && atV > 0) || (at0 < 0 && atU < 0 && atV < 0))
+        x = fy * gz - fz * gy;
+        y = fz * gx - fx * gz;
+        z = fx * gy - fy * gx;
+        var atFirst:Number = -x * dx - y * dy - z * dz;
+        var atU:Number = atFirst + x * ux + y * uy + z * uz;
+        var atV:Number = atFirst + x * vx + y * vy + z * vz;
+        var low:Number = atU < atV ? atU : atV;
+        var high:Number = atU < atV ? atV : atU;
+        low = atFirst < low ? atFirst : low;
+        high = atFirst < high ? high : atFirst;
+        // of a needle, b's own corners are off the plane that was computed
+        var own:Number = x * fx + y * fy + z * fz;
+        var gap:Number = own < 0 ? own : -own;
+        own = x * gx + y * gy + z * gz;
+        own = own < 0 ? own : -own;
+        gap += own;
+        own = low > 0 ? low : -high;
+        gap += own;
+        if (gap > 0 && gap * gap > limit * (x * x + y * y + z * z))
         {
-            near = at0 < 0 ? -at0 : at0;
-            own = atU < 0 ? -atU : atU;
-            near = near < own ? near : own;
-            own = atV < 0 ? -atV : atV;
-            near = near < own ? near : own;
-            own = mx * fx + my * fy + mz * fz;
-            own = own < 0 ? -own : own;
-            near -= own;
-            own = mx * gx + my * gy + mz * gz;
-            own = own < 0 ? -own : own;
-            near -= own;
-            if (near > 0 && near * near > limit * areaB)
+            return false;
+        }
+
+        // whether each corner is well off the other's plane, on both sides of it, and neither is a needle: then no rounding matters
+        var clearly:Number = Tolerances.CLEARLY_OFF_PLANE * limit;
+        var enough:Number = clearly * (x * x + y * y + z * z);
+        var isSure:Boolean = low < 0 && high > 0 && atFirst * atFirst > enough && atU * atU > enough && atV * atV > enough
+            && Tolerances.SLIMMEST_TRIANGLE * (x * x + y * y + z * z) > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz);
+
+        // u and v from the corner that is alone on its side of b's plane
+        if (atFirst * atU > 0)
+        {
+            dx -= vx;
+            dy -= vy;
+            dz -= vz;
+            ux -= vx;
+            uy -= vy;
+            uz -= vz;
+            vx = -vx;
+            vy = -vy;
+            vz = -vz;
+        }
+        else if (atFirst * atV > 0)
+        {
+            dx -= ux;
+            dy -= uy;
+            dz -= uz;
+            vx -= ux;
+            vy -= uy;
+            vz -= uz;
+            ux = -ux;
+            uy = -uy;
+            uz = -uz;
+        }
+
+        // f and g from the corner that is alone on its side of a's plane
+        x = uy * vz - uz * vy;
+        y = uz * vx - ux * vz;
+        z = ux * vy - uy * vx;
+        atFirst = x * dx + y * dy + z * dz;
+        atU = atFirst + x * fx + y * fy + z * fz;
+        atV = atFirst + x * gx + y * gy + z * gz;
+        enough = clearly * (x * x + y * y + z * z);
+        isSure = isSure && (atFirst * atU < 0 || atFirst * atV < 0) && atFirst * atFirst > enough && atU * atU > enough && atV * atV > enough
+            && Tolerances.SLIMMEST_TRIANGLE * (x * x + y * y + z * z) > (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+        if (atFirst * atU > 0)
+        {
+            dx += gx;
+            dy += gy;
+            dz += gz;
+            fx -= gx;
+            fy -= gy;
+            fz -= gz;
+            gx = -gx;
+            gy = -gy;
+            gz = -gz;
+        }
+        else if (atFirst * atV > 0)
+        {
+            dx += fx;
+            dy += fy;
+            dz += fz;
+            gx -= fx;
+            gy -= fy;
+            gz -= fz;
+            fx = -fx;
+            fy = -fy;
+            fz = -fz;
+        }
+
+        // across an edge of each: u and f, u and g, v and g, v and f
+        for (var i:int = 0; i < 4; i++)
+        {
+            x = uy * fz - uz * fy;
+            y = uz * fx - ux * fz;
+            z = ux * fy - uy * fx;
+            atU = x * ux + y * uy + z * uz;
+            atV = x * vx + y * vy + z * vz;
+            low = atU < atV ? atU : atV;
+            high = atU < atV ? atV : atU;
+            low = low < 0 ? low : 0;
+            high = high > 0 ? high : 0;
+            atFirst = x * dx + y * dy + z * dz;
+            atU = x * fx + y * fy + z * fz;
+            atV = x * gx + y * gy + z * gz;
+            own = atU < atV ? atU : atV;
+            gap = atU < atV ? atV : atU;
+            own = own < 0 ? own : 0;
+            gap = gap > 0 ? gap : 0;
+            low -= atFirst + gap;
+            high -= atFirst + own;
+            gap = low > 0 ? low : -high;
+            own = x * x + y * y + z * z;
+            if (gap > 0 && gap * gap > limit * own)
             {
                 return false;
             }
-        }
-
-        // Only where no rounding matters: neither a needle, and each corner well off the other's plane.
-        var lone:Number = at0 * atU;
-        var lone2:Number = at0 * atV;
-        var loneB:Number = atP * atQ;
-        var loneB2:Number = atP * atR;
-        var enoughA:Number = Tolerances.CLEARLY_OFF_PLANE * limit * areaA;
-        var enoughB:Number = Tolerances.CLEARLY_OFF_PLANE * limit * areaB;
-        if ((lone < 0 || lone2 < 0) && (loneB < 0 || loneB2 < 0)
-                && at0 * at0 > enoughB && atU * atU > enoughB && atV * atV > enoughB
-                && atP * atP > enoughA && atQ * atQ > enoughA && atR * atR > enoughA
-                && Tolerances.SLIMMEST_TRIANGLE * areaA > (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz)
-                && Tolerances.SLIMMEST_TRIANGLE * areaB > (fx * fx + fy * fy + fz * fz) * (gx * gx + gy * gy + gz * gz))
-        {
-            // along the line in both planes; each triangle has a corner alone on its side of it
-            var dx:Number = ny * mz - nz * my;
-            var dy:Number = nz * mx - nx * mz;
-            var dz:Number = nx * my - ny * mx;
-            var onU:Number = dx * ux + dy * uy + dz * uz;
-            var onV:Number = dx * vx + dy * vy + dz * vz;
-            var onP:Number = dx * px + dy * py + dz * pz;
-            var onQ:Number = dx * qx + dy * qy + dz * qz;
-            var onR:Number = dx * rx + dy * ry + dz * rz;
-            var isThirdA:Boolean = lone > 0;
-            var isSecondA:Boolean = lone2 > 0;
-            var beginA:Number;
-            var endA:Number;
-            if (isThirdA)
+            isSure = isSure && gap < 0 && gap * gap > clearly * own;
+            if (i == 1)
             {
-                beginA = onV - onV * atV / (atV - at0);
-                endA = onV + (onU - onV) * atV / (atV - atU);
-            }
-            else if (isSecondA)
-            {
-                beginA = onU - onU * atU / (atU - at0);
-                endA = onU + (onV - onU) * atU / (atU - atV);
+                x = ux;
+                y = uy;
+                z = uz;
+                ux = vx;
+                uy = vy;
+                uz = vz;
+                vx = x;
+                vy = y;
+                vz = z;
             }
             else
             {
-                beginA = onU * at0 / (at0 - atU);
-                endA = onV * at0 / (at0 - atV);
-            }
-            var isThirdB:Boolean = loneB > 0;
-            var isSecondB:Boolean = loneB2 > 0;
-            var beginB:Number;
-            var endB:Number;
-            if (isThirdB)
-            {
-                beginB = onR + (onP - onR) * atR / (atR - atP);
-                endB = onR + (onQ - onR) * atR / (atR - atQ);
-            }
-            else if (isSecondB)
-            {
-                beginB = onQ + (onP - onQ) * atQ / (atQ - atP);
-                endB = onQ + (onR - onQ) * atQ / (atQ - atR);
-            }
-            else
-            {
-                beginB = onP + (onQ - onP) * atP / (atP - atQ);
-                endB = onP + (onR - onP) * atP / (atP - atR);
-            }
-            // in order: the first edge of a at the low end, or at the high
-            var lowA:Number = beginA < endA ? beginA : endA;
-            var highA:Number = beginA < endA ? endA : beginA;
-            var lowB:Number = beginB < endB ? beginB : endB;
-            var highB:Number = beginB < endB ? endB : beginB;
-            var overlap:Number = highA < highB ? highA : highB;
-            near = lowA > lowB ? lowA : lowB;
-            overlap -= near;
-            onU = onU < 0 ? -onU : onU;
-            onV = onV < 0 ? -onV : onV;
-            onQ -= onP;
-            onQ = onQ < 0 ? -onQ : onQ;
-            onR -= onP;
-            onR = onR < 0 ? -onR : onR;
-            if (overlap > Tolerances.UNSURE_ON_LINE * (onU + onV + onQ + onR))
-            {
-                return true;
-            }
-            if (overlap < 0)
-            {
-                axes.ux = ux;
-                axes.uy = uy;
-                axes.uz = uz;
-                axes.vx = vx;
-                axes.vy = vy;
-                axes.vz = vz;
-                axes.px = px;
-                axes.py = py;
-                axes.pz = pz;
-                axes.qx = qx;
-                axes.qy = qy;
-                axes.qz = qz;
-                axes.rx = rx;
-                axes.ry = ry;
-                axes.rz = rz;
-                // the edges through the ends that face each other: begins are on a first edge, or a second where a third corner is alone
-                var isFirst:Boolean = highA < lowB;
-                var isBegin:Boolean = isFirst ? highA == beginA : lowA == beginA;
-                if (!isBegin || isThirdA)
-                {
-                    var isThirdEdge:Boolean = !isBegin && (isThirdA || isSecondA);
-                    ux = isThirdEdge ? vx - ux : vx;
-                    uy = isThirdEdge ? vy - uy : vy;
-                    uz = isThirdEdge ? vz - uz : vz;
-                }
-                isBegin = isFirst ? lowB == beginB : highB == beginB;
-                if (!isBegin || isThirdB)
-                {
-                    isThirdEdge = !isBegin && (isThirdB || isSecondB);
-                    fx = isThirdEdge ? gx - fx : gx;
-                    fy = isThirdEdge ? gy - fy : gy;
-                    fz = isThirdEdge ? gz - fz : gz;
-                }
-                axes.axisX = uy * fz - uz * fy;
-                axes.axisY = uz * fx - ux * fz;
-                axes.axisZ = ux * fy - uy * fx;
-                return !axes.isAxis() && !axes.areApart();
+                x = fx;
+                y = fy;
+                z = fz;
+                fx = gx;
+                fy = gy;
+                fz = gz;
+                gx = x;
+                gy = y;
+                gz = z;
             }
         }
-        axes.relate(a, atA, b, atB);
-        return !axes.areApart();
+        return isSure || closest.areWithin(a, atA, b, atB);
     }
 }

@@ -4,6 +4,7 @@ package starlogo.search
     import starlogo.broadphase.Bins;
     import starlogo.engine;
     import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
     import starlogo.solid.HierarchyTraversal;
@@ -154,11 +155,8 @@ package starlogo.search
         /** How many levels are visited of a row's tree. */
         public function depthOf(table:AgentTable, row:int):int
         {
-            if (exact)
-            {
-                return int.MAX_VALUE;
-            }
-            return table.depths[row] == 0 ? maxDepth : table.depths[row];
+            var depth:int = table.depths[row] == 0 ? maxDepth : table.depths[row];
+            return exact || depth > HierarchyNode.LARGEST_DEPTH ? HierarchyNode.LARGEST_DEPTH : depth;
         }
 
         /** Begins to count the tests of a search. */

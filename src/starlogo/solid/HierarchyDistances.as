@@ -7,13 +7,11 @@ package starlogo.solid
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Placement;
-    import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.BoxDistances;
     import starlogo.hierarchy.DistanceTraversal;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.distance.ClosestPair;
-    import starlogo.intersection.distance.findClosest;
 
     use namespace engine;
 
@@ -74,12 +72,6 @@ package starlogo.solid
         public function betweenHierarchies(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement,
                 depthB:int, exact:Boolean, areTouching:Boolean, out:ClosestPair):void
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                betweenHierarchies(b, placementB, depthB, a, placementA, depthA, exact, areTouching, out);
-                out.turn();
-                return;
-            }
             _pose.relate(placementA, placementB);
             if (exact && a.hasTriangles && b.hasTriangles)
             {
@@ -113,13 +105,6 @@ package starlogo.solid
         public function toStructure(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement,
                 areTouching:Boolean, out:ClosestPair):void
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                _pose.relate(placementB, placementA);
-                findClosest(_pose.pointOf(a.root), structure, out);
-                finish(placementB, placementA, areTouching, false, out);
-                return;
-            }
             _pose.relate(placementA, placementB);
             if (_leaf.structure !== structure)
             {

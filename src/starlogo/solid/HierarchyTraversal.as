@@ -12,7 +12,6 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.hierarchy.StructureTraversal;
     import starlogo.hierarchy.UprightBoxTraversal;
-    import starlogo.intersection.intersects;
 
     use namespace engine;
 
@@ -28,8 +27,7 @@ package starlogo.solid
      * Nodes alone would not do for solids: the leaves hug the surface, and a model well inside of a closed one meets none of
      * them. Hence the ContainmentTest, whose answer no depth changes.</p>
      *
-     * <p>Models may differ in size by a factor of up to 1e200, and are then placed in the space of the larger one. Scratch
-     * objects are reused: nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
+     * <p>Nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
      *
      * @private
      */
@@ -91,10 +89,6 @@ package starlogo.solid
         public function hierarchiesOverlap(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement,
                 depthB:int, exact:Boolean):Boolean
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                return hierarchiesOverlap(b, placementB, depthB, a, placementA, depthA, exact);
-            }
             _pose.relate(placementA, placementB);
             var decider:ExactPairTest = null;
             if (exact && _exact.prepare(a, b))
@@ -103,7 +97,7 @@ package starlogo.solid
                 depthA = depthB = int.MAX_VALUE;
             }
             var traversal:NodePairTraversal = _structures;
-            if (a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+            if (decider != null || a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
             {
                 traversal = _pose.isUpright ? _uprightBoxes : _boxes;
             }
@@ -125,12 +119,6 @@ package starlogo.solid
         public function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure,
                 placementB:Placement, exact:Boolean = false):Boolean
         {
-            if (placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                // so small that it is a point of the second's space
-                _pose.relate(placementB, placementA);
-                return intersects(_pose.pointOf(a.root), structure);
-            }
             _pose.relate(placementA, placementB);
             var decider:StructureTriangles = null;
             if (exact && _triangles.prepare(a, structure))
@@ -138,7 +126,7 @@ package starlogo.solid
                 decider = _triangles;
                 depth = int.MAX_VALUE;
             }
-            if (structure.kind != BoundingStructure.BOX || a.boundsKind != BoundingStructure.BOX)
+            if (structure.kind != BoundingStructure.BOX || decider == null && a.boundsKind != BoundingStructure.BOX)
             {
                 if (_leaf.structure !== structure)
                 {

@@ -19,13 +19,8 @@ package starlogo.solid
         /** Has the points of the nearest pair, in the space of the first model. */
         public var nearest:ClosestTriangles = new ClosestTriangles();
 
-        private var _pose:RelativePose;
-        private var _solidA:Solid;
-        private var _solidB:Solid;
-
-        // The triangles of a leaf of the second model in the space of the first.
-        private var _corners:Vector.<Number> = new Vector.<Number>();
-        private var _cornersOf:HierarchyNode;
+        private var _solid:Solid;
+        private var _moved:MovedTriangles;
 
         // From the first model's point to the second's of the nearest pair; up to where along that a triangle of the first is not nearer.
         private var _alongX:Number;
@@ -38,15 +33,14 @@ package starlogo.solid
          */
         public function NearestTriangles(pose:RelativePose)
         {
-            _pose = pose;
+            _moved = new MovedTriangles(pose);
         }
 
         /** Begins anew, with two models that the pose relates. */
         public function begin(a:Solid, b:Solid):void
         {
-            _solidA = a;
-            _solidB = b;
-            _cornersOf = null;
+            _solid = a;
+            _moved.begin(b.corners);
             least = Infinity;
             nearest.begin();
         }
@@ -54,16 +48,11 @@ package starlogo.solid
         /** @inheritDoc */
         override public function add(a:HierarchyNode, b:HierarchyNode):void
         {
-            if (b !== _cornersOf)
+            _moved.move(b);
+            var count:int = b.end - b.first;
+            for (var i:int = 0; i < count && nearest.squared > 0; i++)
             {
-                _pose.movePoints(_solidB.corners, 9 * b.first, 9 * b.end, _corners);
-                _cornersOf = b;
-            }
-            var corners:Vector.<Number> = _corners;
-            var length:int = 9 * (b.end - b.first);
-            for (var at:int = 0; at < length && nearest.squared > 0; at += 9)
-            {
-                addTriangle(a, corners, at);
+                addTriangle(a, i);
             }
             least = Math.sqrt(nearest.squared);
             x = nearest.points.bX - nearest.points.aX;
@@ -72,60 +61,27 @@ package starlogo.solid
         }
 
         // A triangle of the second model with each of a leaf of the first.
-        private function addTriangle(a:HierarchyNode, corners:Vector.<Number>, at:int):void
+        private function addTriangle(a:HierarchyNode, triangle:int):void
         {
-            var p:Number = corners[at];
-            var q:Number = corners[int(at + 3)];
-            var r:Number = corners[int(at + 6)];
-            var low:Number = p < q ? p : q;
-            var minX:Number = low < r ? low : r;
-            var high:Number = p > q ? p : q;
-            var maxX:Number = high > r ? high : r;
-            p = corners[int(at + 1)];
-            q = corners[int(at + 4)];
-            r = corners[int(at + 7)];
-            low = p < q ? p : q;
-            var minY:Number = low < r ? low : r;
-            high = p > q ? p : q;
-            var maxY:Number = high > r ? high : r;
-            p = corners[int(at + 2)];
-            q = corners[int(at + 5)];
-            r = corners[int(at + 8)];
-            low = p < q ? p : q;
-            var minZ:Number = low < r ? low : r;
-            high = p > q ? p : q;
-            var maxZ:Number = high > r ? high : r;
-
-            // the leaf's box is wider than what is in it
-            var squared:Number = 0;
-            var gap:Number = minX > a.x ? minX - a.x - a.halfX : a.x - a.halfX - maxX;
-            if (gap > 0)
-            {
-                squared = gap * gap;
-            }
-            gap = minY > a.y ? minY - a.y - a.halfY : a.y - a.halfY - maxY;
-            if (gap > 0)
-            {
-                squared += gap * gap;
-            }
-            gap = minZ > a.z ? minZ - a.z - a.halfZ : a.z - a.halfZ - maxZ;
-            if (gap > 0)
-            {
-                squared += gap * gap;
-            }
+            var corners:Vector.<Number> = _moved.corners;
+            var at:int = 9 * triangle;
+            var extents:Vector.<Number> = _moved.extents;
+            var extent:int = 6 * triangle;
+            var minX:Number = extents[extent];
+            var minY:Number = extents[int(extent + 1)];
+            var minZ:Number = extents[int(extent + 2)];
+            var maxX:Number = extents[int(extent + 3)];
+            var maxY:Number = extents[int(extent + 4)];
+            var maxZ:Number = extents[int(extent + 5)];
             var limit:Number = nearest.squared;
-            if (squared >= limit)
-            {
-                return;
-            }
-            turnTo(corners, at);
-            var extents:Vector.<Number> = _solidA.extents;
+            var isTurned:Boolean = false;
+            extents = _solid.extents;
             var end:int = a.end;
             for (var i:int = a.first; i < end; i++)
             {
-                var extent:int = 6 * i;
-                squared = 0;
-                gap = extents[extent] - maxX;
+                extent = 6 * i;
+                var squared:Number = 0;
+                var gap:Number = extents[extent] - maxX;
                 if (gap < 0)
                 {
                     gap = minX - extents[int(extent + 3)];
@@ -152,15 +108,21 @@ package starlogo.solid
                 {
                     squared += gap * gap;
                 }
-                if (squared < limit && !isBeyond(_solidA.corners, 9 * i))
+                if (squared >= limit)
+                {
+                    continue;
+                }
+                if (!isTurned)
+                {
+                    turnTo(corners, at);
+                    isTurned = true;
+                }
+                if (!isBeyond(_solid.corners, 9 * i))
                 {
                     triangleTests++;
-                    nearest.add(_solidA.corners, 9 * i, corners, at);
-                    if (nearest.squared < limit)
-                    {
-                        limit = nearest.squared;
-                        turnTo(corners, at);
-                    }
+                    nearest.add(_solid.corners, 9 * i, corners, at);
+                    isTurned = nearest.squared == limit;
+                    limit = nearest.squared;
                 }
             }
         }

@@ -3,7 +3,7 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
-    import starlogo.intersection.TriangleAxes;
+    import starlogo.intersection.ClosestTriangles;
     import starlogo.intersection.triangleTriangle;
     import starlogo.steps.StepSequence;
 
@@ -27,7 +27,7 @@ package starlogo.solid
         private var _surface:Surface;
         private var _order:Vector.<int>;
         private var _touching:Number;
-        private var _axes:TriangleAxes = new TriangleAxes();
+        private var _closest:ClosestTriangles = new ClosestTriangles();
         private var _pairs:int = 0;
 
         // The pieces that are one part, how many parts are left, and pairs of nodes whose pieces have not been compared.
@@ -52,7 +52,7 @@ package starlogo.solid
             _surface = surface;
             _order = order;
             _touching = 2 * Tolerances.SURFACES * root.radius;
-            _axes.tolerance = _touching;
+            _closest.reach = _touching;
             _stack = new <HierarchyNode>[root, root];
             _partCount = surface.pieceCount;
             _sets = new DisjointSets(_partCount);
@@ -108,9 +108,9 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (a === b && !a.isLeaf)
+                if (a === b && a.low != null)
                 {
-                    _stack.push(a.left, a.left, a.right, a.right, a.left, a.right);
+                    _stack.push(a.low, a.low, a.high, a.high, a.low, a.high);
                 }
                 else if (a === b || doOverlap(a, b))
                 {
@@ -141,13 +141,13 @@ package starlogo.solid
 
         private function compare(a:HierarchyNode, b:HierarchyNode):void
         {
-            if (!a.isLeaf && (b.isLeaf || a.radius >= b.radius))
+            if (a.low != null && (b.low == null || a.radius >= b.radius))
             {
-                _stack.push(a.left, b, a.right, b);
+                _stack.push(a.low, b, a.high, b);
             }
-            else if (!b.isLeaf)
+            else if (b.low != null)
             {
-                _stack.push(a, b.left, a, b.right);
+                _stack.push(a, b.low, a, b.high);
             }
             else
             {
@@ -196,7 +196,7 @@ package starlogo.solid
                     return false;
                 }
             }
-            return triangleTriangle(_solid.corners, 9 * i, _solid.corners, 9 * k, _axes);
+            return triangleTriangle(_solid.corners, 9 * i, _solid.corners, 9 * k, _closest);
         }
 
         // From the last triangle down.

@@ -133,10 +133,10 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (!node.isLeaf)
+                if (node.low != null)
                 {
-                    stack[top] = node.right;
-                    stack[int(top + 1)] = node.left;
+                    stack[top] = node.high;
+                    stack[top + 1] = node.low;
                     top += 2;
                     continue;
                 }

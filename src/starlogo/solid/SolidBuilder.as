@@ -1,6 +1,7 @@
 package starlogo.solid
 {
     import starlogo.engine;
+    import starlogo.hierarchy.HierarchyRefiner;
     import starlogo.hierarchy.Items;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -8,8 +9,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Prepares what exact tests and tests for insides need of a hierarchy's triangles, in steps: their corners in the
-     * hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is noted of the surface
+     * Prepares what exact tests and tests for insides need of a hierarchy's triangles, in steps: nodes down to a few of them, their corners in
+     * the hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is noted of the surface
      * spares most of the work if it is true.
      */
     internal final class SolidBuilder extends StepSequence
@@ -34,6 +35,7 @@ package starlogo.solid
             _order = hierarchy.order;
             _notes = hierarchy.notes;
             _solid = new Solid(hierarchy.root, _order.length);
+            add(new HierarchyRefiner(hierarchy));
             sliced(place);
             if (_notes != null)
             {

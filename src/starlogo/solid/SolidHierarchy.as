@@ -17,7 +17,6 @@ package starlogo.solid
         engine var notes:SurfaceNotes = null;
 
         private var _solid:Solid = null;
-        private var _rays:RayTree = null;
 
         /** Made by a SolidHierarchyBuilder. */
         public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
@@ -51,22 +50,6 @@ package starlogo.solid
         engine function get isPrepared():Boolean
         {
             return _solid != null;
-        }
-
-        /** The tree in which rays look for the triangles. Where the builder has not prepared it, the first call does. */
-        internal function get rays():RayTree
-        {
-            if (_rays == null)
-            {
-                finish(new RayTreeBuilder(this));
-            }
-            return _rays;
-        }
-
-        /** Keeps that tree. */
-        internal function setRays(rays:RayTree):void
-        {
-            _rays = rays;
         }
 
         /** Keeps what was prepared. */

@@ -40,7 +40,7 @@ package starlogo.solid
             add(_builder);
             if (preparesExact && triangles != null)
             {
-                begin(newSolid).begin(newRays);
+                begin(newSolid);
             }
         }
 
@@ -99,11 +99,6 @@ package starlogo.solid
         private function newSolid():Steps
         {
             return new SolidBuilder(_hierarchy);
-        }
-
-        private function newRays():Steps
-        {
-            return new RayTreeBuilder(_hierarchy);
         }
     }
 }

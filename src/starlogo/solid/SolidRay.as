@@ -5,7 +5,6 @@ package starlogo.solid
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RayTraversal;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.TriangleRay;
 
     use namespace engine;
 
@@ -21,7 +20,7 @@ package starlogo.solid
     public final class SolidRay
     {
         private var _nodes:RayTraversal = new RayTraversal();
-        private var _triangles:TriangleRay = new TriangleRay();
+        private var _triangles:RayTriangles = new RayTriangles();
         private var _start:Vector3D = new Vector3D();
 
         /** Nothing found yet. */
@@ -78,15 +77,13 @@ package starlogo.solid
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean
         {
             var solid:Solid = hierarchy.solid;
-            var tree:RayTree = hierarchy.rays;
-            _triangles.begin(ray, tree.reach);
-            tree.find(ray, solid.corners, _triangles);
-            if (_triangles.triangle < 0)
+            var triangle:int = _triangles.find(hierarchy.root, solid.corners, ray);
+            if (triangle < 0)
             {
                 return false;
             }
             ray.from = _triangles.at;
-            var plane:int = 5 * _triangles.triangle;
+            var plane:int = 5 * triangle;
             var x:Number = solid.planes[plane];
             var y:Number = solid.planes[int(plane + 1)];
             var z:Number = solid.planes[int(plane + 2)];

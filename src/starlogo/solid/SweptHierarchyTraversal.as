@@ -12,7 +12,6 @@ package starlogo.solid
     import starlogo.intersection.contact.ContactFinder;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.findTimeOfImpact;
 
     use namespace engine;
 
@@ -39,7 +38,7 @@ package starlogo.solid
         // Where the first model is at time 0.
         private var _start:Placement = new Placement();
 
-        // The pair, as setPair says; the first may be the one that was given second, because that is much larger.
+        // The pair, as setPair says.
         private var _a:SolidHierarchy;
         private var _placementA:Placement;
         private var _depthA:int;
@@ -48,11 +47,9 @@ package starlogo.solid
         private var _placementB:Placement;
         private var _depthB:int;
         private var _isExact:Boolean;
-        private var _isTurned:Boolean;
 
         // Stands for a structure.
         private var _leaf:HierarchyNode = new HierarchyNode();
-        private var _turned:RelativeMotion = new RelativeMotion();
 
         // What decided about the trees that were looked at last: a traversal, and triangles or not.
         private var _traversal:NodePairTraversal;
@@ -108,13 +105,6 @@ package starlogo.solid
         public function setPair(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
                 placementB:Placement, depthB:int, exact:Boolean):void
         {
-            if (b != null && placementB.size > Tolerances.MUCH_LARGER * placementA.size)
-            {
-                setPair(b, placementB, depthB, a, a.root.bounds, placementA, depthA, exact);
-                _isTurned = true;
-                return;
-            }
-            _isTurned = false;
             _a = a;
             _placementA = placementA;
             _depthA = depthA;
@@ -132,12 +122,7 @@ package starlogo.solid
          */
         public function findTime(motion:RelativeMotion):void
         {
-            if (_b == null && _placementB.size > Tolerances.MUCH_LARGER * _placementA.size)
-            {
-                findTimeOfPoint(motion);
-                return;
-            }
-            var ownMotion:RelativeMotion = relatePair(motion);
+            relate(_placementA, _placementB, motion);
             if (isStandingOverlap())
             {
                 motion.time = 0;
@@ -148,9 +133,9 @@ package starlogo.solid
                 motion.time = _traversal.time;
                 return;
             }
-            _start.x += ownMotion.x;
-            _start.y += ownMotion.y;
-            _start.z += ownMotion.z;
+            _start.x += motion.x;
+            _start.y += motion.y;
+            _start.z += motion.z;
             motion.time = isStandingOverlap() ? 1 : RelativeMotion.NEVER;
         }
 
@@ -163,7 +148,7 @@ package starlogo.solid
          */
         public function findContact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var ownMotion:RelativeMotion = relatePair(motion);
+            relate(_placementA, _placementB, motion);
             var isOfFirst:Boolean = findFirst() && _traversal.time <= motion.time + Tolerances.SAME_TIME;
             _pose.motion.time = motion.time;
             if (isOfFirst)
@@ -174,7 +159,7 @@ package starlogo.solid
             {
                 findContactOf(_a.root.bounds, _structureB, out);
             }
-            conclude(motion, ownMotion, out);
+            moveToWorld(_placementA, motion, out);
         }
 
         /**
@@ -185,17 +170,17 @@ package starlogo.solid
          */
         public function findImpact(motion:RelativeMotion, out:ContactPoint):void
         {
-            var ownMotion:RelativeMotion = relatePair(motion);
+            relate(_placementA, _placementB, motion);
             if (!findFirst())
             {
                 motion.time = RelativeMotion.NEVER;
                 return;
             }
-            motion.time = ownMotion.time = _pose.motion.time = _traversal.time;
+            motion.time = _pose.motion.time = _traversal.time;
             if (out != null)
             {
                 findContactOfFirst(out);
-                conclude(motion, ownMotion, out);
+                moveToWorld(_placementA, motion, out);
             }
         }
 
@@ -234,11 +219,11 @@ package starlogo.solid
                 _leaf.structure = _structureB;
                 return _structures.find(_a.root, _depthA, _leaf, 1, null);
             }
-            if (_a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
+            _isByTriangles = _isExact && _exact.prepare(_a, _b);
+            if (_isByTriangles || _a.boundsKind == BoundingStructure.BOX && _b.boundsKind == BoundingStructure.BOX)
             {
                 _traversal = _boxes;
             }
-            _isByTriangles = _isExact && _exact.prepare(_a, _b);
             if (_isByTriangles)
             {
                 return _traversal.find(_a.root, int.MAX_VALUE, _b.root, int.MAX_VALUE, _exact);
@@ -302,37 +287,6 @@ package starlogo.solid
             start.z += motion.startZ;
             _pose.relate(start, b);
             _pose.relateMotion(a, motion);
-        }
-
-        // The same for the pair; returns the motion of the one that is first in it.
-        private function relatePair(motion:RelativeMotion):RelativeMotion
-        {
-            if (_isTurned)
-            {
-                _turned.turn(motion);
-                motion = _turned;
-            }
-            relate(_placementA, _placementB, motion);
-            return motion;
-        }
-
-        // Takes a contact into the world, and into the order in which the pair was given.
-        private function conclude(motion:RelativeMotion, ownMotion:RelativeMotion, out:ContactPoint):void
-        {
-            moveToWorld(_placementA, ownMotion, out);
-            if (_isTurned)
-            {
-                out.turn(motion);
-            }
-        }
-
-        // The first model is so small that it is a point of the second's space.
-        private function findTimeOfPoint(motion:RelativeMotion):void
-        {
-            _turned.turn(motion);
-            relate(_placementB, _placementA, _turned);
-            findTimeOfImpact(_pose.pointOf(_a.root), _structureB, _pose.motion);
-            motion.time = _pose.motion.time;
         }
     }
 }

@@ -5,6 +5,7 @@ package starlogo.solid
     import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.contact.ContactPoint;
     import starlogo.intersection.sweep.RelativeMotion;
+    import starlogo.intersection.sweep.TriangleOverlap;
     import starlogo.intersection.sweep.TriangleSweep;
 
     use namespace engine;
@@ -15,19 +16,12 @@ package starlogo.solid
     internal final class SweptPairTest extends TrianglePairTest
     {
         private var _sweep:TriangleSweep = new TriangleSweep();
+        private var _overlap:TriangleOverlap = new TriangleOverlap();
 
-        // The triangles of a leaf of the second model in the space of the first, at time 0.
-        private var _corners:Vector.<Number> = new Vector.<Number>();
-        private var _cornersOf:HierarchyNode;
-
-        // The triangles that touched first: where their corners begin, those of the second model in its own space.
+        // The triangles that touched first: where their corners begin, those of the second model in its own space; the latter in the space of the first.
         private var _firstA:int;
         private var _firstB:int;
-
-        // How far a triangle goes along an axis, and between what it is then.
-        private var _way:Number = 0;
-        private var _min:Number = 0;
-        private var _max:Number = 0;
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
 
         /** @inheritDoc */
         public function SweptPairTest(pose:RelativePose)
@@ -36,56 +30,37 @@ package starlogo.solid
         }
 
         /** @inheritDoc */
-        override public function prepare(a:SolidHierarchy, b:SolidHierarchy):Boolean
-        {
-            _cornersOf = null;
-            return super.prepare(a, b);
-        }
-
-        /** @inheritDoc */
         override public function touch(a:HierarchyNode, b:HierarchyNode):Boolean
         {
-            if (b !== _cornersOf)
-            {
-                pose.movePoints(solidB.corners, 9 * b.first, 9 * b.end, _corners);
-                _cornersOf = b;
-            }
+            moved.move(b);
+            _sweep.tolerance = touching;
+            var motion:RelativeMotion = pose.motion;
             var latest:Number = time;
             time = RelativeMotion.NEVER;
-            var motion:RelativeMotion = pose.motion;
-            _sweep.tolerance = touching;
-            var corners:Vector.<Number> = _corners;
+            var corners:Vector.<Number> = moved.corners;
+            var spans:Vector.<Number> = moved.extents;
             var extents:Vector.<Number> = solidA.extents;
-            var length:int = 9 * (b.end - b.first);
-            for (var at:int = 0; at < length; at += 9)
+            // what is higher first, as the traversal does: which triangles of those count that touch at the same time does not depend on where leaves end
+            for (var k:int = b.end - b.first - 1; k >= 0; k--)
             {
                 // what the triangle passes over till then
-                _way = motion.x * latest;
-                span(at);
-                var minX:Number = _min;
-                var maxX:Number = _max;
-                if (minX > a.x + a.halfX || maxX < a.x - a.halfX)
-                {
-                    continue;
-                }
-                _way = motion.y * latest;
-                span(at + 1);
-                var minY:Number = _min;
-                var maxY:Number = _max;
-                if (minY > a.y + a.halfY || maxY < a.y - a.halfY)
-                {
-                    continue;
-                }
-                _way = motion.z * latest;
-                span(at + 2);
-                var minZ:Number = _min;
-                var maxZ:Number = _max;
-                if (minZ > a.z + a.halfZ || maxZ < a.z - a.halfZ)
-                {
-                    continue;
-                }
-                var end:int = a.end;
-                for (var i:int = a.first; i < end; i++)
+                var span:int = 6 * k;
+                var minX:Number = spans[span] - touching;
+                var minY:Number = spans[int(span + 1)] - touching;
+                var minZ:Number = spans[int(span + 2)] - touching;
+                var maxX:Number = spans[int(span + 3)] + touching;
+                var maxY:Number = spans[int(span + 4)] + touching;
+                var maxZ:Number = spans[int(span + 5)] + touching;
+                var way:Number = motion.x * latest;
+                minX = way < 0 ? minX + way : minX;
+                maxX = way > 0 ? maxX + way : maxX;
+                way = motion.y * latest;
+                minY = way < 0 ? minY + way : minY;
+                maxY = way > 0 ? maxY + way : maxY;
+                way = motion.z * latest;
+                minZ = way < 0 ? minZ + way : minZ;
+                maxZ = way > 0 ? maxZ + way : maxZ;
+                for (var i:int = a.end - 1; i >= a.first; i--)
                 {
                     var extent:int = 6 * i;
                     if (extents[extent] > maxX || extents[int(extent + 3)] < minX || extents[int(extent + 1)] > maxY
@@ -94,7 +69,7 @@ package starlogo.solid
                         continue;
                     }
                     triangleTests++;
-                    _sweep.relate(solidA.corners, 9 * i, corners, at);
+                    _sweep.relate(solidA.corners, 9 * i, corners, 9 * k);
                     motion.time = latest;
                     _sweep.findTime(motion);
                     var impact:Number = motion.time;
@@ -102,7 +77,7 @@ package starlogo.solid
                     {
                         time = latest = impact;
                         _firstA = 9 * i;
-                        _firstB = 9 * b.first + at;
+                        _firstB = 9 * (b.first + k);
                         if (impact == 0)
                         {
                             return true;
@@ -120,31 +95,15 @@ package starlogo.solid
          */
         public function findContact(out:ContactPoint):void
         {
-            _cornersOf = null;
             pose.movePoints(solidB.corners, _firstB, _firstB + 9, _corners);
             var corners:Vector.<Number> = solidA.corners;
-            _sweep.relate(corners, _firstA, _corners, 0);
-            _sweep.findContact(pose.motion, out);
+            _overlap.relate(corners, _firstA, _corners, 0);
+            _overlap.tolerance = touching;
+            _overlap.findContact(pose.motion, out);
             // from the first triangle's first corner
             out.x += corners[_firstA];
             out.y += corners[int(_firstA + 1)];
             out.z += corners[int(_firstA + 2)];
-        }
-
-        // Finds between what the corners of a triangle are on the way, along one axis; at is where the first's coordinate is.
-        private function span(at:int):void
-        {
-            var p:Number = _corners[at];
-            var q:Number = _corners[int(at + 3)];
-            var r:Number = _corners[int(at + 6)];
-            var low:Number = p < q ? p : q;
-            low = low < r ? low : r;
-            low -= touching;
-            var high:Number = p > q ? p : q;
-            high = high > r ? high : r;
-            high += touching;
-            _min = _way < 0 ? low + _way : low;
-            _max = _way > 0 ? high + _way : high;
         }
     }
 }

@@ -17,6 +17,9 @@ package starlogo.solid
         protected var solidA:Solid;
         protected var solidB:Solid;
 
+        /** The triangles of a leaf of the second model in the space of the first. */
+        protected var moved:MovedTriangles;
+
         /** How close triangles of these models touch. */
         protected var touching:Number;
 
@@ -26,6 +29,7 @@ package starlogo.solid
         public function TrianglePairTest(pose:RelativePose)
         {
             this.pose = pose;
+            moved = new MovedTriangles(pose);
         }
 
         /**
@@ -41,6 +45,7 @@ package starlogo.solid
             }
             solidA = a.solid;
             solidB = b.solid;
+            moved.begin(solidB.corners);
             touching = pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * pose.placement.size);
             return true;
         }

@@ -205,7 +205,7 @@ package starlogo.collision
             var random:SeededRandom = new SeededRandom(110);
             for (var i:int = 0; i < 2000; i++)
             {
-                var scale:Number = Math.pow(2, random.integer(-20, 20));
+                var scale:Number = Math.pow(2, random.integer(-19, 9));
                 var a:Agent = agentAt(random.integer(-1e6, 1e6) * scale, random.integer(-1e6, 1e6) * scale, 0);
                 var b:Agent = agentAt(a.x + scale, a.y, 0);
                 a.size = b.size = scale;
@@ -223,11 +223,11 @@ package starlogo.collision
             for (var i:int = 0; i < 300; i++)
             {
                 var agents:Vector.<Agent> = new Vector.<Agent>();
-                var spread:Number = random.logBetween(1e-100, 1e100);
+                var spread:Number = random.logBetween(1e-5, 1e5);
                 for (var k:int = 0; k < 12; k++)
                 {
                     var agent:Agent = agentAt(random.normal() * spread, random.normal() * spread, random.normal() * spread);
-                    agent.size = spread * random.logBetween(random.chance(0.5) ? 0.3 : 1e-12, 10);
+                    agent.size = Math.max(Agent.SMALLEST_SIZE, spread * random.logBetween(random.chance(0.5) ? 0.3 : 1e-12, 10));
                     agents.push(agent);
                 }
                 var found:Vector.<Agent> = _collider.findCollisions(agents);
@@ -247,7 +247,7 @@ package starlogo.collision
             var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0, 0, 0)];
             agents[0].size = agents[1].size = 1e-6;
             var pairs:Vector.<Agent> = new Vector.<Agent>();
-            for (var far:Number = 1e4; far < 1e20; far *= 10)
+            for (var far:Number = 1e4; far <= Agent.LARGEST_COORDINATE; far *= 10)
             {
                 agents[0].breed = agents[1].breed = "walls";
                 agents[0].moveTo(0, 0, 0);
@@ -270,7 +270,7 @@ package starlogo.collision
         {
             var agents:Vector.<Agent> = new <Agent>[agentAt(0, 0, 0), agentAt(0, 0, 0)];
             agents[0].size = agents[1].size = 1e-6;
-            for (var far:Number = 1e4; far < 1e20; far *= 10)
+            for (var far:Number = 1e4; far <= Agent.LARGEST_COORDINATE; far *= 10)
             {
                 var collider:BinCollider = new BinCollider(_greatLand);
                 agents[0].sweeps = true;

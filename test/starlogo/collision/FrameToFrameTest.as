@@ -101,7 +101,7 @@ package starlogo.collision
                     agent.size = _random.logBetween(0.2, 6);
                     break;
                 case "far":
-                    _agents[0].moveTo(_random.pick([0, 1e13]), 0, _random.pick([0, 3e9]));
+                    _agents[0].moveTo(_random.pick([0, 9e8]), 0, _random.pick([0, 3e8]));
                     agent.moveTo(_agents[0].x + 0.25, 0, _agents[0].z);
                     break;
                 case "shape":

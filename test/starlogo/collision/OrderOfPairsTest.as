@@ -344,7 +344,7 @@ package starlogo.collision
                     break;
                 case "gone":
                     // somewhere else for a frame
-                    _agents[0].moveTo(_random.pick([1e13, 3000]), 0, 0);
+                    _agents[0].moveTo(_random.pick([1e9, 3000]), 0, 0);
                     break;
             }
         }

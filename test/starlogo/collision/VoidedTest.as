@@ -849,7 +849,7 @@ package starlogo.collision
         {
             check(NOBODY, function():void
                 {
-                    for each (var far:Number in [1e13, 3e9, 1e100])
+                    for each (var far:Number in [9e8, 3e8, 1e7])
                     {
                         var agent:Agent = _agents[_random.integer(0, _agents.length - 1)];
                         var x:Number = agent.x;

@@ -6,11 +6,11 @@ package starlogo.intersection
     import starlogo.intersection.triangleTriangle;
     import support.TriangleDistance;
 
-    /** The test of triangles against their distance: right about all that are not within 1e-7 of their size of touching. */
+    /** The test of triangles against their distance: right about all that are not within 1e-11 of their size of touching. */
     public class TriangleTriangleTest
     {
         private static const TOLERANCE:Number = 1e-12;
-        private static const BAND:Number = 1e-7;
+        private static const BAND:Number = 1e-11;
 
         [Test]
         public function anyTriangles():void
@@ -174,9 +174,9 @@ package starlogo.intersection
 
         private static function meet(a:Array, b:Array):Boolean
         {
-            var axes:TriangleAxes = new TriangleAxes();
-            axes.tolerance = TOLERANCE;
-            return triangleTriangle(Vector.<Number>(a), 0, Vector.<Number>([0, 0].concat(b)), 2, axes);
+            var closest:ClosestTriangles = new ClosestTriangles();
+            closest.reach = TOLERANCE;
+            return triangleTriangle(Vector.<Number>(a), 0, Vector.<Number>([0, 0].concat(b)), 2, closest);
         }
 
         private static function triangle(random:SeededRandom, size:Number):Array

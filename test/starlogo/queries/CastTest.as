@@ -423,7 +423,7 @@ package starlogo.queries
         {
             for each (var system:String in EachCollider.NAMES)
             {
-                for each (var size:Number in [1e-120, 1e-30, 1e-6, 1, 1e6, 1e30, 1e120])
+                for each (var size:Number in [1e-6, 1e-3, 1, 1e3, 1e6])
                 {
                     var agent:Agent = new Agent("sphere");
                     agent.size = size;

@@ -48,7 +48,7 @@ package starlogo.queries
         {
             for each (var name:String in EachCollider.ALL_NAMES)
             {
-                for each (var far:Number in [0, 3.3, 1e9])
+                for each (var far:Number in [0, 3.3, 1e8])
                 {
                     eachPair(name, far, standTogether);
                 }

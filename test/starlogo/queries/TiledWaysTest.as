@@ -339,7 +339,7 @@ package starlogo.queries
                 {
                     for each (var shape:String in isBins ? [] : MOVERS)
                     {
-                        var far:Number = _random.pick([1e3, 1e6, 1e9, 12345678.9]);
+                        var far:Number = _random.pick([1e3, 1e6, 9e8, 12345678.9]);
                         var mover:Agent = put(shape, far, -far, 0, 0);
                         floor(8, 1);
                         for (var i:int = 1; i < _agents.length; i++)

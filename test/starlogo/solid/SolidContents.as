@@ -24,7 +24,7 @@ package starlogo.solid
 
         private static function axesUnder(node:HierarchyNode):String
         {
-            return node.isLeaf ? "." : node.splitAxis + axesUnder(node.left) + axesUnder(node.right);
+            return node.low == null ? "." : node.splitAxis + axesUnder(node.low) + axesUnder(node.high);
         }
     }
 }

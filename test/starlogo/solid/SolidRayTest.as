@@ -10,7 +10,6 @@ package starlogo.solid
     import starlogo.engine;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.ray.Ray;
-    import starlogo.intersection.ray.TriangleRay;
     import starlogo.intersection.ray.rayStructure;
     import starlogo.models.BuiltInModel;
     import starlogo.models.ColladaModel;
@@ -100,7 +99,7 @@ package starlogo.solid
         {
             var hierarchy:SolidHierarchy = hierarchyOf(model, BoundingStructure.BOX);
             var solid:Solid = hierarchy.solid;
-            var triangles:TriangleRay = new TriangleRay();
+            var triangles:RayTriangles = new RayTriangles();
             var ray:Ray = new Ray();
             var origin:Vector3D = new Vector3D();
             var inside:Vector3D = pointInside(hierarchy);
@@ -134,9 +133,7 @@ package starlogo.solid
                 isFromInside &&= i % 5 != 1 && i % 5 != 3;
                 var direction:Vector3D = new Vector3D(x, y, z).subtract(origin);
                 ray.aim(origin, direction);
-                triangles.begin(ray, hierarchy.rays.reach);
-                hierarchy.rays.find(ray, solid.corners, triangles);
-                if (!(triangles.triangle >= 0 && triangles.at <= direction.length + 1e-12))
+                if (!(triangles.find(hierarchy.root, solid.corners, ray) >= 0 && triangles.at <= direction.length + 1e-12))
                 {
                     assertTrue(model.name + ", " + i + (isFromInside ? " from inside, " : " from outside, ") + origin + " to " + new Vector3D(x, y, z) + ": " + triangles.at, false);
                 }
@@ -248,38 +245,6 @@ package starlogo.solid
             assertTrue(distanceAt(pile, 1, true, ray) < 3);
             ray.aim(new Vector3D(-0.25, -0.25, -2), new Vector3D(0, 0, -1));
             assertEquals(Infinity, distanceAt(pile, 1, true, ray));
-        }
-
-        [Test]
-        public function aTreeHasEveryTriangleOnce():void
-        {
-            for each (var model:Model in models())
-            {
-                var tree:RayTree = hierarchyOf(model, BoundingStructure.BOX).rays;
-                var seen:Vector.<int> = new Vector.<int>(model.triangles.length / 3);
-                var leaves:int = tree.root < 0 ? countLeaf(tree, tree.root, seen) : 0;
-                for (var i:int = 0; i < tree.children.length; i++)
-                {
-                    leaves += tree.children[i] < 0 ? countLeaf(tree, tree.children[i], seen) : 0;
-                }
-                for (i = 0; i < seen.length; i++)
-                {
-                    assertEquals(model.name + ", triangle " + i, 1, seen[i]);
-                }
-                assertEquals("nodes", leaves - 1, tree.children.length / 2);
-                assertEquals("boxes", RayTree.PER_NODE * (leaves - 1), tree.boxes.length);
-            }
-        }
-
-        private static function countLeaf(tree:RayTree, child:int, seen:Vector.<int>):int
-        {
-            var leaf:int = ~child;
-            var first:int = leaf / RayTree.LEAF_SIZE;
-            for (var i:int = first; i <= first + leaf % RayTree.LEAF_SIZE; i++)
-            {
-                seen[tree.order[i]]++;
-            }
-            return 1;
         }
 
         private static function models():Array

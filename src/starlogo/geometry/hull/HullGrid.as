@@ -3,7 +3,8 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * Vertices rounded to QuickHull's grid: whole numbers along two or three axes, in steps.
+     * Vertices rounded to QuickHull's grid: whole numbers along three axes, in steps. The vertices of a plane are on the grid's floor. One more
+     * point, the last, is above them, so that all span a volume.
      *
      * @private
      */
@@ -11,7 +12,7 @@ package starlogo.geometry.hull
     {
         private static const VERTICES_PER_STEP:int = 4000;
 
-        /** When no step is left: the vertices on the grid, two or three whole numbers each, from 0 to QuickHull.GRID. */
+        /** When no step is left: the vertices on the grid, three whole numbers each, from 0 to QuickHull.GRID. */
         public var points:Vector.<Number>;
 
         private var _vertices:Vector.<Number>;
@@ -26,7 +27,7 @@ package starlogo.geometry.hull
         /**
          * @param vertices x, y, z each; along each of the axes they differ
          * @param axes perpendicular unit vectors, three numbers each
-         * @param dimensions how many of the axes the grid has: 2 or 3
+         * @param dimensions 2 for vertices in the plane of the first two axes, else 3
          */
         public function HullGrid(vertices:Vector.<Number>, axes:Vector.<Number>, dimensions:int)
         {
@@ -34,7 +35,11 @@ package starlogo.geometry.hull
             _axes = axes;
             _dimensions = dimensions;
             var count:int = vertices.length / 3;
-            points = new Vector.<Number>(dimensions * count);
+            points = new Vector.<Number>(3 * count);
+            if (dimensions == 2)
+            {
+                points.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);
+            }
             for (var axis:int = 0; axis < dimensions; axis++)
             {
                 slices(count, VERTICES_PER_STEP, measure).slices(count, VERTICES_PER_STEP, snap);
@@ -60,7 +65,7 @@ package starlogo.geometry.hull
                 for (var axis:int = 0; axis < _dimensions; axis++)
                 {
                     var unit:Number = (_highs[axis] - _lows[axis]) / QuickHull.GRID;
-                    var t:Number = _lows[axis] + points[_dimensions * indices[i / 3] + axis] * unit;
+                    var t:Number = _lows[axis] + points[3 * indices[i / 3] + axis] * unit;
                     x += t * _axes[3 * axis];
                     y += t * _axes[3 * axis + 1];
                     z += t * _axes[3 * axis + 2];
@@ -81,19 +86,18 @@ package starlogo.geometry.hull
             }
             var places:Vector.<Number> = points;
             var vertices:Vector.<Number> = _vertices;
-            var dimensions:int = _dimensions;
             var axisX:Number = _axes[3 * _axis];
             var axisY:Number = _axes[3 * _axis + 1];
             var axisZ:Number = _axes[3 * _axis + 2];
             var low:Number = _lows[_axis];
             var high:Number = _highs[_axis];
-            var to:int = dimensions * first + _axis;
+            var to:int = 3 * first + _axis;
             var last:int = 3 * end;
             for (var i:int = 3 * first; i < last; i += 3)
             {
                 var t:Number = vertices[i] * axisX + vertices[int(i + 1)] * axisY + vertices[int(i + 2)] * axisZ;
                 places[to] = t;
-                to += dimensions;
+                to += 3;
                 if (t < low)
                 {
                     low = t;
@@ -110,11 +114,10 @@ package starlogo.geometry.hull
         private function snap(first:int, end:int):void
         {
             var places:Vector.<Number> = points;
-            var dimensions:int = _dimensions;
             var low:Number = _lows[_axis];
             var scale:Number = QuickHull.GRID / (_highs[_axis] - low);
-            var to:int = dimensions * end;
-            for (var i:int = dimensions * first + _axis; i < to; i += dimensions)
+            var to:int = 3 * end;
+            for (var i:int = 3 * first + _axis; i < to; i += 3)
             {
                 places[i] = int((places[i] - low) * scale + 0.5);
             }

@@ -108,11 +108,10 @@ package starlogo.intersection.ray
          * sides on which the ray passes the edges; where it crosses the plane.
          *
          * @param corners nine numbers a triangle
-         * @param order the triangles
-         * @param first of them
-         * @param end of them, not counted in
+         * @param first the first triangle
+         * @param end the one after the last
          */
-        public function look(corners:Vector.<Number>, order:Vector.<int>, first:int, end:int):void
+        public function look(corners:Vector.<Number>, first:int, end:int):void
         {
             var u:int = _u;
             var v:int = _v;
@@ -125,7 +124,7 @@ package starlogo.intersection.ray
             var sliver:Number = _sliver;
             for (var i:int = first; i < end; i++)
             {
-                var corner:int = 9 * order[i];
+                var corner:int = 9 * i;
                 var aZ:Number = corners[int(corner + w)] - z;
                 var aX:Number = corners[int(corner + u)] - x - shearX * aZ;
                 var aY:Number = corners[int(corner + v)] - y - shearY * aZ;
@@ -163,7 +162,7 @@ package starlogo.intersection.ray
                     }
                 }
                 at = crossing;
-                triangle = order[i];
+                triangle = i;
             }
         }
 

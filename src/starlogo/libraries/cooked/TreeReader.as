@@ -241,7 +241,7 @@ package starlogo.libraries.cooked
                 var right:int = _plan[int(at + 3)];
                 if (right > 0)
                 {
-                    _maker.divide(node, _plan[int(at + 4)], _nodes[int(_node + 1)], _nodes[right]);
+                    _maker.divide(node, _plan[int(at + 4)], _nodes[int(_node + 1)], _nodes[right], node.level);
                 }
             }
             _hierarchy.root = _nodes[0];

@@ -1,0 +1,40 @@
+package starlogo.hierarchy
+{
+    import starlogo.engine;
+    import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
+
+    use namespace engine;
+
+    /**
+     * Divides the leaves of a hierarchy of triangles further, for tests of triangles and rays: in steps, down to a few triangles. A hierarchy that
+     * was divided so and is made again of what was stored of it is divided alike, and the order of its triangles stays as it is.
+     *
+     * @private
+     */
+    public final class HierarchyRefiner extends StepSequence
+    {
+        private static const LEAF_SIZE:int = 4;
+        private static const ITEMS_PER_STEP:int = 1000;
+
+        private var _hierarchy:Hierarchy;
+        private var _items:Items;
+
+        /**
+         * @param hierarchy of triangles, built; the leaves get children, and their triangles another order
+         */
+        public function HierarchyRefiner(hierarchy:Hierarchy)
+        {
+            _hierarchy = hierarchy;
+            _items = new Items(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
+            slices(_items.count, ITEMS_PER_STEP, _items.measure).begin(newDivider);
+        }
+
+        private function newDivider():Steps
+        {
+            var divider:NodeDivider = new NodeDivider(_hierarchy.root, _items, new NodeMaker(_hierarchy, _items.extents));
+            divider.leafSize = LEAF_SIZE;
+            return divider;
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package starlogo.intersection
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Box;
+
+    /**
+     * Whether triangles touch a solid box: separating axes (Ericson, "Real-Time Collision Detection", §5.2.9). The three axes of the box, the
+     * triangle's normal, and the nine cross products of an edge of each.
+     *
+     * <p>In the box's space a cross product with one of its axes only exchanges two coordinates. So no axis loses digits, and triangles without
+     * area need no cases of their own.</p>
+     *
+     * @private
+     */
+    public final class TriangleBox
+    {
+        /** The box, in the space of the triangles. */
+        public var box:Box;
+
+        /** The gap that still counts as touching, a distance. */
+        public var tolerance:Number = 0;
+
+        // The triangle in the space of the box: the corners, and the edge from each to the next.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        private var _edges:Vector.<Number> = new Vector.<Number>(9, true);
+
+        private var _axisX:Number = 0;
+        private var _axisY:Number = 0;
+        private var _axisZ:Number = 0;
+
+        /** No box yet. */
+        public function TriangleBox()
+        {
+        }
+
+        /**
+         * Whether a triangle touches the box, or has a gap of no more than the tolerance.
+         *
+         * @param corners has nine numbers of it: x, y, z of each corner
+         * @param at where they begin
+         */
+        public function touches(corners:Vector.<Number>, at:int):Boolean
+        {
+            project(corners, at, box.axisX, 0);
+            project(corners, at, box.axisY, 1);
+            project(corners, at, box.axisZ, 2);
+            return !isBeyond(0, box.halfX) && !isBeyond(1, box.halfY) && !isBeyond(2, box.halfZ) && !isNormal() && !isAcrossEdges();
+        }
+
+        // Finds one coordinate of the corners in the box's space, and of the edges.
+        private function project(corners:Vector.<Number>, at:int, axis:Vector3D, coordinate:int):void
+        {
+            var x:Number = axis.x;
+            var y:Number = axis.y;
+            var z:Number = axis.z;
+            var center:Vector3D = box.center;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                _corners[int(i + coordinate)] = x * (corners[int(at + i)] - center.x) + y * (corners[int(at + i + 1)] - center.y)
+                    + z * (corners[int(at + i + 2)] - center.z);
+            }
+            _edges[coordinate] = _corners[int(3 + coordinate)] - _corners[coordinate];
+            _edges[int(3 + coordinate)] = _corners[int(6 + coordinate)] - _corners[int(3 + coordinate)];
+            _edges[int(6 + coordinate)] = _corners[coordinate] - _corners[int(6 + coordinate)];
+        }
+
+        private function isBeyond(coordinate:int, half:Number):Boolean
+        {
+            var first:Number = _corners[coordinate];
+            var second:Number = _corners[int(3 + coordinate)];
+            var third:Number = _corners[int(6 + coordinate)];
+            var far:Number = half + tolerance;
+            return first > far && second > far && third > far || first < -far && second < -far && third < -far;
+        }
+
+        private function isNormal():Boolean
+        {
+            var e:Vector.<Number> = _edges;
+            _axisX = e[1] * e[5] - e[2] * e[4];
+            _axisY = e[2] * e[3] - e[0] * e[5];
+            _axisZ = e[0] * e[4] - e[1] * e[3];
+            return isAxis();
+        }
+
+        private function isAcrossEdges():Boolean
+        {
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                var x:Number = _edges[i];
+                var y:Number = _edges[int(i + 1)];
+                var z:Number = _edges[int(i + 2)];
+                _axisX = 0;
+                _axisY = z;
+                _axisZ = -y;
+                if (isAxis())
+                {
+                    return true;
+                }
+                _axisX = -z;
+                _axisY = 0;
+                _axisZ = x;
+                if (isAxis())
+                {
+                    return true;
+                }
+                _axisX = y;
+                _axisY = -x;
+                _axisZ = 0;
+                if (isAxis())
+                {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        // Whether the axis, of any length, separates the triangle from the box.
+        private function isAxis():Boolean
+        {
+            var x:Number = _axisX;
+            var y:Number = _axisY;
+            var z:Number = _axisZ;
+            var p:Vector.<Number> = _corners;
+            var first:Number = x * p[0] + y * p[1] + z * p[2];
+            var second:Number = x * p[3] + y * p[4] + z * p[5];
+            var third:Number = x * p[6] + y * p[7] + z * p[8];
+            var low:Number = first < second ? first : second;
+            low = third < low ? third : low;
+            var high:Number = first > second ? first : second;
+            high = third > high ? third : high;
+            var gap:Number = -high;
+            gap = low > gap ? low : gap;
+            var side:Number = x < 0 ? -x : x;
+            gap -= box.halfX * side;
+            side = y < 0 ? -y : y;
+            gap -= box.halfY * side;
+            side = z < 0 ? -z : z;
+            gap -= box.halfZ * side;
+            return gap > 0 && gap * gap > tolerance * tolerance * (x * x + y * y + z * z);
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package starlogo.intersection.sweep
+{
+    import starlogo.geometry.Tolerances;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.contact.Polygon;
+
+    /**
+     * Where two triangles touch: the direction, at right angles to one or to an edge of each, along which they overlap least. Allocates nothing.
+     *
+     * @private
+     */
+    public final class TriangleOverlap extends TriangleAxes
+    {
+        /** The gap that still counts as touching, a distance. */
+        public var tolerance:Number = 0;
+
+        private var _motion:RelativeMotion;
+        private var _polygonA:Polygon = new Polygon();
+        private var _polygonB:Polygon = new Polygon();
+
+        // Of one triangle.
+        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+
+        // The shortest separating displacement so far.
+        private var _depth:Number;
+        private var _x:Number;
+        private var _y:Number;
+        private var _z:Number;
+
+        /** No triangles yet. */
+        public function TriangleOverlap()
+        {
+        }
+
+        /**
+         * Finds the contact of the two triangles that were related.
+         *
+         * @param motion displaces the second to where it is at the motion's time
+         * @param out takes it, from the first triangle's first corner on; the normal points from the second triangle to the first
+         */
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            _motion = motion;
+            _depth = Infinity;
+            _x = _y = 0;
+            _z = 1;
+            var x:Number = motion.time * motion.x;
+            var y:Number = motion.time * motion.y;
+            var z:Number = motion.time * motion.z;
+            px += x;
+            py += y;
+            pz += z;
+            qx += x;
+            qy += y;
+            qz += z;
+            rx += x;
+            ry += y;
+            rz += z;
+            areSeparatedByNormal();
+            areSeparatedAcrossEdges();
+            areSeparatedInPlane();
+            out.setNormal(_x, _y, _z);
+            _corners[0] = _corners[1] = _corners[2] = 0;
+            setCorner(3, ux, uy, uz);
+            setCorner(6, vx, vy, vz);
+            findFarthest(_polygonA, edgesA, -1);
+            setCorner(0, px, py, pz);
+            setCorner(3, qx, qy, qz);
+            setCorner(6, rx, ry, rz);
+            findFarthest(_polygonB, edgesB, 1);
+            _polygonA.findCommonPoint(_polygonB, out);
+            out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
+            out.x = _polygonA.x;
+            out.y = _polygonA.y;
+            out.z = _polygonA.z;
+        }
+
+        /** Keeps the shortest separating displacement, and goes on. */
+        override protected function isSeparating():Boolean
+        {
+            var length:Number = Math.sqrt(axisX * axisX + axisY * axisY + axisZ * axisZ);
+            var depth:Number = (reach - Math.abs(at)) / length;
+            // false for NaN
+            if (depth < _depth - Tolerances.ROUNDING * reach / length)
+            {
+                var side:Number = at > 0 ? -1 : 1;
+                var speed:Number = axisX * _motion.x + axisY * _motion.y + axisZ * _motion.z;
+                if (speed != 0 && _motion.time > 0 && Math.abs(at) < tolerance * length)
+                {
+                    // rounding decides on which side a triangle in the other's plane is; but it touches from the side that it comes from
+                    side = speed > 0 ? 1 : -1;
+                }
+                _depth = depth;
+                _x = side * axisX / length;
+                _y = side * axisY / length;
+                _z = side * axisZ / length;
+            }
+            return false;
+        }
+
+        // Finds the corners that are farthest out along the normal, or on side -1 against it.
+        private function findFarthest(out:Polygon, edges:Vector.<Number>, side:int):void
+        {
+            var corners:Vector.<Number> = _corners;
+            var farthest:Number = -Infinity;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                farthest = Math.max(farthest, side * (corners[i] * _x + corners[int(i + 1)] * _y + corners[int(i + 2)] * _z));
+            }
+            for (i = 0; i < 6; i++)
+            {
+                farthest -= Tolerances.DIRECTION * Math.abs(edges[i]);
+            }
+            out.clear();
+            for (i = 0; i < 9; i += 3)
+            {
+                var x:Number = corners[i];
+                var y:Number = corners[int(i + 1)];
+                var z:Number = corners[int(i + 2)];
+                if (side * (x * _x + y * _y + z * _z) >= farthest)
+                {
+                    out.setStep(x, y, z);
+                    out.add();
+                }
+            }
+        }
+
+        private function setCorner(at:int, x:Number, y:Number, z:Number):void
+        {
+            _corners[at] = x;
+            _corners[int(at + 1)] = y;
+            _corners[int(at + 2)] = z;
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.RelativePose;
+
+    use namespace engine;
+
+    /** The triangles of a leaf of the second of two models in the space of the first: moved anew only if another leaf is asked about. */
+    internal final class MovedTriangles
+    {
+        /** Their corners, nine numbers each. */
+        public var corners:Vector.<Number> = new Vector.<Number>();
+
+        /** The extents of each: minX, minY, minZ, maxX, maxY, maxZ. */
+        public var extents:Vector.<Number> = new Vector.<Number>();
+
+        private var _pose:RelativePose;
+        private var _points:Vector.<Number>;
+        private var _first:int;
+
+        /**
+         * @param pose where the second model is in the space of the first, whenever two are asked about
+         */
+        public function MovedTriangles(pose:RelativePose)
+        {
+            _pose = pose;
+        }
+
+        /** Begins with a second model: the corners of its triangles. */
+        public function begin(points:Vector.<Number>):void
+        {
+            _points = points;
+            _first = -1;
+        }
+
+        /** Moves the triangles of a leaf. */
+        public function move(leaf:HierarchyNode):void
+        {
+            if (leaf.first == _first)
+            {
+                return;
+            }
+            _first = leaf.first;
+            _pose.movePoints(_points, 9 * leaf.first, 9 * leaf.end, corners);
+            var count:int = leaf.end - leaf.first;
+            if (extents.length < 6 * count)
+            {
+                extents.length = 6 * count;
+            }
+            for (var i:int = 0; i < count; i++)
+            {
+                var from:int = 9 * i;
+                var to:int = 6 * i;
+                for (var end:int = to + 3; to < end; to++)
+                {
+                    var p:Number = corners[from];
+                    var q:Number = corners[int(from + 3)];
+                    var r:Number = corners[int(from + 6)];
+                    var low:Number = q < p ? q : p;
+                    var high:Number = q < p ? p : q;
+                    extents[to] = r < low ? r : low;
+                    extents[int(to + 3)] = r > high ? r : high;
+                    from++;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,156 @@
+package starlogo.solid
+{
+    import starlogo.engine;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.intersection.ray.Ray;
+    import starlogo.intersection.ray.TriangleRay;
+
+    use namespace engine;
+
+    /** Finds the first triangle of a model that a ray meets: by its hierarchy's boxes, the nearer of two children first. */
+    internal final class RayTriangles
+    {
+        private var _triangles:TriangleRay = new TriangleRay();
+
+        // Nodes that are to be visited yet, and where the ray enters them.
+        private var _stack:Vector.<HierarchyNode> = new Vector.<HierarchyNode>();
+        private var _enters:Vector.<Number> = new Vector.<Number>();
+
+        /** Nothing found yet. */
+        public function RayTriangles()
+        {
+        }
+
+        /** Where the ray meets the triangle that was found. */
+        public function get at():Number
+        {
+            return _triangles.at;
+        }
+
+        /**
+         * Finds the triangle. A node's children are entered where the last pair of their faces is, in this order: along x, y, z for the one, then for
+         * the other. Where a component of the direction is 0, what is on a face is NaN, and decides nothing.
+         *
+         * @param root the node around all triangles
+         * @param corners of the triangles
+         * @param ray in their space
+         * @return its number in the hierarchy's order, or -1
+         */
+        public function find(root:HierarchyNode, corners:Vector.<Number>, ray:Ray):int
+        {
+            var triangles:TriangleRay = _triangles;
+            var stack:Vector.<HierarchyNode> = _stack;
+            var enters:Vector.<Number> = _enters;
+            var x:Number = ray.x;
+            var y:Number = ray.y;
+            var z:Number = ray.z;
+            var inverseX:Number = ray.directionX == 0 ? Infinity : 1 / ray.directionX;
+            var inverseY:Number = ray.directionY == 0 ? Infinity : 1 / ray.directionY;
+            var inverseZ:Number = ray.directionZ == 0 ? Infinity : 1 / ray.directionZ;
+            // which of a box's faces the ray comes to last
+            var sideX:Number = inverseX < 0 ? -1 : 1;
+            var sideY:Number = inverseY < 0 ? -1 : 1;
+            var sideZ:Number = inverseZ < 0 ? -1 : 1;
+            var from:Number = ray.from;
+            var top:int = 0;
+            var node:HierarchyNode = root;
+            triangles.begin(ray, reachOf(root));
+            while (true)
+            {
+                var low:HierarchyNode = node.low;
+                if (low == null)
+                {
+                    triangles.look(corners, node.first, node.end);
+                }
+                else
+                {
+                    var enter:Number = from;
+                    var leave:Number = triangles.at;
+                    var half:Number = sideX * low.halfX;
+                    var middle:Number = low.x - x;
+                    var place:Number = (middle - half) * inverseX;
+                    enter = place > enter ? place : enter;
+                    place = (middle + half) * inverseX;
+                    leave = place < leave ? place : leave;
+                    half = sideY * low.halfY;
+                    middle = low.y - y;
+                    place = (middle - half) * inverseY;
+                    enter = place > enter ? place : enter;
+                    place = (middle + half) * inverseY;
+                    leave = place < leave ? place : leave;
+                    half = sideZ * low.halfZ;
+                    middle = low.z - z;
+                    place = (middle - half) * inverseZ;
+                    enter = place > enter ? place : enter;
+                    place = (middle + half) * inverseZ;
+                    leave = place < leave ? place : leave;
+
+                    var high:HierarchyNode = node.high;
+                    var enterHigh:Number = from;
+                    var leaveHigh:Number = triangles.at;
+                    half = sideX * high.halfX;
+                    middle = high.x - x;
+                    place = (middle - half) * inverseX;
+                    enterHigh = place > enterHigh ? place : enterHigh;
+                    place = (middle + half) * inverseX;
+                    leaveHigh = place < leaveHigh ? place : leaveHigh;
+                    half = sideY * high.halfY;
+                    middle = high.y - y;
+                    place = (middle - half) * inverseY;
+                    enterHigh = place > enterHigh ? place : enterHigh;
+                    place = (middle + half) * inverseY;
+                    leaveHigh = place < leaveHigh ? place : leaveHigh;
+                    half = sideZ * high.halfZ;
+                    middle = high.z - z;
+                    place = (middle - half) * inverseZ;
+                    enterHigh = place > enterHigh ? place : enterHigh;
+                    place = (middle + half) * inverseZ;
+                    leaveHigh = place < leaveHigh ? place : leaveHigh;
+                    if (enter <= leave)
+                    {
+                        node = low;
+                        if (enterHigh <= leaveHigh)
+                        {
+                            if (enterHigh < enter)
+                            {
+                                stack[top] = low;
+                                enters[top] = enter;
+                                node = high;
+                            }
+                            else
+                            {
+                                stack[top] = high;
+                                enters[top] = enterHigh;
+                            }
+                            top++;
+                        }
+                        continue;
+                    }
+                    if (enterHigh <= leaveHigh)
+                    {
+                        node = high;
+                        continue;
+                    }
+                }
+                do
+                {
+                    if (top == 0)
+                    {
+                        return triangles.triangle;
+                    }
+                    top--;
+                }
+                while (enters[top] > triangles.at);
+                node = stack[top];
+            }
+            return -1;
+        }
+
+        // The radius of a sphere about the model's origin around all: rounding goes with that.
+        private static function reachOf(root:HierarchyNode):Number
+        {
+            var reach:Number = Math.max(Math.abs(root.x) + root.halfX, Math.abs(root.y) + root.halfY);
+            return Math.sqrt(3) * Math.max(reach, Math.abs(root.z) + root.halfZ);
+        }
+    }
+}

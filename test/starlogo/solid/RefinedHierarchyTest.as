@@ -1,0 +1,210 @@
+package starlogo.solid
+{
+    import flash.utils.ByteArray;
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import org.flexunit.asserts.assertTrue;
+    import starlogo.GreatLand;
+    import starlogo.agents.Agent;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.collision.HierarchicalCollider;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.libraries.cooked.TreeReader;
+    import starlogo.libraries.cooked.TreeWriter;
+    import starlogo.models.ColladaModel;
+    import starlogo.models.Model;
+    import starlogo.models.ObjModel;
+    import starlogo.models.cooked.CookedFile;
+    import support.Effort;
+    import support.Fixtures;
+    import support.SolidModels;
+
+    use namespace engine;
+
+    /** The nodes below the thesis's leaves, which exact tests and rays visit, and which no client sees. */
+    public class RefinedHierarchyTest
+    {
+        public static const FIXTURES:Array = ["/assets/bear.obj", "/assets/fortress.obj", "/assets/dragon.dae"];
+
+        private static const KINDS:Array = [BoundingStructure.SPHERE, BoundingStructure.CAPSULE, BoundingStructure.BOX];
+        private static const MOST:int = 4;
+
+        [Test]
+        public function aClientSeesTheSameTree():void
+        {
+            for each (var model:Model in models())
+            {
+                for each (var kind:int in KINDS)
+                {
+                    var hierarchy:SolidHierarchy = hierarchyOf(model, kind, 6);
+                    var before:String = describe(hierarchy.root);
+                    hierarchy.prepare();
+                    assertEquals(model.name, before, describe(hierarchy.root));
+                }
+            }
+        }
+
+        [Test]
+        public function leavesHaveFewTrianglesAndBoxesAroundThem():void
+        {
+            for each (var model:Model in models())
+            {
+                var hierarchy:SolidHierarchy = hierarchyOf(model, BoundingStructure.BOX, 4);
+                hierarchy.prepare();
+                var isListed:Vector.<Boolean> = new Vector.<Boolean>(hierarchy.order.length, true);
+                for each (var triangle:int in hierarchy.order)
+                {
+                    assertTrue(!isListed[triangle]);
+                    isListed[triangle] = true;
+                }
+                check(hierarchy.root, hierarchy.solid.extents);
+            }
+        }
+
+        [Test]
+        public function trianglesInOnePlaceAreDividedByNumber():void
+        {
+            var vertices:Vector.<Number> = new <Number>[0, 0, 0, 1, 0, 0, 0, 1, 0];
+            var triangles:Vector.<uint> = new Vector.<uint>();
+            for (var i:int = 0; i < 37; i++)
+            {
+                triangles.push(0, 1, 2);
+            }
+            var hierarchy:SolidHierarchy = hierarchyOf(new Model("pile", vertices, triangles), BoundingStructure.BOX, 10);
+            assertTrue(hierarchy.root.isLeaf);
+            hierarchy.prepare();
+            assertTrue(hierarchy.root.isLeaf);
+            assertNull(hierarchy.root.left);
+            assertEquals(37, hierarchy.root.triangleCount);
+            assertEquals(13, check(hierarchy.root, hierarchy.solid.extents));
+        }
+
+        [Test]
+        public function whatIsStoredIsDividedAlike():void
+        {
+            for each (var model:Model in models())
+            {
+                var hierarchy:SolidHierarchy = hierarchyOf(model, BoundingStructure.BOX, 5);
+                var early:SolidHierarchy = readAgain(hierarchy, model);
+                hierarchy.prepare();
+                var late:SolidHierarchy = readAgain(hierarchy, model);
+                early.prepare();
+                late.prepare();
+                assertEquals(model.name, hierarchy.order.join(), late.order.join());
+                assertEquals(model.name, hierarchy.order.join(), early.order.join());
+            }
+        }
+
+        [Test]
+        public function noDepthLimitReachesBelow():void
+        {
+            var bear:Model = read(FIXTURES[0]);
+            var greatLand:GreatLand = new GreatLand();
+            greatLand.hierarchies.maxDepth = 3;
+            greatLand.addModel(bear);
+            var collider:HierarchicalCollider = new HierarchicalCollider(greatLand);
+            collider.maxDepth = int.MAX_VALUE;
+            var agents:Vector.<Agent> = new <Agent>[new Agent("bear"), new Agent("bear"), new Agent("bear")];
+            agents[1].moveTo(0.2, 0.4, 0.1);
+            agents[2].moveTo(0.7, 0.5, 0.1);
+            agents[2].traversalDepth = int.MAX_VALUE;
+            var before:int = visitsOf(collider, agents);
+            greatLand.hierarchies.hierarchy("bear").prepare();
+            assertEquals(before, visitsOf(collider, agents));
+        }
+
+        [Test]
+        public function leavesDecideWhereOneOfTwoHasNoTriangles():void
+        {
+            var bear:Model = read(FIXTURES[0]);
+            var whole:SolidHierarchy = hierarchyOf(bear, BoundingStructure.BOX, 3);
+            var cloud:SolidHierarchy = hierarchyOf(new Model("cloud", bear.vertices), BoundingStructure.BOX, 3);
+            var standing:HierarchyTraversal = new HierarchyTraversal();
+            var visits:Array = [];
+            for (var i:int = 0; i < 2; i++)
+            {
+                standing.resetCounts();
+                for (var x:Number = -1; x < 1; x += 0.1)
+                {
+                    var place:Placement = new Placement();
+                    place.x = x;
+                    place.setRotation(50 * x, 20, 30);
+                    standing.hierarchiesOverlap(whole, new Placement(), HierarchyNode.LARGEST_DEPTH, cloud, place, HierarchyNode.LARGEST_DEPTH, true);
+                }
+                visits.push(standing.nodeVisits);
+                whole.prepare();
+            }
+            assertTrue(visits[0] > 20);
+            assertEquals(visits[0], visits[1]);
+        }
+
+        private static function visitsOf(collider:HierarchicalCollider, agents:Vector.<Agent>):int
+        {
+            collider.findCollisions(agents);
+            assertTrue(collider.statistics.nodeVisits > 0);
+            return collider.statistics.nodeVisits;
+        }
+
+        private static function readAgain(hierarchy:SolidHierarchy, model:Model):SolidHierarchy
+        {
+            var bytes:ByteArray = CookedFile.newBytes();
+            TreeWriter.write(hierarchy, bytes);
+            bytes.position = 0;
+            var builder:SolidHierarchyBuilder = new SolidHierarchyBuilder(model.vertices, model.triangles, BoundingStructure.BOX, 5, 5, false);
+            builder.useStored(new TreeReader(bytes), null);
+            var read:SolidHierarchy = builder.finished;
+            assertTrue(builder.isTaken);
+            return read;
+        }
+
+        // How many leaves there are below a node.
+        private static function check(node:HierarchyNode, extents:Vector.<Number>):int
+        {
+            assertTrue(node.end > node.first);
+            for (var i:int = node.first; i < node.end; i++)
+            {
+                assertTrue(node.x - node.halfX < extents[6 * i] && node.y - node.halfY < extents[6 * i + 1] && node.z - node.halfZ < extents[6 * i + 2]);
+                assertTrue(node.x + node.halfX > extents[6 * i + 3] && node.y + node.halfY > extents[6 * i + 4] && node.z + node.halfZ > extents[6 * i + 5]);
+            }
+            if (node.low == null)
+            {
+                assertNull(node.high);
+                assertTrue("triangles: " + (node.end - node.first), node.end - node.first <= MOST);
+                return 1;
+            }
+            assertEquals(node.first, node.low.first);
+            assertEquals(node.low.end, node.high.first);
+            assertEquals(node.end, node.high.end);
+            assertEquals(node.level + 1, node.low.level);
+            assertEquals(node.isLeaf ? HierarchyNode.LARGEST_DEPTH : node.level, node.cutoffLevel);
+            assertTrue("below a leaf are leaves", !node.isLeaf || node.low.isLeaf && node.high.isLeaf);
+            return check(node.low, extents) + check(node.high, extents);
+        }
+
+        private static function describe(node:HierarchyNode):String
+        {
+            var text:String = [node.level, node.bounds.volume, node.vertexCount, node.triangleIndices()].join(" ");
+            return node.isLeaf ? text : text + "(" + describe(node.left) + describe(node.right) + ")";
+        }
+
+        private static function models():Array
+        {
+            return SolidModels.all().concat(FIXTURES.slice(0, Effort.choose(2, 3)).map(function(address:String, ...rest):Model
+                    {
+                        return read(address);
+                    }));
+        }
+
+        private static function read(address:String):Model
+        {
+            return /obj$/.test(address) ? new ObjModel("bear", Fixtures.text(address)) : new ColladaModel("dragon", Fixtures.text(address));
+        }
+
+        private static function hierarchyOf(model:Model, kind:int, maxDepth:int):SolidHierarchy
+        {
+            return new SolidHierarchyBuilder(model.vertices, model.triangles, kind, 5, maxDepth, false).finished;
+        }
+    }
+}

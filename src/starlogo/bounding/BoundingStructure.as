@@ -305,6 +305,17 @@ package starlogo.bounding
             out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z + placement.z;
         }
 
+        /** Turns a vector by the rotation of a placement. The result goes into out, which may be the vector itself. */
+        protected static function turnInto(vector:Vector3D, placement:Placement, out:Vector3D):void
+        {
+            var x:Number = vector.x;
+            var y:Number = vector.y;
+            var z:Number = vector.z;
+            out.x = placement.r00 * x + placement.r01 * y + placement.r02 * z;
+            out.y = placement.r10 * x + placement.r11 * y + placement.r12 * z;
+            out.z = placement.r20 * x + placement.r21 * y + placement.r22 * z;
+        }
+
         /**
          * How far outside a point may be and still be contained.
          *

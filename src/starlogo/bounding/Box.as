@@ -17,6 +17,8 @@ package starlogo.bounding
      */
     public final class Box extends BoundingStructure
     {
+        private static var sTurned:Vector3D = new Vector3D();
+
         /** The middle. */
         public var center:Vector3D;
 
@@ -146,43 +148,10 @@ package starlogo.bounding
             placed.halfX = halfX * size;
             placed.halfY = halfY * size;
             placed.halfZ = halfZ * size;
-            var r00:Number = placement.r00;
-            var r01:Number = placement.r01;
-            var r02:Number = placement.r02;
-            var r10:Number = placement.r10;
-            var r11:Number = placement.r11;
-            var r12:Number = placement.r12;
-            var r20:Number = placement.r20;
-            var r21:Number = placement.r21;
-            var r22:Number = placement.r22;
-            var x:Number = center.x * size;
-            var y:Number = center.y * size;
-            var z:Number = center.z * size;
-            var vector:Vector3D = placed.center;
-            vector.x = r00 * x + r01 * y + r02 * z + placement.x;
-            vector.y = r10 * x + r11 * y + r12 * z + placement.y;
-            vector.z = r20 * x + r21 * y + r22 * z + placement.z;
-            x = axisX.x;
-            y = axisX.y;
-            z = axisX.z;
-            vector = placed.axisX;
-            vector.x = r00 * x + r01 * y + r02 * z;
-            vector.y = r10 * x + r11 * y + r12 * z;
-            vector.z = r20 * x + r21 * y + r22 * z;
-            x = axisY.x;
-            y = axisY.y;
-            z = axisY.z;
-            vector = placed.axisY;
-            vector.x = r00 * x + r01 * y + r02 * z;
-            vector.y = r10 * x + r11 * y + r12 * z;
-            vector.z = r20 * x + r21 * y + r22 * z;
-            x = axisZ.x;
-            y = axisZ.y;
-            z = axisZ.z;
-            vector = placed.axisZ;
-            vector.x = r00 * x + r01 * y + r02 * z;
-            vector.y = r10 * x + r11 * y + r12 * z;
-            vector.z = r20 * x + r21 * y + r22 * z;
+            placePoint(center, placement, placed.center);
+            turnInto(axisX, placement, placed.axisX);
+            turnInto(axisY, placement, placed.axisY);
+            turnInto(axisZ, placement, placed.axisZ);
             return placed;
         }
 
@@ -211,72 +180,32 @@ package starlogo.bounding
         override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
-            var r00:Number = placement.r00;
-            var r01:Number = placement.r01;
-            var r02:Number = placement.r02;
-            var r10:Number = placement.r10;
-            var r11:Number = placement.r11;
-            var r12:Number = placement.r12;
-            var r20:Number = placement.r20;
-            var r21:Number = placement.r21;
-            var r22:Number = placement.r22;
-            var x:Number = center.x * size;
-            var y:Number = center.y * size;
-            var z:Number = center.z * size;
-            out[0] = r00 * x + r01 * y + r02 * z;
-            out[1] = r10 * x + r11 * y + r12 * z;
-            out[2] = r20 * x + r21 * y + r22 * z;
-            x = x < 0 ? -x : x;
-            y = y < 0 ? -y : y;
-            z = z < 0 ? -z : z;
-            var half:Number = halfX * size;
-            var margin:Number = x + y + z + half;
+            var x:Number = halfX * size;
+            var y:Number = halfY * size;
+            var z:Number = halfZ * size;
+            var turned:Vector3D = sTurned;
+            turned.x = center.x * size;
+            turned.y = center.y * size;
+            turned.z = center.z * size;
+            var margin:Number = Tolerances.ROUNDING * (Math.abs(turned.x) + Math.abs(turned.y) + Math.abs(turned.z) + x + y + z);
+            turnInto(turned, placement, turned);
+            out[0] = turned.x;
+            out[1] = turned.y;
+            out[2] = turned.z;
 
             // axis by axis, how far the box reaches along x, y and z
-            var vector:Vector3D = axisX;
-            x = vector.x;
-            y = vector.y;
-            z = vector.z;
-            var along:Number = half * (r00 * x + r01 * y + r02 * z);
-            var reachX:Number = along < 0 ? -along : along;
-            along = half * (r10 * x + r11 * y + r12 * z);
-            var reachY:Number = along < 0 ? -along : along;
-            along = half * (r20 * x + r21 * y + r22 * z);
-            var reachZ:Number = along < 0 ? -along : along;
-            half = halfY * size;
-            margin += half;
-            vector = axisY;
-            x = vector.x;
-            y = vector.y;
-            z = vector.z;
-            along = half * (r00 * x + r01 * y + r02 * z);
-            along = along < 0 ? -along : along;
-            reachX += along;
-            along = half * (r10 * x + r11 * y + r12 * z);
-            along = along < 0 ? -along : along;
-            reachY += along;
-            along = half * (r20 * x + r21 * y + r22 * z);
-            along = along < 0 ? -along : along;
-            reachZ += along;
-            half = halfZ * size;
-            margin += half;
-            vector = axisZ;
-            x = vector.x;
-            y = vector.y;
-            z = vector.z;
-            along = half * (r00 * x + r01 * y + r02 * z);
-            along = along < 0 ? -along : along;
-            reachX += along;
-            along = half * (r10 * x + r11 * y + r12 * z);
-            along = along < 0 ? -along : along;
-            reachY += along;
-            along = half * (r20 * x + r21 * y + r22 * z);
-            along = along < 0 ? -along : along;
-            reachZ += along;
-            margin *= Tolerances.ROUNDING;
-            out[3] = reachX + margin;
-            out[4] = reachY + margin;
-            out[5] = reachZ + margin;
+            turnInto(axisX, placement, turned);
+            var reachX:Number = x * Math.abs(turned.x);
+            var reachY:Number = x * Math.abs(turned.y);
+            var reachZ:Number = x * Math.abs(turned.z);
+            turnInto(axisY, placement, turned);
+            reachX += y * Math.abs(turned.x);
+            reachY += y * Math.abs(turned.y);
+            reachZ += y * Math.abs(turned.z);
+            turnInto(axisZ, placement, turned);
+            out[3] = reachX + z * Math.abs(turned.x) + margin;
+            out[4] = reachY + z * Math.abs(turned.y) + margin;
+            out[5] = reachZ + z * Math.abs(turned.z) + margin;
         }
 
         // Along an axis of the space, in which the box's own axes have these components.

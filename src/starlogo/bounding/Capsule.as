@@ -14,6 +14,9 @@ package starlogo.bounding
      */
     public final class Capsule extends AxialStructure
     {
+        private static var sMiddle:Vector3D = new Vector3D();
+        private static var sHalf:Vector3D = new Vector3D();
+
         /**
          * A capsule around the segment between two points.
          *
@@ -89,37 +92,25 @@ package starlogo.bounding
         override engine function turnedExtentsInto(placement:Placement, out:Vector.<Number>):void
         {
             var size:Number = placement.size;
-            var x:Number = (start.x + end.x) / 2 * size;
-            var y:Number = (start.y + end.y) / 2 * size;
-            var z:Number = (start.z + end.z) / 2 * size;
-            var r00:Number = placement.r00;
-            var r01:Number = placement.r01;
-            var r02:Number = placement.r02;
-            var r10:Number = placement.r10;
-            var r11:Number = placement.r11;
-            var r12:Number = placement.r12;
-            var r20:Number = placement.r20;
-            var r21:Number = placement.r21;
-            var r22:Number = placement.r22;
-            out[0] = r00 * x + r01 * y + r02 * z;
-            out[1] = r10 * x + r11 * y + r12 * z;
-            out[2] = r20 * x + r21 * y + r22 * z;
-            var distance:Number = Math.abs(x) + Math.abs(y) + Math.abs(z);
-            x = (end.x - start.x) / 2 * size;
-            y = (end.y - start.y) / 2 * size;
-            z = (end.z - start.z) / 2 * size;
+            var middle:Vector3D = sMiddle;
+            var half:Vector3D = sHalf;
+            middle.x = (start.x + end.x) / 2 * size;
+            middle.y = (start.y + end.y) / 2 * size;
+            middle.z = (start.z + end.z) / 2 * size;
+            half.x = (end.x - start.x) / 2 * size;
+            half.y = (end.y - start.y) / 2 * size;
+            half.z = (end.z - start.z) / 2 * size;
             var reach:Number = radius * size;
-            distance += Math.abs(x) + Math.abs(y) + Math.abs(z);
-            reach += Tolerances.ROUNDING * (reach + distance);
-            var along:Number = r00 * x + r01 * y + r02 * z;
-            along = along < 0 ? -along : along;
-            out[3] = along + reach;
-            along = r10 * x + r11 * y + r12 * z;
-            along = along < 0 ? -along : along;
-            out[4] = along + reach;
-            along = r20 * x + r21 * y + r22 * z;
-            along = along < 0 ? -along : along;
-            out[5] = along + reach;
+            reach += Tolerances.ROUNDING * (reach + (Math.abs(middle.x) + Math.abs(middle.y) + Math.abs(middle.z)
+                        + (Math.abs(half.x) + Math.abs(half.y) + Math.abs(half.z))));
+            turnInto(middle, placement, middle);
+            turnInto(half, placement, half);
+            out[0] = middle.x;
+            out[1] = middle.y;
+            out[2] = middle.z;
+            out[3] = Math.abs(half.x) + reach;
+            out[4] = Math.abs(half.y) + reach;
+            out[5] = Math.abs(half.z) + reach;
         }
     }
 }

@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.geometry.VertexBounds;
 
     /**
      * Ritter's sphere with its centre kept on the model's z axis, where x and y are 0 (thesis §7.6): starts between the lowest
@@ -19,9 +20,10 @@ package starlogo.fitting
         override protected function findStructure(session:FitSession):BoundingStructure
         {
             var points:Vector.<Number> = session.hull.points;
-            var box:ExtremePoints = new ExtremePoints(points);
-            var z:Number = box.middle(2);
-            var radius:Number = (box.high[2] - box.low[2]) / 2;
+            var bounds:VertexBounds = new VertexBounds();
+            bounds.add(points, 0, points.length / 3);
+            var z:Number = (bounds.minZ + bounds.maxZ) / 2;
+            var radius:Number = (bounds.maxZ - bounds.minZ) / 2;
             for (var i:int = 0; i < points.length; i += 3)
             {
                 var across:Number = points[i] * points[i] + points[i + 1] * points[i + 1];

@@ -1,9 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
-    import starlogo.fitting.minimal.BoxAlongAxis;
     import starlogo.fitting.minimal.BoxDescent;
-    import starlogo.fitting.minimal.DirectionSample;
     import starlogo.fitting.minimal.DistinctDirections;
     import starlogo.geometry.ConvexHull;
     import starlogo.geometry.Trigonometry;
@@ -27,8 +25,6 @@ package starlogo.fitting
     {
         // samples at most; many corners get a coarser net of directions instead of more samples
         private static const SAMPLES:int = 2500;
-        // from how many of the best samples to go on
-        private static const STARTS:int = 6;
         // directions closer than this (radians) count as one start
         private static const APART:Number = 0.06;
         // arcs are sampled at most this far apart (degrees)
@@ -43,51 +39,11 @@ package starlogo.fitting
         /** @inheritDoc */
         override protected function findStructure(session:FitSession):BoundingStructure
         {
-            return EnclosingStructures.box(session.vertices, smallestAxes(session.hull));
-        }
-
-        private static function smallestAxes(hull:ConvexHull):Vector.<Number>
-        {
-            if (hull.dimension < 2)
-            {
-                return hull.axes;
-            }
+            var hull:ConvexHull = session.hull;
             var descent:BoxDescent = new BoxDescent(hull);
-            if (hull.dimension == 2)
-            {
-                descent.start(hull.axes[6], hull.axes[7], hull.axes[8]);
-                return descent.axes;
-            }
-            var best:Vector.<Number> = null;
-            var least:Number = Infinity;
-            var samples:Vector.<DirectionSample> = sample(hull);
-            for each (var start:DirectionSample in DirectionSample.best(samples, STARTS, APART))
-            {
-                descent.start(start.x, start.y, start.z);
-                descent.descend();
-                if (descent.volume < least)
-                {
-                    least = descent.volume;
-                    best = descent.axes;
-                }
-            }
-            return best;
-        }
-
-        // Measures the normals of the hull and directions on the arcs between them.
-        private static function sample(hull:ConvexHull):Vector.<DirectionSample>
-        {
-            var box:BoxAlongAxis = new BoxAlongAxis(hull);
-            var samples:Vector.<DirectionSample> = new Vector.<DirectionSample>();
-            var directions:Vector.<Number> = directionsOf(hull);
-            var least:Number = Infinity;
-            for (var i:int = 0; i < directions.length; i += 3)
-            {
-                var volume:Number = box.measure(directions[i], directions[i + 1], directions[i + 2], 2 * least);
-                least = Math.min(least, volume);
-                samples.push(new DirectionSample(directions[i], directions[i + 1], directions[i + 2], volume));
-            }
-            return samples;
+            // of a plane the normal, of a line a direction across
+            descent.search(hull.dimension == 3 ? directionsOf(hull) : hull.axes.slice(6), APART);
+            return EnclosingStructures.box(session.vertices, descent.axes);
         }
 
         private static function directionsOf(hull:ConvexHull):Vector.<Number>
@@ -115,28 +71,20 @@ package starlogo.fitting
             {
                 net.add(normals[i], normals[i + 1], normals[i + 2]);
             }
-            // the number of the triangle at each side, by the two corners of the side, and that of the one across
+            // three times the number of the triangle at each side, by the two corners of the side
             var t:Vector.<int> = hull.triangles;
             var corners:int = hull.indices.length;
             var triangleAt:Object = {};
             for (i = 0; i < t.length; i++)
             {
-                triangleAt[t[i] * corners + cornerAfter(t, i)] = int(i / 3);
-            }
-            for (i = 0; i < t.length; i++)
-            {
-                var a:int = i / 3;
-                var b:int = triangleAt[cornerAfter(t, i) * corners + t[i]];
-                if (a < b)
+                var to:int = t[i % 3 == 2 ? i - 2 : i + 1];
+                var across:String = String(to * corners + t[i]);
+                if (across in triangleAt)
                 {
-                    addArc(normals, 3 * a, 3 * b, net);
+                    addArc(normals, triangleAt[across], i - i % 3, net);
                 }
+                triangleAt[t[i] * corners + to] = i - i % 3;
             }
-        }
-
-        private static function cornerAfter(t:Vector.<int>, i:int):int
-        {
-            return t[i % 3 == 2 ? i - 2 : i + 1];
         }
 
         private static function addArc(normals:Vector.<Number>, a:int, b:int, net:DistinctDirections):void

@@ -1,6 +1,7 @@
 package starlogo.fitting
 {
     import starlogo.bounding.BoundingStructure;
+    import starlogo.geometry.VertexBounds;
 
     /**
      * The sphere around the middle of the axis-aligned box (thesis §3.4.1, the naive algorithm): at most 1.73 times the
@@ -17,8 +18,11 @@ package starlogo.fitting
         /** @inheritDoc */
         override protected function findStructure(session:FitSession):BoundingStructure
         {
-            var box:ExtremePoints = new ExtremePoints(session.hull.points);
-            return EnclosingStructures.sphere(session.vertices, box.middle(0), box.middle(1), box.middle(2));
+            var points:Vector.<Number> = session.hull.points;
+            var bounds:VertexBounds = new VertexBounds();
+            bounds.add(points, 0, points.length / 3);
+            return EnclosingStructures.sphere(session.vertices, (bounds.minX + bounds.maxX) / 2, (bounds.minY + bounds.maxY) / 2,
+                    (bounds.minZ + bounds.maxZ) / 2);
         }
     }
 }

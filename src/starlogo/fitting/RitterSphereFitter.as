@@ -47,16 +47,19 @@ package starlogo.fitting
         {
             var points:Vector.<Number> = session.hull.points;
             var a:int = 0;
-            var b:int = 0;
-            if (_start == WIDEST_DIMENSION)
+            var b:int = _start == FARTHEST_FROM_FIRST ? farthestFromFirst(points) : 0;
+            var widest:Number = 0;
+            for (var axis:int = 0; axis < 3 && _start == WIDEST_DIMENSION; axis++)
             {
-                var box:ExtremePoints = new ExtremePoints(points);
-                a = 3 * box.lowest[box.widest];
-                b = 3 * box.highest[box.widest];
-            }
-            else
-            {
-                b = farthestFromFirst(points);
+                var low:int = extreme(points, axis, -1);
+                var high:int = extreme(points, axis, 1);
+                var width:Number = points[high + axis] - points[low + axis];
+                if (width > widest)
+                {
+                    widest = width;
+                    a = low;
+                    b = high;
+                }
             }
             var x:Number = (points[a] + points[b]) / 2;
             var y:Number = (points[a + 1] + points[b + 1]) / 2;
@@ -75,6 +78,20 @@ package starlogo.fitting
                 }
             }
             return EnclosingStructures.sphere(session.vertices, x, y, z, radius);
+        }
+
+        // Where the first point is that has the greatest coordinate along an axis, or with -1 the least.
+        private static function extreme(points:Vector.<Number>, axis:int, sign:int):int
+        {
+            var farthest:int = 0;
+            for (var i:int = 0; i < points.length; i += 3)
+            {
+                if (sign * points[i + axis] > sign * points[farthest + axis])
+                {
+                    farthest = i;
+                }
+            }
+            return farthest;
         }
 
         private static function farthestFromFirst(points:Vector.<Number>):int

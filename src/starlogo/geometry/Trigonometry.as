@@ -45,24 +45,7 @@ package starlogo.geometry
          */
         public static function sine(angle:Number):Number
         {
-            if (angle >= 360 || angle <= -360)
-            {
-                angle %= 360;
-            }
-            var turns:int = quarters(angle);
-            angle -= 90 * turns;
-            switch (turns & 3)
-            {
-                case 0:
-                    // never -0
-                    return 0 + sineOfFew(angle);
-                case 1:
-                    return cosineOfFew(angle);
-                case 2:
-                    return 0 - sineOfFew(angle);
-                default:
-                    return 0 - cosineOfFew(angle);
-            }
+            return sineAhead(angle, 0);
         }
 
         /**
@@ -72,23 +55,7 @@ package starlogo.geometry
          */
         public static function cosine(angle:Number):Number
         {
-            if (angle >= 360 || angle <= -360)
-            {
-                angle %= 360;
-            }
-            var turns:int = quarters(angle);
-            angle -= 90 * turns;
-            switch (turns & 3)
-            {
-                case 0:
-                    return cosineOfFew(angle);
-                case 1:
-                    return 0 - sineOfFew(angle);
-                case 2:
-                    return 0 - cosineOfFew(angle);
-                default:
-                    return 0 + sineOfFew(angle);
-            }
+            return sineAhead(angle, 1);
         }
 
         /**
@@ -162,11 +129,28 @@ package starlogo.geometry
             return y < 0 ? -angle : angle;
         }
 
-        // How many quarter turns are nearest to an angle.
-        private static function quarters(angle:Number):int
+        // The sine of an angle and some quarter turns.
+        private static function sineAhead(angle:Number, quarters:int):Number
         {
+            if (angle >= 360 || angle <= -360)
+            {
+                angle %= 360;
+            }
             var turns:Number = angle * 0.011111111111111112;
-            return turns < 0 ? turns - 0.5 : turns + 0.5;
+            var nearest:int = turns < 0 ? turns - 0.5 : turns + 0.5;
+            angle -= 90 * nearest;
+            switch (nearest + quarters & 3)
+            {
+                case 0:
+                    // never -0
+                    return 0 + sineOfFew(angle);
+                case 1:
+                    return cosineOfFew(angle);
+                case 2:
+                    return 0 - sineOfFew(angle);
+                default:
+                    return 0 - cosineOfFew(angle);
+            }
         }
 
         // Of -45 to 45 degrees. The series: 1/3!, 1/5!, ... 1/17!.

@@ -63,30 +63,12 @@ package starlogo.geometry
                 var z:Number = vertices[int(i + 2)];
                 // infinity minus itself is NaN
                 differences += (x - x) + (y - y) + (z - z);
-                if (x < lowX)
-                {
-                    lowX = x;
-                }
-                if (x > highX)
-                {
-                    highX = x;
-                }
-                if (y < lowY)
-                {
-                    lowY = y;
-                }
-                if (y > highY)
-                {
-                    highY = y;
-                }
-                if (z < lowZ)
-                {
-                    lowZ = z;
-                }
-                if (z > highZ)
-                {
-                    highZ = z;
-                }
+                lowX = x < lowX ? x : lowX;
+                highX = x > highX ? x : highX;
+                lowY = y < lowY ? y : lowY;
+                highY = y > highY ? y : highY;
+                lowZ = z < lowZ ? z : lowZ;
+                highZ = z > highZ ? z : highZ;
             }
             areFinite = areFinite && differences == 0;
             minX = lowX;

@@ -12,7 +12,7 @@ package starlogo.fitting.minimal
      *
      * @private
      */
-    public final class BoxDescent
+    public final class BoxDescent extends DirectionSearch
     {
         private static const FIRST_STEP:Number = 0.05;
         private static const LAST_STEP:Number = 1e-10;
@@ -20,11 +20,16 @@ package starlogo.fitting.minimal
         // a relative gain below this share of the step is not worth another step of that length
         private static const GAIN:Number = 1e-3;
 
+        /** The axes of the smallest box so far: three unit vectors, nine numbers. */
+        public var axes:Vector.<Number>;
+
         private var _hull:ConvexHull;
         private var _box:BoxAlongAxis;
-        private var _volume:Number;
+        private var _leastMeasured:Number = Infinity;
+        private var _least:Number = Infinity;
 
-        // the direction, one side, and the two corners that hold the box along the direction
+        // the volume of the box under way, its direction, one side, and the two corners that hold the box along the direction
+        private var _volume:Number;
         private var _x:Number;
         private var _y:Number;
         private var _z:Number;
@@ -43,29 +48,17 @@ package starlogo.fitting.minimal
             _box = new BoxAlongAxis(hull);
         }
 
-        /** The volume of the box. */
-        public function get volume():Number
+        override protected function measure(x:Number, y:Number, z:Number):Number
         {
-            return _volume;
+            var volume:Number = _box.measure(x, y, z, 2 * _leastMeasured);
+            _leastMeasured = Math.min(_leastMeasured, volume);
+            return volume;
         }
 
-        /** The box's axes: three unit vectors, nine numbers. */
-        public function get axes():Vector.<Number>
-        {
-            return new <Number>[_x, _y, _z, _sideX, _sideY, _sideZ, _y * _sideZ - _z * _sideY, _z * _sideX - _x * _sideZ,
-                    _x * _sideY - _y * _sideX];
-        }
-
-        /** Starts from the smallest box with an axis along a direction, a unit vector. */
-        public function start(x:Number, y:Number, z:Number):void
+        override protected function descendFrom(x:Number, y:Number, z:Number):void
         {
             _volume = Infinity;
             tryDirection(x, y, z);
-        }
-
-        /** Makes the box smaller, until no step does. */
-        public function descend():void
-        {
             var step:Number = FIRST_STEP;
             while (step > LAST_STEP)
             {
@@ -78,6 +71,11 @@ package starlogo.fitting.minimal
                 {
                     step *= SHRINK;
                 }
+            }
+            if (_volume < _least)
+            {
+                _least = _volume;
+                axes = axesOfBox();
             }
         }
 
@@ -137,26 +135,25 @@ package starlogo.fitting.minimal
 
         private function stepAside(step:Number):void
         {
-            var sideX:Number = _sideX * step;
-            var sideY:Number = _sideY * step;
-            var sideZ:Number = _sideZ * step;
-            var thirdX:Number = _y * sideZ - _z * sideY;
-            var thirdY:Number = _z * sideX - _x * sideZ;
-            var thirdZ:Number = _x * sideY - _y * sideX;
-            var x:Number = _x;
-            var y:Number = _y;
-            var z:Number = _z;
-            tryDirection(x + sideX, y + sideY, z + sideZ);
-            tryDirection(x - sideX, y - sideY, z - sideZ);
-            tryDirection(x + thirdX, y + thirdY, z + thirdZ);
-            tryDirection(x - thirdX, y - thirdY, z - thirdZ);
+            var box:Vector.<Number> = axesOfBox();
+            for (var i:int = 3; i < 9; i += 3)
+            {
+                tryDirection(box[0] + step * box[i], box[1] + step * box[i + 1], box[2] + step * box[i + 2]);
+                tryDirection(box[0] - step * box[i], box[1] - step * box[i + 1], box[2] - step * box[i + 2]);
+            }
         }
 
         private function tryOtherSides():void
         {
-            var box:Vector.<Number> = axes;
+            var box:Vector.<Number> = axesOfBox();
             tryDirection(box[3], box[4], box[5]);
             tryDirection(box[6], box[7], box[8]);
+        }
+
+        private function axesOfBox():Vector.<Number>
+        {
+            return new <Number>[_x, _y, _z, _sideX, _sideY, _sideZ, _y * _sideZ - _z * _sideY, _z * _sideX - _x * _sideZ,
+                    _x * _sideY - _y * _sideX];
         }
     }
 }

@@ -1,5 +1,9 @@
 package starlogo.fitting.minimal
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.Capsule;
+    import starlogo.fitting.EnclosingStructures;
+
     /**
      * Moves the ends of a capsule until no small move makes it smaller while it holds all points: a part of
      * MinimalCapsuleFitter.
@@ -13,7 +17,7 @@ package starlogo.fitting.minimal
      *
      * @private
      */
-    public final class CapsuleDescent
+    public final class CapsuleDescent extends DirectionSearch
     {
         private static const STEPS:int = 60;
         private static const SWEEPS:int = 60;
@@ -22,17 +26,19 @@ package starlogo.fitting.minimal
         private static const MOST_ACTIVE:int = 48;
         private static const GAIN:Number = 1e-7;
 
-        /** The ends, x, y, z of each: set before a descent, read after it. */
-        public var ends:Vector.<Number> = new Vector.<Number>(6);
+        // radii to try, as multiples of the circle's
+        private static const RADII:Vector.<Number> = new <Number>[1, 1.02, 1.05, 1.1, 1.2, 1.35];
 
-        /** The radius that holds all points. */
-        public var radius:Number;
+        /** The smallest capsule so far. */
+        public var best:Capsule;
 
-        /** The volume of the capsule. */
-        public var volume:Number;
-
+        private var _vertices:Vector.<Number>;
         private var _points:Vector.<Number>;
         private var _distances:Vector.<Number>;
+        // the ends, x, y, z of each, the radius that holds all points, and the volume
+        private var _ends:Vector.<Number>;
+        private var _radius:Number;
+        private var _volume:Number;
         private var _trial:Vector.<Number> = new Vector.<Number>(6);
         private var _change:Vector.<Number> = new Vector.<Number>(7);
 
@@ -42,20 +48,73 @@ package starlogo.fitting.minimal
         private var _multipliers:Vector.<Number> = new Vector.<Number>();
 
         /**
-         * @param points x, y, z each
+         * @param vertices x, y, z each
+         * @param points those on their hull
+         * @param best a capsule around the vertices
          */
-        public function CapsuleDescent(points:Vector.<Number>)
+        public function CapsuleDescent(vertices:Vector.<Number>, points:Vector.<Number>, best:Capsule)
         {
+            this.best = best;
+            _vertices = vertices;
             _points = points;
             _distances = new Vector.<Number>(points.length / 3);
         }
 
-        /** Descends from the ends that are set. */
-        public function descend():void
+        override protected function measure(x:Number, y:Number, z:Number):Number
+        {
+            return capsuleAlong(new Vector3D(x, y, z)).volume;
+        }
+
+        override protected function descendFrom(x:Number, y:Number, z:Number):void
+        {
+            var start:Capsule = capsuleAlong(new Vector3D(x, y, z));
+            _ends = new <Number>[start.start.x, start.start.y, start.start.z, start.end.x, start.end.y, start.end.z];
+            descend();
+            var from:Vector3D = new Vector3D(_ends[0], _ends[1], _ends[2]);
+            var axis:Vector3D = new Vector3D(_ends[3] - _ends[0], _ends[4] - _ends[1], _ends[5] - _ends[2]);
+            if (axis.normalize() == 0)
+            {
+                axis.setTo(1, 0, 0);
+            }
+            var radius:Number = Math.max(_radius, EnclosingStructures.distanceFromLine(_vertices, from, axis));
+            var capsule:Capsule = EnclosingStructures.capsule(_vertices, from, axis, Infinity, -Infinity, radius);
+            if (capsule.volume < best.volume)
+            {
+                best = capsule;
+            }
+        }
+
+        // Its axis goes through the smallest circle around the points seen along a unit vector. Of some radii it has the best.
+        private function capsuleAlong(axis:Vector3D):Capsule
+        {
+            var seen:Vector.<Number> = new Vector.<Number>(_points.length);
+            for (var i:int = 0; i < _points.length; i += 3)
+            {
+                var along:Number = _points[i] * axis.x + _points[i + 1] * axis.y + _points[i + 2] * axis.z;
+                seen[i] = _points[i] - along * axis.x;
+                seen[i + 1] = _points[i + 1] - along * axis.y;
+                seen[i + 2] = _points[i + 2] - along * axis.z;
+            }
+            var circle:SmallestEnclosingBall = new SmallestEnclosingBall(seen);
+            var center:Vector3D = new Vector3D(circle.x, circle.y, circle.z);
+            var smallest:Capsule = null;
+            for each (var multiple:Number in RADII)
+            {
+                var capsule:Capsule = EnclosingStructures.capsule(_points, center, axis, Infinity, -Infinity, multiple * circle.radius);
+                if (smallest == null || capsule.volume < smallest.volume)
+                {
+                    smallest = capsule;
+                }
+            }
+            return smallest;
+        }
+
+        // Moves the ends that are set.
+        private function descend():void
         {
             var reach:Number = 0.1;
-            radius = measure(ends);
-            volume = volumeOf(ends, radius);
+            _radius = farthest(_ends);
+            _volume = volumeOf(_ends, _radius);
             for (var step:int = 0; step < STEPS && reach > 1e-7; step++)
             {
                 linearise();
@@ -63,18 +122,18 @@ package starlogo.fitting.minimal
                 var i:int;
                 for (i = 0; i < 6; i++)
                 {
-                    _trial[i] = ends[i] + _change[i];
+                    _trial[i] = _ends[i] + _change[i];
                 }
-                var trialRadius:Number = measure(_trial);
+                var trialRadius:Number = farthest(_trial);
                 var trialVolume:Number = volumeOf(_trial, trialRadius);
-                if (trialVolume < volume)
+                if (trialVolume < _volume)
                 {
-                    reach *= trialVolume < volume * (1 - GAIN) ? 2 : 0.5;
-                    volume = trialVolume;
-                    radius = trialRadius;
+                    reach *= trialVolume < _volume * (1 - GAIN) ? 2 : 0.5;
+                    _volume = trialVolume;
+                    _radius = trialRadius;
                     for (i = 0; i < 6; i++)
                     {
-                        ends[i] = _trial[i];
+                        _ends[i] = _trial[i];
                     }
                 }
                 else
@@ -98,7 +157,7 @@ package starlogo.fitting.minimal
         }
 
         // The largest distance of a point from the segment.
-        private function measure(ends:Vector.<Number>):Number
+        private function farthest(ends:Vector.<Number>):Number
         {
             var startX:Number = ends[0];
             var startY:Number = ends[1];
@@ -131,13 +190,13 @@ package starlogo.fitting.minimal
         // The tangents at the points that may become the farthest.
         private function linearise():void
         {
-            measure(ends);
+            farthest(_ends);
             _tangents.length = 0;
             _room.length = 0;
             var least:Number = activeFrom();
-            var alongX:Number = ends[3] - ends[0];
-            var alongY:Number = ends[4] - ends[1];
-            var alongZ:Number = ends[5] - ends[2];
+            var alongX:Number = _ends[3] - _ends[0];
+            var alongY:Number = _ends[4] - _ends[1];
+            var alongZ:Number = _ends[5] - _ends[2];
             var square:Number = alongX * alongX + alongY * alongY + alongZ * alongZ;
             for (var i:int = 0; i < _distances.length; i++)
             {
@@ -145,9 +204,9 @@ package starlogo.fitting.minimal
                 {
                     continue;
                 }
-                var x:Number = _points[3 * i] - ends[0];
-                var y:Number = _points[3 * i + 1] - ends[1];
-                var z:Number = _points[3 * i + 2] - ends[2];
+                var x:Number = _points[3 * i] - _ends[0];
+                var y:Number = _points[3 * i + 1] - _ends[1];
+                var z:Number = _points[3 * i + 2] - _ends[2];
                 var t:Number = square > 0 ? (x * alongX + y * alongY + z * alongZ) / square : 0;
                 t = t < 0 ? 0 : (t > 1 ? 1 : t);
                 var distance:Number = Math.sqrt(_distances[i]);
@@ -156,7 +215,7 @@ package starlogo.fitting.minimal
                 y = (t * alongY - y) / distance;
                 z = (t * alongZ - z) / distance;
                 _tangents.push((1 - t) * x, (1 - t) * y, (1 - t) * z, t * x, t * y, t * z, -1);
-                _room.push(radius - distance);
+                _room.push(_radius - distance);
             }
         }
 
@@ -166,7 +225,7 @@ package starlogo.fitting.minimal
             var share:Number = ACTIVE;
             do
             {
-                var least:Number = radius * (1 - share);
+                var least:Number = _radius * (1 - share);
                 least *= least;
                 var count:int = 0;
                 for (var i:int = 0; i < _distances.length; i++)
@@ -184,7 +243,7 @@ package starlogo.fitting.minimal
         private function solve(reach:Number):void
         {
             var gradient:Vector.<Number> = gradientOfVolume();
-            var scale:Number = reach * radius / gradient[6];
+            var scale:Number = reach * _radius / gradient[6];
             var i:int;
             var k:int;
             for (k = 0; k < 7; k++)
@@ -222,7 +281,7 @@ package starlogo.fitting.minimal
                     }
                     most = Math.max(most, Math.abs(difference));
                 }
-                if (most < 1e-6 * reach * radius)
+                if (most < 1e-6 * reach * _radius)
                 {
                     return;
                 }
@@ -231,12 +290,12 @@ package starlogo.fitting.minimal
 
         private function gradientOfVolume():Vector.<Number>
         {
-            var length:Number = lengthOf(ends);
-            var area:Number = length > 0 ? Math.PI * radius * radius / length : 0;
-            var x:Number = area * (ends[3] - ends[0]);
-            var y:Number = area * (ends[4] - ends[1]);
-            var z:Number = area * (ends[5] - ends[2]);
-            return new <Number>[-x, -y, -z, x, y, z, 2 * Math.PI * radius * (length + 2 * radius)];
+            var length:Number = lengthOf(_ends);
+            var area:Number = length > 0 ? Math.PI * _radius * _radius / length : 0;
+            var x:Number = area * (_ends[3] - _ends[0]);
+            var y:Number = area * (_ends[4] - _ends[1]);
+            var z:Number = area * (_ends[5] - _ends[2]);
+            return new <Number>[-x, -y, -z, x, y, z, 2 * Math.PI * _radius * (length + 2 * _radius)];
         }
     }
 }

@@ -84,14 +84,8 @@ package starlogo.intersection
          */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            _a.setTo(a, displacement);
-            _b.setTo(b, RelativeMotion.NONE);
-            _depth = Infinity;
-            tryAll(_b, _b);
-            tryAll(_a, _a);
-            tryAll(_a, _b);
+            findNormal(a, b, displacement, out);
             var normal:Vector3D = _best;
-            out.setNormal(normal.x, normal.y, normal.z);
             _b.supportInto(_polygonB, normal);
             normal.negate();
             _a.supportInto(_polygonA, normal);
@@ -102,6 +96,34 @@ package starlogo.intersection
             out.z = _polygonA.z - radius / 2 * out.normalZ;
             var depth:Number = _depth + radius;
             out.depth = depth > 0 ? depth : 0;
+        }
+
+        /**
+         * Finds the normal of the contact of two structures, each a Box, or a Capsule of which the axis counts. Where two axes are parallel, it is as
+         * upright as can be.
+         */
+        public function findNormal(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
+        {
+            _a.setTo(a, displacement);
+            _b.setTo(b, RelativeMotion.NONE);
+            _depth = Infinity;
+            tryAll(_b, _b);
+            tryAll(_a, _a);
+            tryAll(_a, _b);
+            if (_depth == Infinity)
+            {
+                tryAcross(_a, out);
+                tryAcross(_b, out);
+            }
+            out.setNormal(_best.x, _best.y, _best.z);
+        }
+
+        private function tryAcross(axis:SegmentSum, out:ContactPoint):void
+        {
+            out.setNormal(axis.directions[0], axis.directions[1], axis.directions[2]);
+            out.pointAcross();
+            _direction.setTo(out.normalX, out.normalY, out.normalZ);
+            tryDirection();
         }
 
         private function tryAll(first:SegmentSum, second:SegmentSum):void

@@ -90,13 +90,6 @@ package starlogo.intersection
         {
         }
 
-        /** Points a contact's normal along the gap, and sets its length. */
-        protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
-        {
-            out.setNormal(gapX, gapY, gapZ);
-            out.normalise();
-        }
-
         /**
          * Newton's method on the distance of the cores, which is a convex function of time: from the left it does not step over the first
          * zero. It takes 80 steps at most: the product of the gap and its slope shrinks to a quarter in each, and both are numbers with
@@ -173,8 +166,10 @@ package starlogo.intersection
             var least:Number = Tolerances.DIRECTION * size;
             if (squared > least * least)
             {
-                pointAlongGap(b, out);
-                out.depth = radii - out.length;
+                turnGap(b);
+                out.setNormal(gapX, gapY, gapZ);
+                out.normalise();
+                out.depth = radii - Math.sqrt(squared);
                 placeContact(a, displacement, out);
             }
             else

@@ -55,12 +55,7 @@ package starlogo.intersection
             var x:Number = fromX + time * motionX;
             var y:Number = fromY + time * motionY;
             var z:Number = fromZ + time * motionZ;
-            var half:Number = halfX;
-            x = x > half ? x - half : (x < -half ? x + half : 0);
-            half = halfY;
-            y = y > half ? y - half : (y < -half ? y + half : 0);
-            half = halfZ;
-            z = z > half ? z - half : (z < -half ? z + half : 0);
+            include "pointToBox.inc";
             gapX = x;
             gapY = y;
             gapZ = z;
@@ -85,56 +80,39 @@ package starlogo.intersection
             var axisX:Vector3D = box.axisX;
             var axisY:Vector3D = box.axisY;
             var axisZ:Vector3D = box.axisZ;
-            var x:Number = displacement.startX + center.x;
-            var y:Number = displacement.startY + center.y;
-            var z:Number = displacement.startZ + center.z;
-            var toX:Number = x - middle.x;
-            var toY:Number = y - middle.y;
-            var toZ:Number = z - middle.z;
-            var inX:Number = axisX.x * toX + axisX.y * toY + axisX.z * toZ;
-            var inY:Number = axisY.x * toX + axisY.y * toY + axisY.z * toZ;
-            var inZ:Number = axisZ.x * toX + axisZ.y * toY + axisZ.z * toZ;
-            var half:Number = box.halfX;
-            var extent:Number = half;
-            toX = inX > half ? inX - half : (inX < -half ? inX + half : 0);
-            half = box.halfY;
-            extent += half;
-            toY = inY > half ? inY - half : (inY < -half ? inY + half : 0);
-            half = box.halfZ;
-            extent += half;
-            toZ = inZ > half ? inZ - half : (inZ < -half ? inZ + half : 0);
+            out.x = displacement.startX + center.x;
+            out.y = displacement.startY + center.y;
+            out.z = displacement.startZ + center.z;
+            var toX:Number = out.x - middle.x;
+            var toY:Number = out.y - middle.y;
+            var toZ:Number = out.z - middle.z;
+            var x:Number = axisX.x * toX + axisX.y * toY + axisX.z * toZ;
+            var y:Number = axisY.x * toX + axisY.y * toY + axisY.z * toZ;
+            var z:Number = axisZ.x * toX + axisZ.y * toY + axisZ.z * toZ;
+            gapX = x;
+            gapY = y;
+            gapZ = z;
+            halfX = box.halfX;
+            halfY = box.halfY;
+            halfZ = box.halfZ;
+            include "pointToBox.inc";
             var radius:Number = sphere.radius;
-            out.x = x;
-            out.y = y;
-            out.z = z;
             out.radius = radius;
-            var squared:Number = toX * toX + toY * toY + toZ * toZ;
-            var least:Number = Tolerances.DIRECTION * (extent + radius);
+            var squared:Number = x * x + y * y + z * z;
+            var least:Number = Tolerances.DIRECTION * (halfX + halfY + halfZ + radius);
             if (squared > least * least)
             {
-                out.setNormal(toX * axisX.x + toY * axisY.x + toZ * axisZ.x, toX * axisX.y + toY * axisY.y + toZ * axisZ.y,
-                        toX * axisX.z + toY * axisY.z + toZ * axisZ.z);
+                out.setNormal(x * axisX.x + y * axisY.x + z * axisZ.x, x * axisX.y + y * axisY.y + z * axisZ.y,
+                        x * axisX.z + y * axisY.z + z * axisZ.z);
                 out.normalise();
                 out.depth = radius - Math.sqrt(squared);
             }
             else
             {
-                gapX = inX;
-                gapY = inY;
-                gapZ = inZ;
                 pointThroughFace(box, out);
                 out.depth += radius;
             }
             out.place();
-        }
-
-        override protected function pointAlongGap(b:BoundingStructure, out:ContactPoint):void
-        {
-            var length:Number = Math.sqrt(gapX * gapX + gapY * gapY + gapZ * gapZ);
-            turnGap(b);
-            out.setNormal(gapX, gapY, gapZ);
-            out.normalise();
-            out.length = length;
         }
 
         override protected function turnGap(b:BoundingStructure):void
@@ -159,18 +137,18 @@ package starlogo.intersection
             var z:Number = gapZ;
             var axis:Vector3D = box.axisX;
             var along:Number = x;
-            var depth:Number = box.halfX - Math.abs(x);
-            if (box.halfY - Math.abs(y) < depth)
+            var depth:Number = halfX - Math.abs(x);
+            if (halfY - Math.abs(y) < depth)
             {
                 axis = box.axisY;
                 along = y;
-                depth = box.halfY - Math.abs(y);
+                depth = halfY - Math.abs(y);
             }
-            if (box.halfZ - Math.abs(z) < depth)
+            if (halfZ - Math.abs(z) < depth)
             {
                 axis = box.axisZ;
                 along = z;
-                depth = box.halfZ - Math.abs(z);
+                depth = halfZ - Math.abs(z);
             }
             var side:Number = along < 0 ? -1 : 1;
             out.setNormal(side * axis.x, side * axis.y, side * axis.z);

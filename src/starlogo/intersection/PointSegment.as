@@ -14,7 +14,6 @@ package starlogo.intersection
         private var _axisX:Number;
         private var _axisY:Number;
         private var _axisZ:Number;
-        private var _lengthSquared:Number;
 
         /** Nothing related yet. */
         public function PointSegment()
@@ -31,7 +30,6 @@ package starlogo.intersection
             _axisX = end.x - start.x;
             _axisY = end.y - start.y;
             _axisZ = end.z - start.z;
-            _lengthSquared = _axisX * _axisX + _axisY * _axisY + _axisZ * _axisZ;
             fromX = center.x - start.x + motion.startX;
             fromY = center.y - start.y + motion.startY;
             fromZ = center.z - start.z + motion.startZ;
@@ -50,14 +48,7 @@ package starlogo.intersection
             var axisX:Number = _axisX;
             var axisY:Number = _axisY;
             var axisZ:Number = _axisZ;
-            var along:Number = x * axisX + y * axisY + z * axisZ;
-            if (along > 0)
-            {
-                along = along < _lengthSquared ? along / _lengthSquared : 1;
-                x -= along * axisX;
-                y -= along * axisY;
-                z -= along * axisZ;
-            }
+            include "pointToSegment.inc";
             gapX = x;
             gapY = y;
             gapZ = z;
@@ -78,31 +69,20 @@ package starlogo.intersection
             var axisX:Number = end.x - start.x;
             var axisY:Number = end.y - start.y;
             var axisZ:Number = end.z - start.z;
-            var x:Number = displacement.startX + center.x;
-            var y:Number = displacement.startY + center.y;
-            var z:Number = displacement.startZ + center.z;
-            var toX:Number = x - start.x;
-            var toY:Number = y - start.y;
-            var toZ:Number = z - start.z;
-            var along:Number = toX * axisX + toY * axisY + toZ * axisZ;
-            var lengthSquared:Number = axisX * axisX + axisY * axisY + axisZ * axisZ;
-            if (along > 0)
-            {
-                along = along < lengthSquared ? along / lengthSquared : 1;
-                toX -= along * axisX;
-                toY -= along * axisY;
-                toZ -= along * axisZ;
-            }
+            out.x = displacement.startX + center.x;
+            out.y = displacement.startY + center.y;
+            out.z = displacement.startZ + center.z;
+            var x:Number = out.x - start.x;
+            var y:Number = out.y - start.y;
+            var z:Number = out.z - start.z;
+            include "pointToSegment.inc";
             var depth:Number = sphere.radius + capsule.radius;
-            out.x = x;
-            out.y = y;
-            out.z = z;
             out.radius = sphere.radius;
             out.depth = depth;
             var least:Number = Tolerances.DIRECTION * (Math.sqrt(lengthSquared) + depth);
-            if (toX * toX + toY * toY + toZ * toZ > least * least)
+            if (x * x + y * y + z * z > least * least)
             {
-                out.setNormal(toX, toY, toZ);
+                out.setNormal(x, y, z);
                 out.normalise();
                 out.depth -= out.length;
             }

@@ -11,21 +11,15 @@ package starlogo.intersection
     /** The kernel of two capsules (Ericson, "Real-Time Collision Detection", §5.1.9). */
     internal final class SegmentSegment extends ClosestPoints
     {
-        // The segments, u and v, their products and their cross product.
+        private static const DEEP:BoxPair = new BoxPair();
+
+        // The segments, u and v.
         private var _ux:Number;
         private var _uy:Number;
         private var _uz:Number;
         private var _vx:Number;
         private var _vy:Number;
         private var _vz:Number;
-        private var _uu:Number;
-        private var _vv:Number;
-        private var _uv:Number;
-        private var _isNearlyParallel:Boolean;
-        private var _crossX:Number;
-        private var _crossY:Number;
-        private var _crossZ:Number;
-        private var _denominator:Number;
 
         /** Nothing related yet. */
         public function SegmentSegment()
@@ -53,7 +47,6 @@ package starlogo.intersection
             _vx = end.x - startB.x;
             _vy = end.y - startB.y;
             _vz = end.z - startB.z;
-            multiply();
         }
 
         /**
@@ -78,34 +71,8 @@ package starlogo.intersection
             _vx = b[endB] - b[startB];
             _vy = b[int(endB + 1)] - b[int(startB + 1)];
             _vz = b[int(endB + 2)] - b[int(startB + 2)];
-            multiply();
             moment = 0;
             find();
-        }
-
-        private function multiply():void
-        {
-            var ux:Number = _ux;
-            var uy:Number = _uy;
-            var uz:Number = _uz;
-            var vx:Number = _vx;
-            var vy:Number = _vy;
-            var vz:Number = _vz;
-            var uu:Number = ux * ux + uy * uy + uz * uz;
-            var vv:Number = vx * vx + vy * vy + vz * vz;
-            var uv:Number = ux * vx + uy * vy + uz * vz;
-            _denominator = uu * vv - uv * uv;
-            _isNearlyParallel = _denominator <= Tolerances.NEARLY_PARALLEL * uu * vv;
-            if (_isNearlyParallel)
-            {
-                _crossX = uy * vz - uz * vy;
-                _crossY = uz * vx - ux * vz;
-                _crossZ = ux * vy - uy * vx;
-                _denominator = _crossX * _crossX + _crossY * _crossY + _crossZ * _crossZ;
-            }
-            _uu = uu;
-            _vv = vv;
-            _uv = uv;
         }
 
         override protected function find():void
@@ -120,42 +87,11 @@ package starlogo.intersection
             var vx:Number = _vx;
             var vy:Number = _vy;
             var vz:Number = _vz;
-            var uu:Number = _uu;
-            var vv:Number = _vv;
-            var uv:Number = _uv;
-            var alongU:Number = ux * x + uy * y + uz * z;
-            var alongV:Number = vx * x + vy * y + vz * z;
-            var numerator:Number;
-            if (_isNearlyParallel)
-            {
-                // the same from cross products, which do not cancel
-                numerator = (vy * z - vz * y) * _crossX + (vz * x - vx * z) * _crossY + (vx * y - vy * x) * _crossZ;
-            }
-            else
-            {
-                numerator = uv * alongV - vv * alongU;
-            }
-            var onA:Number = numerator <= 0 ? 0 : (numerator >= _denominator ? 1 : numerator / _denominator);
-            var onB:Number = uv * onA + alongV;
-            if (onB <= 0)
-            {
-                onB = 0;
-                onA = alongU >= 0 ? 0 : (-alongU >= uu ? 1 : -alongU / uu);
-            }
-            else if (onB >= vv)
-            {
-                onB = 1;
-                onA = uv - alongU;
-                onA = onA <= 0 ? 0 : (onA >= uu ? 1 : onA / uu);
-            }
-            else
-            {
-                onB /= vv;
-            }
-            share = onA;
-            gapX = x + onA * ux - onB * vx;
-            gapY = y + onA * uy - onB * vy;
-            gapZ = z + onA * uz - onB * vz;
+            include "segmentToSegment.inc";
+            share = s;
+            gapX = x + s * ux - t * vx;
+            gapY = y + s * uy - t * vy;
+            gapZ = z + s * uz - t * vz;
         }
 
         /** @inheritDoc */
@@ -177,49 +113,13 @@ package starlogo.intersection
 
         override protected function measure():void
         {
-            size = Math.sqrt(_uu) + Math.sqrt(_vv) + radii;
+            size = Math.sqrt(_ux * _ux + _uy * _uy + _uz * _uz) + Math.sqrt(_vx * _vx + _vy * _vy + _vz * _vz) + radii;
         }
 
         // At right angles to both segments, as upright as can be where they are parallel, and to the side where a's middle is.
         override protected function findOverlap(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            var unit:Number = 1 / Math.sqrt(_uu > _vv ? _uu : _vv);
-            var ux:Number = _ux * unit;
-            var uy:Number = _uy * unit;
-            var uz:Number = _uz * unit;
-            var vx:Number = _vx * unit;
-            var vy:Number = _vy * unit;
-            var vz:Number = _vz * unit;
-            var crossX:Number = uy * vz - uz * vy;
-            var crossY:Number = uz * vx - ux * vz;
-            var crossZ:Number = ux * vy - uy * vx;
-            var sine:Number = crossX * crossX + crossY * crossY + crossZ * crossZ;
-            var most:Number = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
-            if (sine > Tolerances.DIRECTION * Tolerances.DIRECTION * most)
-            {
-                out.setNormal(crossX, crossY, crossZ);
-                out.normalise();
-            }
-            else if (_uu > _vv)
-            {
-                out.setNormal(_ux, _uy, _uz);
-                out.pointAcross();
-            }
-            else
-            {
-                out.setNormal(_vx, _vy, _vz);
-                out.pointAcross();
-            }
-            var startA:Vector3D = Capsule(a).start;
-            var startB:Vector3D = Capsule(b).start;
-            var x:Number = displacement.startX + (startA.x - startB.x + (_ux - _vx) / 2);
-            var y:Number = displacement.startY + (startA.y - startB.y + (_uy - _vy) / 2);
-            var z:Number = displacement.startZ + (startA.z - startB.z + (_uz - _vz) / 2);
-            if (x * out.normalX + y * out.normalY + z * out.normalZ < 0)
-            {
-                out.setNormal(-out.normalX, -out.normalY, -out.normalZ);
-                out.normalise();
-            }
+            DEEP.findNormal(a, b, displacement, out);
             out.depth = radii;
             placeContact(a, displacement, out);
         }

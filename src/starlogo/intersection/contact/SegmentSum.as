@@ -23,7 +23,7 @@ package starlogo.intersection.contact
         /** @copy #x */
         public var z:Number;
 
-        /** The segments' directions, unit vectors. */
+        /** The segments' directions, unit vectors; 0 for a segment without length. */
         public var directions:Vector.<Number> = new Vector.<Number>(9, true);
 
         /** The index after the last number of these. */
@@ -70,14 +70,12 @@ package starlogo.intersection.contact
             var alongY:Number = capsule.end.y - capsule.start.y;
             var alongZ:Number = capsule.end.z - capsule.start.z;
             var length:Number = Math.sqrt(alongX * alongX + alongY * alongY + alongZ * alongZ);
-            if (length > 0)
-            {
-                directions[0] = alongX / length;
-                directions[1] = alongY / length;
-                directions[2] = alongZ / length;
-                _halves[0] = length / 2;
-                end = 3;
-            }
+            _halves[0] = length / 2;
+            length = length > 0 ? length : 1;
+            directions[0] = alongX / length;
+            directions[1] = alongY / length;
+            directions[2] = alongZ / length;
+            end = 3;
         }
 
         /** Finds how far it reaches in a direction, a unit vector. */

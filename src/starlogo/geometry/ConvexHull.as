@@ -112,7 +112,7 @@ package starlogo.geometry
         {
             if (_convexPoints == null)
             {
-                _convexPoints = _grid == null ? points : placeOnGrid();
+                _convexPoints = _grid == null ? points : _grid.placesOf(indices);
             }
             return _convexPoints;
         }
@@ -196,7 +196,7 @@ package starlogo.geometry
             {
                 // along the coordinate axes, flat sides stay flat
                 var gridAxes:Vector.<Number> = dimension == 2 || _simplex.isThin ? axes : new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1];
-                _grid = new HullGrid(_vertices, gridAxes, dimension);
+                _grid = new HullGrid(_vertices, gridAxes, dimension == 2);
             }
             return _grid;
         }
@@ -214,19 +214,22 @@ package starlogo.geometry
 
         private function newMesh():Steps
         {
-            var corners:Vector.<int>;
+            var corners:Vector.<int> = _simplex.corners;
             switch (dimension)
             {
                 case 3:
                     corners = _quickHull.triangles;
                     break;
                 case 2:
-                    corners = outline(_quickHull.triangles);
+                    corners = trianglesAtApex(_quickHull.triangles);
+                    break;
+                case 1:
+                    corners = new <int>[corners[0], corners[1], apex, corners[1], corners[0], apex];
                     break;
                 default:
-                    corners = _simplex.corners.slice(0, dimension + 1);
+                    corners = new <int>[corners[0], apex, apex];
             }
-            _mesh = new HullMesh(_vertices, corners, dimension == 3);
+            _mesh = new HullMesh(_vertices, corners);
             _quickHull = null;
             return _mesh;
         }
@@ -237,32 +240,21 @@ package starlogo.geometry
             return _vertices.length / 3;
         }
 
-        // The corners of a plane's hull, one after the other: each triangle at the apex has an edge of it.
-        private function outline(triangles:Vector.<int>):Vector.<int>
+        // Those triangles of a plane's hull that have an edge of the plane's outline, seen from both sides.
+        private function trianglesAtApex(triangles:Vector.<int>):Vector.<int>
         {
-            var next:Object = {};
+            var found:Vector.<int> = new Vector.<int>();
             for (var i:int = 0; i < triangles.length; i++)
             {
                 if (triangles[i] == apex)
                 {
                     var first:int = i - i % 3;
-                    var start:int = triangles[first + (i + 1) % 3];
-                    next[start] = triangles[first + (i + 2) % 3];
+                    var from:int = triangles[first + (i + 1) % 3];
+                    var to:int = triangles[first + (i + 2) % 3];
+                    found.push(from, to, apex, to, from, apex);
                 }
             }
-            var corners:Vector.<int> = new <int>[start];
-            for (var corner:int = next[start]; corner != start; corner = next[corner])
-            {
-                corners.push(corner);
-            }
-            return corners;
-        }
-
-        private function placeOnGrid():Vector.<Number>
-        {
-            // the points of a plane have the same place along its normal
-            var height:Number = dimension == 2 ? points[0] * axes[6] + points[1] * axes[7] + points[2] * axes[8] : 0;
-            return _grid.placesOf(indices, height * axes[6], height * axes[7], height * axes[8]);
+            return found;
         }
 
         // The sum of the tetrahedra from the first corner to each triangle.

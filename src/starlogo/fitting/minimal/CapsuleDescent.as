@@ -36,7 +36,7 @@ package starlogo.fitting.minimal
         private var _points:Vector.<Number>;
         private var _distances:Vector.<Number>;
         // the ends, x, y, z of each, the radius that holds all points, and the volume
-        private var _ends:Vector.<Number>;
+        private var _ends:Vector.<Number> = new Vector.<Number>(6);
         private var _radius:Number;
         private var _volume:Number;
         private var _trial:Vector.<Number> = new Vector.<Number>(6);
@@ -68,7 +68,12 @@ package starlogo.fitting.minimal
         override protected function descendFrom(x:Number, y:Number, z:Number):void
         {
             var start:Capsule = capsuleAlong(new Vector3D(x, y, z));
-            _ends = new <Number>[start.start.x, start.start.y, start.start.z, start.end.x, start.end.y, start.end.z];
+            _ends[0] = start.start.x;
+            _ends[1] = start.start.y;
+            _ends[2] = start.start.z;
+            _ends[3] = start.end.x;
+            _ends[4] = start.end.y;
+            _ends[5] = start.end.z;
             descend();
             var from:Vector3D = new Vector3D(_ends[0], _ends[1], _ends[2]);
             var axis:Vector3D = new Vector3D(_ends[3] - _ends[0], _ends[4] - _ends[1], _ends[5] - _ends[2]);

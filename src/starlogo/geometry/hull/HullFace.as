@@ -103,40 +103,6 @@ package starlogo.geometry.hull
             offset = (crossX * x + crossY * y + crossZ * z) * scale;
         }
 
-        /**
-         * The four faces of a tetrahedron, joined to each other.
-         *
-         * @param points x, y, z of every point
-         * @param a index of a corner; the four are in any order
-         * @param b index of a corner
-         * @param c index of a corner
-         * @param d index of a corner
-         */
-        public static function tetrahedron(points:Vector.<Number>, a:int, b:int, c:int, d:int):Vector.<HullFace>
-        {
-            if (new HullFace(points, a, b, c).side(points, d) > 0)
-            {
-                var swap:int = b;
-                b = c;
-                c = swap;
-            }
-            var base:HullFace = new HullFace(points, a, b, c);
-            var sideAB:HullFace = new HullFace(points, b, a, d);
-            var sideBC:HullFace = new HullFace(points, c, b, d);
-            var sideCA:HullFace = new HullFace(points, a, c, d);
-            base.acrossAB = sideAB;
-            base.acrossBC = sideBC;
-            base.acrossCA = sideCA;
-            sideAB.acrossAB = sideBC.acrossAB = sideCA.acrossAB = base;
-            sideAB.acrossBC = sideCA;
-            sideCA.acrossCA = sideAB;
-            sideCA.acrossBC = sideBC;
-            sideBC.acrossCA = sideCA;
-            sideBC.acrossBC = sideAB;
-            sideAB.acrossCA = sideBC;
-            return new <HullFace>[base, sideAB, sideBC, sideCA];
-        }
-
         /** Makes <code>face</code> the neighbour across the edge that runs from <code>from</code> to <code>to</code> here. */
         public function setNeighbor(from:int, to:int, face:HullFace):void
         {

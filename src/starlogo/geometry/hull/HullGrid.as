@@ -17,7 +17,7 @@ package starlogo.geometry.hull
 
         private var _vertices:Vector.<Number>;
         private var _axes:Vector.<Number>;
-        private var _dimensions:int;
+        private var _isPlane:Boolean;
 
         // where the vertices begin and end on each axis, and the axis under way
         private var _lows:Vector.<Number> = new <Number>[Infinity, Infinity, Infinity];
@@ -27,20 +27,20 @@ package starlogo.geometry.hull
         /**
          * @param vertices x, y, z each; along each of the axes they differ
          * @param axes perpendicular unit vectors, three numbers each
-         * @param dimensions 2 for vertices in the plane of the first two axes, else 3
+         * @param isPlane whether the vertices are in the plane of the first two axes
          */
-        public function HullGrid(vertices:Vector.<Number>, axes:Vector.<Number>, dimensions:int)
+        public function HullGrid(vertices:Vector.<Number>, axes:Vector.<Number>, isPlane:Boolean)
         {
             _vertices = vertices;
             _axes = axes;
-            _dimensions = dimensions;
+            _isPlane = isPlane;
             var count:int = vertices.length / 3;
             points = new Vector.<Number>(3 * count);
-            if (dimensions == 2)
+            if (isPlane)
             {
                 points.push(QuickHull.GRID / 2, QuickHull.GRID / 2, QuickHull.GRID);
             }
-            for (var axis:int = 0; axis < dimensions; axis++)
+            for (var axis:int = 0; axis < 3; axis++)
             {
                 slices(count, VERTICES_PER_STEP, measure).slices(count, VERTICES_PER_STEP, snap);
             }
@@ -50,19 +50,16 @@ package starlogo.geometry.hull
          * Where some of the points are in the vertices' space, x, y, z each.
          *
          * @param indices which
-         * @param originX x of the point from which the grid's axes count
-         * @param originY y of it
-         * @param originZ z of it
          */
-        public function placesOf(indices:Vector.<int>, originX:Number, originY:Number, originZ:Number):Vector.<Number>
+        public function placesOf(indices:Vector.<int>):Vector.<Number>
         {
             var placed:Vector.<Number> = new Vector.<Number>(3 * indices.length);
             for (var i:int = 0; i < placed.length; i += 3)
             {
-                var x:Number = originX;
-                var y:Number = originY;
-                var z:Number = originZ;
-                for (var axis:int = 0; axis < _dimensions; axis++)
+                var x:Number = 0;
+                var y:Number = 0;
+                var z:Number = 0;
+                for (var axis:int = 0; axis < 3; axis++)
                 {
                     var unit:Number = (_highs[axis] - _lows[axis]) / QuickHull.GRID;
                     var t:Number = _lows[axis] + points[3 * indices[i / 3] + axis] * unit;
@@ -115,7 +112,7 @@ package starlogo.geometry.hull
         {
             var places:Vector.<Number> = points;
             var low:Number = _lows[_axis];
-            var scale:Number = QuickHull.GRID / (_highs[_axis] - low);
+            var scale:Number = _isPlane && _axis == 2 ? 0 : QuickHull.GRID / (_highs[_axis] - low);
             var to:int = 3 * end;
             for (var i:int = 3 * first + _axis; i < to; i += 3)
             {

@@ -3,8 +3,7 @@ package starlogo.geometry.hull
     import starlogo.steps.StepSequence;
 
     /**
-     * How the corners of a hull are joined: made of its triangles, or of a loop of corners that has none. ConvexHull says what each
-     * result is; they are there when no step is left.
+     * How the corners of a hull are joined. ConvexHull says what each result is; they are there when no step is left.
      *
      * @private
      */
@@ -27,6 +26,7 @@ package starlogo.geometry.hull
 
         private var _vertices:Vector.<Number>;
         private var _corners:Vector.<int>;
+        private var _apex:int;
 
         // where each vertex is among the corners; and each corner beside a neighbour of it, in pairs
         private var _place:Vector.<int>;
@@ -34,28 +34,28 @@ package starlogo.geometry.hull
 
         /**
          * @param vertices x, y, z each
-         * @param corners positions among the vertices: three for each triangle, or a loop of corners, the last joined to the first
-         * @param areTriangles which of the two
+         * @param corners of triangles, as positions among the vertices. The position after the last vertex is a point outside of a set without
+         *        volume: triangles and edges that lead there do not count
          */
-        public function HullMesh(vertices:Vector.<Number>, corners:Vector.<int>, areTriangles:Boolean)
+        public function HullMesh(vertices:Vector.<Number>, corners:Vector.<int>)
         {
             _vertices = vertices;
             _corners = corners;
-            call(numberCorners).call(areTriangles ? joinTriangles : joinLoop).call(countNeighbors).call(fillNeighbors);
+            _apex = vertices.length / 3;
+            call(numberCorners).call(joinTriangles).call(countNeighbors).call(fillNeighbors);
         }
 
         private function numberCorners():void
         {
             var corners:Vector.<int> = _corners;
-            var vertexCount:int = _vertices.length / 3;
-            var place:Vector.<int> = new Vector.<int>(vertexCount);
+            var place:Vector.<int> = new Vector.<int>(_apex + 1);
             var count:int = corners.length;
             var i:int;
             for (i = 0; i < count; i++)
             {
                 place[corners[i]] = 1;
             }
-            for (i = 0; i < vertexCount; i++)
+            for (i = 0; i < _apex; i++)
             {
                 if (place[i] == 1)
                 {
@@ -69,34 +69,26 @@ package starlogo.geometry.hull
 
         private function joinTriangles():void
         {
-            var corners:Vector.<int> = _corners;
-            var pairs:Vector.<int> = _pairs;
-            var count:int = corners.length;
-            triangles.length = count;
-            pairs.length = 2 * count;
-            for (var i:int = 0; i < count; i += 3)
+            for (var i:int = 0; i < _corners.length; i += 3)
             {
-                var a:int = _place[corners[i]];
-                var b:int = _place[corners[int(i + 1)]];
-                var c:int = _place[corners[int(i + 2)]];
-                triangles[i] = pairs[2 * i] = pairs[2 * i + 5] = a;
-                triangles[i + 1] = pairs[2 * i + 1] = pairs[2 * i + 2] = b;
-                triangles[i + 2] = pairs[2 * i + 3] = pairs[2 * i + 4] = c;
+                var a:int = _corners[i];
+                var b:int = _corners[int(i + 1)];
+                var c:int = _corners[int(i + 2)];
+                join(a, b);
+                join(b, c);
+                join(c, a);
+                if (a != _apex && b != _apex && c != _apex)
+                {
+                    triangles.push(_place[a], _place[b], _place[c]);
+                }
             }
         }
 
-        private function joinLoop():void
+        private function join(from:int, to:int):void
         {
-            var count:int = _corners.length;
-            for (var i:int = 0; i < count && count > 1; i++)
+            if (from != _apex && to != _apex)
             {
-                var corner:int = _place[_corners[i]];
-                var next:int = _place[_corners[(i + 1) % count]];
-                _pairs.push(corner, next);
-                if (count > 2)
-                {
-                    _pairs.push(next, corner);
-                }
+                _pairs.push(_place[from], _place[to]);
             }
         }
 

@@ -33,8 +33,11 @@ package starlogo.geometry.hull
 
         private var _vertices:Vector.<Number>;
         private var _bounds:VertexBounds = new VertexBounds();
-        private var _farthest:FarthestVertex;
         private var _flat:Number;
+
+        // the vertex that is farthest from what is spanned so far, and the square of its distance
+        private var _farthest:int;
+        private var _most:Number;
 
         /**
          * @param vertices x, y, z each; the steps throw an ArgumentError if they are null or empty, their number of coordinates is no
@@ -93,14 +96,14 @@ package starlogo.geometry.hull
         // Adds the steps of finding the next corner.
         private function findCorner():void
         {
-            _farthest = new FarthestVertex(_vertices);
+            _most = -1;
             slices(_vertices.length / 3, VERTICES_PER_STEP, look).call(addCorner);
         }
 
         private function addCorner():void
         {
-            corners.push(_farthest.index);
-            if ((corners.length == 1 || spans(corners[0], _farthest.index)) && dimension < 3)
+            corners.push(_farthest);
+            if ((corners.length == 1 || spans(_farthest)) && dimension < 3)
             {
                 findCorner();
             }
@@ -109,47 +112,90 @@ package starlogo.geometry.hull
         // Looks for the vertex that is farthest from the box's middle, then from the first corner, from the line and from the plane.
         private function look(first:int, end:int):void
         {
-            var corner:int = corners.length == 0 ? 0 : 3 * corners[0];
-            var x:Number = _vertices[corner];
-            var y:Number = _vertices[corner + 1];
-            var z:Number = _vertices[corner + 2];
-            switch (corners.length)
+            var vertices:Vector.<Number> = _vertices;
+            var fromX:Number = (_bounds.minX + _bounds.maxX) / 2;
+            var fromY:Number = (_bounds.minY + _bounds.maxY) / 2;
+            var fromZ:Number = (_bounds.minZ + _bounds.maxZ) / 2;
+            if (corners.length > 0)
             {
-                case 0:
-                    _farthest.lookFromPoint((_bounds.minX + _bounds.maxX) / 2, (_bounds.minY + _bounds.maxY) / 2,
-                            (_bounds.minZ + _bounds.maxZ) / 2, first, end);
-                    break;
-                case 1:
-                    _farthest.lookFromPoint(x, y, z, first, end);
-                    break;
-                case 2:
-                    _farthest.lookFromLine(x, y, z, axes[0], axes[1], axes[2], first, end);
-                    break;
-                default:
-                    _farthest.lookFromPlane(axes[6], axes[7], axes[8], along(2, corners[0]), first, end);
+                fromX = vertices[3 * corners[0]];
+                fromY = vertices[3 * corners[0] + 1];
+                fromZ = vertices[3 * corners[0] + 2];
+            }
+            var i:int;
+            // only the axes that are not spanned count
+            var across:Vector.<Number> = axes.concat();
+            for (i = 0; i < 3 * dimension; i++)
+            {
+                across[i] = 0;
+            }
+            var last:int = 3 * end;
+            for (i = 3 * first; i < last; i += 3)
+            {
+                var x:Number = vertices[i] - fromX;
+                var y:Number = vertices[int(i + 1)] - fromY;
+                var z:Number = vertices[int(i + 2)] - fromZ;
+                var a:Number = x * across[0] + y * across[1] + z * across[2];
+                var b:Number = x * across[3] + y * across[4] + z * across[5];
+                var c:Number = x * across[6] + y * across[7] + z * across[8];
+                var square:Number = a * a + b * b + c * c;
+                if (square > _most)
+                {
+                    _most = square;
+                    _farthest = i / 3;
+                }
             }
         }
 
-        // Whether the last corner lies in one dimension more than the others.
-        private function spans(a:int, last:int):Boolean
+        // Whether a vertex is outside of what is spanned so far. Then that has one dimension more, and an axis towards the vertex.
+        private function spans(vertex:int):Boolean
         {
-            var isHigher:Boolean;
-            switch (dimension)
+            var from:int = 3 * corners[0];
+            var x:Number = _vertices[3 * vertex] - _vertices[from];
+            var y:Number = _vertices[3 * vertex + 1] - _vertices[from + 1];
+            var z:Number = _vertices[3 * vertex + 2] - _vertices[from + 2];
+            // twice: what rounding leaves along the axes counts if the vertex is close to them
+            for (var i:int = 0; i < 2 * dimension; i++)
             {
-                case 0:
-                    isHigher = alignFirst(a, last);
-                    break;
-                case 1:
-                    isHigher = alignSecond(a, last);
-                    break;
-                default:
-                    isHigher = Math.abs(along(2, last) - along(2, a)) > _flat;
+                var axis:int = 3 * (i % dimension);
+                var t:Number = x * axes[axis] + y * axes[axis + 1] + z * axes[axis + 2];
+                x -= t * axes[axis];
+                y -= t * axes[axis + 1];
+                z -= t * axes[axis + 2];
             }
-            if (isHigher)
+            if (!(Math.sqrt(x * x + y * y + z * z) > _flat))
             {
-                dimension++;
+                return false;
             }
-            return isHigher;
+            if (dimension < 2)
+            {
+                setAxis(dimension, x, y, z);
+            }
+            if (dimension == 0)
+            {
+                setAxisAcross(Math.abs(x), Math.abs(y), Math.abs(z));
+            }
+            setAxis(2, axes[1] * axes[5] - axes[2] * axes[4], axes[2] * axes[3] - axes[0] * axes[5],
+                    axes[0] * axes[4] - axes[1] * axes[3]);
+            dimension++;
+            return true;
+        }
+
+        // Turns the second axis across the first, and across the coordinate axis that the first is farthest from.
+        private function setAxisAcross(alongX:Number, alongY:Number, alongZ:Number):void
+        {
+            if (alongX <= alongY && alongX <= alongZ)
+            {
+                setAxis(1, 0, axes[2], -axes[1]);
+            }
+            else if (alongY <= alongZ)
+            {
+                setAxis(1, -axes[2], 0, axes[0]);
+            }
+            else
+            {
+                setAxis(1, axes[1], -axes[0], 0);
+            }
         }
 
         private function along(axis:int, vertex:int):Number
@@ -158,72 +204,12 @@ package starlogo.geometry.hull
                 + _vertices[3 * vertex + 2] * axes[3 * axis + 2];
         }
 
-        // Turns the first axis from vertex a to vertex b, the others perpendicular to it; false if the two coincide.
-        private function alignFirst(a:int, b:int):Boolean
-        {
-            var x:Number = _vertices[3 * b] - _vertices[3 * a];
-            var y:Number = _vertices[3 * b + 1] - _vertices[3 * a + 1];
-            var z:Number = _vertices[3 * b + 2] - _vertices[3 * a + 2];
-            var length:Number = Math.sqrt(x * x + y * y + z * z);
-            if (!(length > _flat))
-            {
-                return false;
-            }
-            x /= length;
-            y /= length;
-            z /= length;
-            setAxis(0, x, y, z);
-            // across the coordinate axis that it is farthest from
-            if (Math.abs(x) <= Math.abs(y) && Math.abs(x) <= Math.abs(z))
-            {
-                setAxis(1, 0, z, -y);
-            }
-            else if (Math.abs(y) <= Math.abs(z))
-            {
-                setAxis(1, -z, 0, x);
-            }
-            else
-            {
-                setAxis(1, y, -x, 0);
-            }
-            setThirdAxis();
-            return true;
-        }
-
-        // Turns the second axis towards vertex c; false if that lies on the line through vertex a along the first.
-        private function alignSecond(a:int, c:int):Boolean
-        {
-            var x:Number = _vertices[3 * c] - _vertices[3 * a];
-            var y:Number = _vertices[3 * c + 1] - _vertices[3 * a + 1];
-            var z:Number = _vertices[3 * c + 2] - _vertices[3 * a + 2];
-            var t:Number = x * axes[0] + y * axes[1] + z * axes[2];
-            x -= t * axes[0];
-            y -= t * axes[1];
-            z -= t * axes[2];
-            if (!(Math.sqrt(x * x + y * y + z * z) > _flat))
-            {
-                return false;
-            }
-            setAxis(1, x, y, z);
-            // once more: what was left along the first axis counts when c is close to the line
-            t = axes[3] * axes[0] + axes[4] * axes[1] + axes[5] * axes[2];
-            setAxis(1, axes[3] - t * axes[0], axes[4] - t * axes[1], axes[5] - t * axes[2]);
-            setThirdAxis();
-            return true;
-        }
-
         private function setAxis(axis:int, x:Number, y:Number, z:Number):void
         {
             var length:Number = Math.sqrt(x * x + y * y + z * z);
             axes[3 * axis] = x / length;
             axes[3 * axis + 1] = y / length;
             axes[3 * axis + 2] = z / length;
-        }
-
-        private function setThirdAxis():void
-        {
-            setAxis(2, axes[1] * axes[5] - axes[2] * axes[4], axes[2] * axes[3] - axes[0] * axes[5],
-                    axes[0] * axes[4] - axes[1] * axes[3]);
         }
     }
 }

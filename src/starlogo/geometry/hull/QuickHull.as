@@ -1,7 +1,6 @@
 package starlogo.geometry.hull
 {
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * The convex hull of points on a grid of whole numbers, by quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull
@@ -27,22 +26,26 @@ package starlogo.geometry.hull
         private static const POINTS_PER_STEP:int = 500;
         private static const LOOKS_PER_STEP:int = 3000;
         private static const LOOKS_PER_FACE:int = 12;
+        private static const FACES_PER_STEP:int = 700;
 
         private var _points:Vector.<Number>;
         private var _simplex:Vector.<int>;
 
         // the points to build the hull of: those listed, or all where that is null
         private var _among:Vector.<int>;
-        private var _last:HullFace;
-        private var _walk:FaceWalk;
         private var _outside:OutsidePoints;
         // By point: of the faces that a new vertex adds, the one whose edge on the horizon begins there.
         private var _faceFrom:Vector.<HullFace>;
 
-        // For the vertex under way: the faces that it sees, pairs of one of these and a neighbour that it does not see, and the new faces.
+        // For the vertex under way: the faces that it sees, and the new faces.
         private var _seen:Vector.<HullFace> = new Vector.<HullFace>();
-        private var _horizon:Vector.<HullFace> = new Vector.<HullFace>();
         private var _created:Vector.<HullFace> = new Vector.<HullFace>();
+
+        // When the hull is built: all of its faces, those up to a number walked on from, and how many edges meet at each point, those inside of a
+        // flat side not counted.
+        private var _faces:Vector.<HullFace>;
+        private var _walked:int;
+        private var _edges:Vector.<int>;
 
         /**
          * @param points x, y, z of every point: whole numbers from 0 to GRID
@@ -61,7 +64,7 @@ package starlogo.geometry.hull
          */
         public function get triangles():Vector.<int>
         {
-            var faces:Vector.<HullFace> = _walk.faces;
+            var faces:Vector.<HullFace> = _faces;
             var count:int = faces.length;
             var corners:Vector.<int> = new Vector.<int>(3 * count);
             for (var i:int = 0; i < count; i++)
@@ -84,10 +87,17 @@ package starlogo.geometry.hull
             var count:int = _points.length / 3;
             _outside = new OutsidePoints(_points);
             _faceFrom = new Vector.<HullFace>(count);
-            _created = HullFace.tetrahedron(_points, a, b, c, d);
-            _last = _created[0];
+            // a triangle with two sides; one of them sees the fourth corner
+            var front:HullFace = new HullFace(_points, a, b, c);
+            var back:HullFace = new HullFace(_points, a, c, b);
+            front.acrossAB = front.acrossBC = front.acrossCA = back;
+            back.acrossAB = back.acrossBC = back.acrossCA = front;
+            var seesFront:Boolean = front.side(_points, d) > 0;
+            addVertex(d, seesFront ? front : back);
+            _created.push(seesFront ? back : front);
+            _created.reverse();
             _among = among;
-            slices(among == null ? count : among.length, POINTS_PER_STEP, assign).repeat(grow).begin(walk).call(restartIfFlat);
+            slices(among == null ? count : among.length, POINTS_PER_STEP, assign).repeat(grow).call(startWalk).repeat(walk).call(countAll);
         }
 
         private function assign(first:int, end:int):void
@@ -95,47 +105,9 @@ package starlogo.geometry.hull
             var among:Vector.<int> = _among;
             for (var i:int = first; i < end; i++)
             {
-                var point:int = i;
-                if (among != null)
-                {
-                    point = among[i];
-                }
+                var point:int = among == null ? i : among[i];
                 _outside.assign(point, _created);
             }
-        }
-
-        // A vertex may have been taken that is in the middle of a flat side once later vertices are added: then the hull of the others alone is
-        // built.
-        private function restartIfFlat():void
-        {
-            if (_walk.corners != null)
-            {
-                restart(_walk.corners);
-            }
-        }
-
-        private function restart(corners:Vector.<int>):void
-        {
-            var a:int = corners[0];
-            var b:int = corners[1];
-            var i:int = 2;
-            while (areCollinear(a, b, corners[i]))
-            {
-                i++;
-            }
-            var base:HullFace = new HullFace(_points, a, b, corners[i]);
-            var j:int = 2;
-            while (base.side(_points, corners[j]) == 0)
-            {
-                j++;
-            }
-            build(a, b, corners[i], corners[j], corners);
-        }
-
-        private function areCollinear(a:int, b:int, c:int):Boolean
-        {
-            var face:HullFace = new HullFace(_points, a, b, c);
-            return face.exactX == 0 && face.exactY == 0 && face.exactZ == 0;
         }
 
         private function grow():Boolean
@@ -160,38 +132,36 @@ package starlogo.geometry.hull
             return true;
         }
 
-        private function walk():Steps
-        {
-            // a second hull is of corners only
-            _walk = new FaceWalk(_points, _last, _among == null);
-            return _walk;
-        }
-
         private function addVertex(eye:int, face:HullFace):void
         {
-            findHorizon(eye, face);
-            buildCone(eye);
+            findFaces(eye, face);
+            for each (var created:HullFace in _created)
+            {
+                var next:HullFace = _faceFrom[created.b];
+                created.acrossBC = next;
+                next.acrossCA = created;
+            }
             _outside.deal(_seen, eye);
-            _last = _created[0];
         }
 
-        // Fills _seen with the faces that the eye sees, and _horizon with pairs: a seen face, its unseen neighbour.
-        private function findHorizon(eye:int, face:HullFace):void
+        // Fills _seen with the faces that the eye sees, and _created with a face from the eye to each edge around them.
+        private function findFaces(eye:int, face:HullFace):void
         {
+            _created.length = 0;
             _seen.length = 0;
-            _horizon.length = 0;
             face.isBuried = true;
             _seen.push(face);
             for (var i:int = 0; i < _seen.length; i++)
             {
                 face = _seen[i];
-                look(eye, face, face.acrossAB);
-                look(eye, face, face.acrossBC);
-                look(eye, face, face.acrossCA);
+                look(eye, face.acrossAB, face.a, face.b);
+                look(eye, face.acrossBC, face.b, face.c);
+                look(eye, face.acrossCA, face.c, face.a);
             }
         }
 
-        private function look(eye:int, face:HullFace, neighbor:HullFace):void
+        // Looks across an edge of a face that the eye sees.
+        private function look(eye:int, neighbor:HullFace, from:int, to:int):void
         {
             if (neighbor.isBuried)
             {
@@ -201,47 +171,97 @@ package starlogo.geometry.hull
             {
                 neighbor.isBuried = true;
                 _seen.push(neighbor);
+                return;
             }
-            else
+            var created:HullFace = new HullFace(_points, from, to, eye);
+            created.acrossAB = neighbor;
+            neighbor.setNeighbor(to, from, created);
+            _faceFrom[from] = created;
+            _created.push(created);
+        }
+
+        private function startWalk():void
+        {
+            _walked = 0;
+            _faces = new Vector.<HullFace>();
+            visit(_created[0]);
+        }
+
+        // From face to neighbour.
+        private function walk():Boolean
+        {
+            for (var end:int = _walked + FACES_PER_STEP; _walked < _faces.length && _walked < end; _walked++)
             {
-                _horizon.push(face, neighbor);
+                var face:HullFace = _faces[_walked];
+                visit(face.acrossAB);
+                visit(face.acrossBC);
+                visit(face.acrossCA);
+            }
+            return _walked < _faces.length;
+        }
+
+        private function visit(face:HullFace):void
+        {
+            if (!face.isVisited)
+            {
+                face.isVisited = true;
+                _faces.push(face);
             }
         }
 
-        private function buildCone(eye:int):void
+        private function countAll():void
         {
-            _created.length = 0;
-            var i:int;
-            var created:HullFace;
-            for (i = 0; i < _horizon.length; i += 2)
+            _edges = new Vector.<int>(_points.length / 3);
+            slices(_faces.length, FACES_PER_STEP, countEdges).call(restartIfFlat);
+        }
+
+        private function countEdges(first:int, end:int):void
+        {
+            for (var i:int = first; i < end; i++)
             {
-                var seen:HullFace = _horizon[i];
-                var unseen:HullFace = _horizon[i + 1];
-                var from:int = seen.a;
-                var to:int = seen.b;
-                if (seen.acrossBC == unseen)
-                {
-                    from = seen.b;
-                    to = seen.c;
-                }
-                else if (seen.acrossCA == unseen)
-                {
-                    from = seen.c;
-                    to = seen.a;
-                }
-                created = new HullFace(_points, from, to, eye);
-                created.acrossAB = unseen;
-                unseen.setNeighbor(to, from, created);
-                _faceFrom[from] = created;
-                _created.push(created);
+                var face:HullFace = _faces[i];
+                countEdge(face, face.acrossAB, face.a, face.b);
+                countEdge(face, face.acrossBC, face.b, face.c);
+                countEdge(face, face.acrossCA, face.c, face.a);
             }
-            for (i = 0; i < _created.length; i++)
+        }
+
+        // An edge is not inside of a flat side if the neighbour's third corner is below the face.
+        private function countEdge(face:HullFace, neighbor:HullFace, from:int, to:int):void
+        {
+            if (face.side(_points, neighbor.a + neighbor.b + neighbor.c - from - to) != 0)
             {
-                created = _created[i];
-                var next:HullFace = _faceFrom[created.b];
-                created.acrossBC = next;
-                next.acrossCA = created;
+                _edges[from]++;
             }
+        }
+
+        // A vertex may have been taken that is inside of an edge or a flat side once later vertices are added: fewer than three edges meet there.
+        // Then the hull of the others alone is built. A closed surface of triangles has two vertices more than half as many triangles.
+        private function restartIfFlat():void
+        {
+            var corners:Vector.<int> = new Vector.<int>();
+            for (var i:int = 0; i < _edges.length; i++)
+            {
+                if (_edges[i] > 2)
+                {
+                    corners.push(i);
+                }
+            }
+            if (corners.length < _faces.length / 2 + 2)
+            {
+                restart(corners);
+            }
+        }
+
+        private function restart(corners:Vector.<int>):void
+        {
+            var base:HullFace = new HullFace(_points, corners[0], corners[1], corners[2]);
+            var i:int = 3;
+            while (base.side(_points, corners[i]) == 0)
+            {
+                i++;
+            }
+            build(corners[0], corners[1], corners[2], corners[i], corners);
         }
     }
 }

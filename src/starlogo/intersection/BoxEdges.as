@@ -56,10 +56,9 @@ package starlogo.intersection
             halfX = b.halfX;
             halfY = b.halfY;
             halfZ = b.halfZ;
-            turnHalf(a.axisX, b, 0);
-            turnHalf(a.axisY, b, 3);
-            turnHalf(a.axisZ, b, 6);
-            scaleHalves(a);
+            turnHalf(a.axisX, a.halfX, b, 0);
+            turnHalf(a.axisY, a.halfY, b, 3);
+            turnHalf(a.axisZ, a.halfZ, b, 6);
             squared = Infinity;
             findCorners(a.center, b);
             for (var i:int = 0; i < 36 && squared > 0; i += 3)
@@ -121,25 +120,15 @@ package starlogo.intersection
             }
         }
 
-        // An axis of a in b's axes.
-        private function turnHalf(axis:Vector3D, b:Box, at:int):void
+        // Half of a's edges along an axis, in b's axes.
+        private function turnHalf(axis:Vector3D, half:Number, b:Box, at:int):void
         {
             var to:Vector3D = b.axisX;
-            _halves[at] = axis.x * to.x + axis.y * to.y + axis.z * to.z;
+            _halves[at] = half * (axis.x * to.x + axis.y * to.y + axis.z * to.z);
             to = b.axisY;
-            _halves[int(at + 1)] = axis.x * to.x + axis.y * to.y + axis.z * to.z;
+            _halves[int(at + 1)] = half * (axis.x * to.x + axis.y * to.y + axis.z * to.z);
             to = b.axisZ;
-            _halves[int(at + 2)] = axis.x * to.x + axis.y * to.y + axis.z * to.z;
-        }
-
-        private function scaleHalves(a:Box):void
-        {
-            for (var i:int = 0; i < 3; i++)
-            {
-                _halves[i] *= a.halfX;
-                _halves[int(i + 3)] *= a.halfY;
-                _halves[int(i + 6)] *= a.halfZ;
-            }
+            _halves[int(at + 2)] = half * (axis.x * to.x + axis.y * to.y + axis.z * to.z);
         }
 
         private function findCorners(middle:Vector3D, b:Box):void

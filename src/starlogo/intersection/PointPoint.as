@@ -4,15 +4,28 @@ package starlogo.intersection
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Sphere;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.contactOfSpheres;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.intersection.sweep.PointSweep;
 
-    /** The kernel of two spheres. When they touch has a closed form: when the centres are as close as both radii. */
-    internal final class PointPoint extends PairKernel
+    /**
+     * The kernel of two spheres. When they touch has a closed form: the line of the one centre enters the sphere around the other whose radius is
+     * the sum of both.
+     *
+     * @private
+     */
+    public final class PointPoint extends PairKernel
     {
-        private var _sweep:PointSweep = new PointSweep();
+        /** For findEntry: from the other centre to where this one is at time 0. */
+        public var x:Number = 0;
+
+        /** @copy #x */
+        public var y:Number = 0;
+
+        /** @copy #x */
+        public var z:Number = 0;
+
+        /** For findEntry: how close the centres are when the spheres touch. */
+        public var reach:Number = 0;
 
         /** Nothing swept yet. */
         public function PointPoint()
@@ -26,17 +39,83 @@ package starlogo.intersection
             var other:Sphere = b as Sphere;
             var center:Vector3D = sphere.center;
             var middle:Vector3D = other.center;
-            _sweep.x = center.x - middle.x + motion.startX;
-            _sweep.y = center.y - middle.y + motion.startY;
-            _sweep.z = center.z - middle.z + motion.startZ;
-            _sweep.reach = sphere.radius + other.radius;
-            _sweep.findTime(motion);
+            x = center.x - middle.x + motion.startX;
+            y = center.y - middle.y + motion.startY;
+            z = center.z - middle.z + motion.startZ;
+            reach = sphere.radius + other.radius;
+            findEntry(motion);
+        }
+
+        /**
+         * Finds the time for the fields.
+         *
+         * @param motion of the one centre, from time 0 to time 1; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         */
+        public function findEntry(motion:RelativeMotion):void
+        {
+            var atX:Number = x;
+            var atY:Number = y;
+            var atZ:Number = z;
+            var squared:Number = reach * reach;
+            if (atX * atX + atY * atY + atZ * atZ <= squared)
+            {
+                motion.time = 0;
+                return;
+            }
+            motion.time = RelativeMotion.NEVER;
+            var motionX:Number = motion.x;
+            var motionY:Number = motion.y;
+            var motionZ:Number = motion.z;
+            var closing:Number = -(atX * motionX + atY * motionY + atZ * motionZ);
+            if (!(closing > 0))
+            {
+                return;
+            }
+            // from the point of the line that is nearest, as far back as half the chord
+            var motionSquared:Number = motionX * motionX + motionY * motionY + motionZ * motionZ;
+            var nearest:Number = closing / motionSquared;
+            atX += nearest * motionX;
+            atY += nearest * motionY;
+            atZ += nearest * motionZ;
+            var half:Number = squared - (atX * atX + atY * atY + atZ * atZ);
+            if (half < 0)
+            {
+                return;
+            }
+            var time:Number = nearest - Math.sqrt(half / motionSquared);
+            if (time <= 1)
+            {
+                motion.time = time > 0 ? time : 0;
+            }
         }
 
         /** @inheritDoc */
         override public function findContact(a:BoundingStructure, b:BoundingStructure, displacement:RelativeMotion, out:ContactPoint):void
         {
-            contactOfSpheres(a as Sphere, b as Sphere, displacement, out);
+            var sphere:Sphere = a as Sphere;
+            var other:Sphere = b as Sphere;
+            var center:Vector3D = sphere.center;
+            var middle:Vector3D = other.center;
+            out.x = displacement.startX + center.x;
+            out.y = displacement.startY + center.y;
+            out.z = displacement.startZ + center.z;
+            out.radius = sphere.radius;
+            var gapX:Number = out.x - middle.x;
+            var gapY:Number = out.y - middle.y;
+            var gapZ:Number = out.z - middle.z;
+            out.depth = sphere.radius + other.radius;
+            // the difference of two points has a direction however short it is
+            if (gapX * gapX + gapY * gapY + gapZ * gapZ > 0)
+            {
+                out.setNormal(gapX, gapY, gapZ);
+                out.normalise();
+                out.depth -= out.length;
+            }
+            else
+            {
+                out.setNormal(0, 0, 1);
+            }
+            out.place();
         }
 
         /** @inheritDoc */

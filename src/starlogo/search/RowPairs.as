@@ -8,10 +8,9 @@ package starlogo.search
     import starlogo.broadphase.Extents;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.intersection.PointPoint;
     import starlogo.intersection.boxBox;
     import starlogo.intersection.contact.ContactPoint;
-    import starlogo.intersection.contact.contactOfSpheres;
-    import starlogo.intersection.sweep.PointSweep;
     import starlogo.intersection.sweep.RelativeMotion;
 
     use namespace engine;
@@ -36,7 +35,7 @@ package starlogo.search
 
         private var _sphereA:Sphere = new Sphere(new Vector3D(), 0);
         private var _sphereB:Sphere = new Sphere(new Vector3D(), 0);
-        private var _points:PointSweep = new PointSweep();
+        private var _points:PointPoint = new PointPoint();
         private var _displacement:RelativeMotion = new RelativeMotion();
 
         /**
@@ -234,7 +233,7 @@ package starlogo.search
                 readSphere(table.extents, a, _sphereA);
                 readSphere(table.extents, b, _sphereB);
                 _displacement.stopAt(motion);
-                contactOfSpheres(_sphereA, _sphereB, _displacement, out);
+                _points.findContact(_sphereA, _sphereB, _displacement, out);
             }
             else
             {
@@ -382,7 +381,7 @@ package starlogo.search
             // the motion's own rounding too
             _points.reach = (extents.halfX[a] + extents.halfX[b]) * Tolerances.TOUCHING + (table.marginOf(a) + table.marginOf(b))
                 + Tolerances.ROUNDING * (Math.abs(motion.x) + Math.abs(motion.y) + Math.abs(motion.z));
-            _points.findTime(motion);
+            _points.findEntry(motion);
             // rounding can miss a touch at the end of the motion
             if (motion.time == RelativeMotion.NEVER && areSpheresTouching(table, a, b))
             {

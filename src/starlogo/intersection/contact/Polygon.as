@@ -169,22 +169,18 @@ package starlogo.intersection.contact
                 var edgeY:Number = edges[int(at + 1)] - edges[int(last + 1)];
                 var edgeZ:Number = edges[int(at + 2)] - edges[int(last + 2)];
                 // inwards, in the plane
-                var inX:Number = edgeY * normalZ - edgeZ * normalY;
-                var inY:Number = edgeZ * normalX - edgeX * normalZ;
-                var inZ:Number = edgeX * normalY - edgeY * normalX;
-                var from:Number = inX * edges[at] + inY * edges[int(at + 1)] + inZ * edges[int(at + 2)];
-                if (inX * outer.x + inY * outer.y + inZ * outer.z < from)
+                _inX = edgeY * normalZ - edgeZ * normalY;
+                _inY = edgeZ * normalX - edgeX * normalZ;
+                _inZ = edgeX * normalY - edgeY * normalX;
+                _from = _inX * edges[at] + _inY * edges[int(at + 1)] + _inZ * edges[int(at + 2)];
+                if (_inX * outer.x + _inY * outer.y + _inZ * outer.z < _from)
                 {
-                    inX = -inX;
-                    inY = -inY;
-                    inZ = -inZ;
-                    from = -from;
+                    _inX = -_inX;
+                    _inY = -_inY;
+                    _inZ = -_inZ;
+                    _from = -_from;
                 }
-                from -= slack * Math.sqrt(inX * inX + inY * inY + inZ * inZ);
-                _inX = inX;
-                _inY = inY;
-                _inZ = inZ;
-                _from = from;
+                _from -= slack * Math.sqrt(_inX * _inX + _inY * _inY + _inZ * _inZ);
                 end = cut(points, end, kept);
                 var swapped:Vector.<Number> = points;
                 points = kept;

@@ -18,50 +18,8 @@ package starlogo.intersection.sweep
         /** The second triangle's, in the same order. */
         protected var edgesB:Vector.<Number> = new Vector.<Number>(9, true);
 
-        /** The corners of both, from the first one's first corner: of the first triangle u and v, of the second p, q and r. */
-        protected var ux:Number;
-
-        /** @copy #ux */
-        protected var uy:Number;
-
-        /** @copy #ux */
-        protected var uz:Number;
-
-        /** @copy #ux */
-        protected var vx:Number;
-
-        /** @copy #ux */
-        protected var vy:Number;
-
-        /** @copy #ux */
-        protected var vz:Number;
-
-        /** @copy #ux */
-        protected var px:Number;
-
-        /** @copy #ux */
-        protected var py:Number;
-
-        /** @copy #ux */
-        protected var pz:Number;
-
-        /** @copy #ux */
-        protected var qx:Number;
-
-        /** @copy #ux */
-        protected var qy:Number;
-
-        /** @copy #ux */
-        protected var qz:Number;
-
-        /** @copy #ux */
-        protected var rx:Number;
-
-        /** @copy #ux */
-        protected var ry:Number;
-
-        /** @copy #ux */
-        protected var rz:Number;
+        /** The second triangle's corners, from the first one's first corner. */
+        protected var cornersB:Vector.<Number> = new Vector.<Number>(9, true);
 
         /** The axis that is tried, of any length: of Numbers that are passed V8 makes objects. */
         protected var axisX:Number = 0;
@@ -93,38 +51,21 @@ package starlogo.intersection.sweep
          */
         public final function relate(a:Vector.<Number>, atA:int, b:Vector.<Number>, atB:int):void
         {
-            var x:Number = a[atA];
-            var y:Number = a[int(atA + 1)];
-            var z:Number = a[int(atA + 2)];
-            ux = a[int(atA + 3)] - x;
-            uy = a[int(atA + 4)] - y;
-            uz = a[int(atA + 5)] - z;
-            vx = a[int(atA + 6)] - x;
-            vy = a[int(atA + 7)] - y;
-            vz = a[int(atA + 8)] - z;
-            px = b[atB] - x;
-            py = b[int(atB + 1)] - y;
-            pz = b[int(atB + 2)] - z;
-            qx = b[int(atB + 3)] - x;
-            qy = b[int(atB + 4)] - y;
-            qz = b[int(atB + 5)] - z;
-            rx = b[int(atB + 6)] - x;
-            ry = b[int(atB + 7)] - y;
-            rz = b[int(atB + 8)] - z;
-            setEdges(edgesA, ux, uy, uz, vx, vy, vz);
-            setEdges(edgesB, qx - px, qy - py, qz - pz, rx - px, ry - py, rz - pz);
+            setEdges(edgesA, a, atA);
+            for (var i:int = 0; i < 3; i++)
+            {
+                var first:Number = a[int(atA + i)];
+                cornersB[i] = b[int(atB + i)] - first;
+                cornersB[int(i + 3)] = b[int(atB + i + 3)] - first;
+                cornersB[int(i + 6)] = b[int(atB + i + 6)] - first;
+            }
+            setEdges(edgesB, cornersB, 0);
         }
 
         /** Tries the axes at right angles to a triangle until one separates the two; the other methods like this try other axes. */
         protected final function areSeparatedByNormal():Boolean
         {
-            setNormal(edgesA);
-            if (isAxis())
-            {
-                return true;
-            }
-            setNormal(edgesB);
-            return isAxis();
+            return isNormal(edgesA) || isNormal(edgesB);
         }
 
         /** Tries the axes at right angles to an edge of each. */
@@ -151,10 +92,10 @@ package starlogo.intersection.sweep
             return false;
         }
 
-        /** Tries the axes in the plane of the triangle whose normal is the more precise, at right angles to an edge. */
-        protected final function areSeparatedInPlane():Boolean
+        /** Tries the axes in the plane of the triangle whose edges are given, at right angles to an edge: of the one whose normal is the more precise. */
+        protected final function areSeparatedInPlane(edges:Vector.<Number>):Boolean
         {
-            setNormal(squaredHeight(edgesA) < squaredHeight(edgesB) ? edgesB : edgesA);
+            setNormal(edges);
             var x:Number = axisX;
             var y:Number = axisY;
             var z:Number = axisZ;
@@ -222,15 +163,17 @@ package starlogo.intersection.sweep
             var x:Number = axisX;
             var y:Number = axisY;
             var z:Number = axisZ;
-            var second:Number = x * ux + y * uy + z * uz;
-            var third:Number = x * vx + y * vy + z * vz;
+            var a:Vector.<Number> = edgesA;
+            var b:Vector.<Number> = cornersB;
+            var second:Number = x * a[0] + y * a[1] + z * a[2];
+            var third:Number = x * a[3] + y * a[4] + z * a[5];
             var low:Number = second < 0 ? second : 0;
             low = third < low ? third : low;
             var high:Number = second > 0 ? second : 0;
             high = third > high ? third : high;
-            var first:Number = x * px + y * py + z * pz;
-            second = x * qx + y * qy + z * qz;
-            third = x * rx + y * ry + z * rz;
+            var first:Number = x * b[0] + y * b[1] + z * b[2];
+            second = x * b[3] + y * b[4] + z * b[5];
+            third = x * b[6] + y * b[7] + z * b[8];
             var lowB:Number = first < second ? first : second;
             lowB = third < lowB ? third : lowB;
             var highB:Number = first > second ? first : second;
@@ -240,17 +183,17 @@ package starlogo.intersection.sweep
             return isSeparating();
         }
 
-        private static function setEdges(edges:Vector.<Number>, x:Number, y:Number, z:Number, nextX:Number, nextY:Number, nextZ:Number):void
+        private static function setEdges(edges:Vector.<Number>, corners:Vector.<Number>, start:int):void
         {
-            edges[0] = x;
-            edges[1] = y;
-            edges[2] = z;
-            edges[3] = nextX;
-            edges[4] = nextY;
-            edges[5] = nextZ;
-            edges[6] = nextX - x;
-            edges[7] = nextY - y;
-            edges[8] = nextZ - z;
+            for (var i:int = 0; i < 3; i++)
+            {
+                var first:Number = corners[int(start + i)];
+                var toSecond:Number = corners[int(start + i + 3)] - first;
+                var toThird:Number = corners[int(start + i + 6)] - first;
+                edges[i] = toSecond;
+                edges[int(i + 3)] = toThird;
+                edges[int(i + 6)] = toThird - toSecond;
+            }
         }
     }
 }

@@ -18,8 +18,8 @@ package starlogo.intersection.sweep
         private var _polygonA:Polygon = new Polygon();
         private var _polygonB:Polygon = new Polygon();
 
-        // Of one triangle.
-        private var _corners:Vector.<Number> = new Vector.<Number>(9, true);
+        // Of the first triangle, from its first corner.
+        private var _cornersA:Vector.<Number> = new Vector.<Number>(9, true);
 
         // The shortest separating displacement so far.
         private var _depth:Number;
@@ -44,30 +44,22 @@ package starlogo.intersection.sweep
             _depth = Infinity;
             _x = _y = 0;
             _z = 1;
-            var x:Number = motion.time * motion.x;
-            var y:Number = motion.time * motion.y;
-            var z:Number = motion.time * motion.z;
-            px += x;
-            py += y;
-            pz += z;
-            qx += x;
-            qy += y;
-            qz += z;
-            rx += x;
-            ry += y;
-            rz += z;
+            for (var i:int = 0; i < 9; i += 3)
+            {
+                cornersB[i] += motion.time * motion.x;
+                cornersB[int(i + 1)] += motion.time * motion.y;
+                cornersB[int(i + 2)] += motion.time * motion.z;
+            }
             areSeparatedByNormal();
             areSeparatedAcrossEdges();
-            areSeparatedInPlane();
+            areSeparatedInPlane(squaredHeight(edgesA) < squaredHeight(edgesB) ? edgesB : edgesA);
             out.setNormal(_x, _y, _z);
-            _corners[0] = _corners[1] = _corners[2] = 0;
-            setCorner(3, ux, uy, uz);
-            setCorner(6, vx, vy, vz);
-            findFarthest(_polygonA, edgesA, -1);
-            setCorner(0, px, py, pz);
-            setCorner(3, qx, qy, qz);
-            setCorner(6, rx, ry, rz);
-            findFarthest(_polygonB, edgesB, 1);
+            for (i = 3; i < 9; i++)
+            {
+                _cornersA[i] = edgesA[int(i - 3)];
+            }
+            findFarthest(_polygonA, _cornersA, edgesA, -1);
+            findFarthest(_polygonB, cornersB, edgesB, 1);
             _polygonA.findCommonPoint(_polygonB, out);
             out.depth = _depth > 0 && _depth < Infinity ? _depth : 0;
             out.x = _polygonA.x;
@@ -99,9 +91,8 @@ package starlogo.intersection.sweep
         }
 
         // Finds the corners that are farthest out along the normal, or on side -1 against it.
-        private function findFarthest(out:Polygon, edges:Vector.<Number>, side:int):void
+        private function findFarthest(out:Polygon, corners:Vector.<Number>, edges:Vector.<Number>, side:int):void
         {
-            var corners:Vector.<Number> = _corners;
             var farthest:Number = -Infinity;
             for (var i:int = 0; i < 9; i += 3)
             {
@@ -123,13 +114,6 @@ package starlogo.intersection.sweep
                     out.add();
                 }
             }
-        }
-
-        private function setCorner(at:int, x:Number, y:Number, z:Number):void
-        {
-            _corners[at] = x;
-            _corners[int(at + 1)] = y;
-            _corners[int(at + 2)] = z;
         }
     }
 }

@@ -43,11 +43,13 @@ package starlogo.intersection.sweep
             {
                 return;
             }
-            if (squaredHeight(edgesA) <= Tolerances.FLAT_TRIANGLE && squaredHeight(edgesB) <= Tolerances.FLAT_TRIANGLE)
+            var heightA:Number = squaredHeight(edgesA);
+            var heightB:Number = squaredHeight(edgesB);
+            if (heightA <= Tolerances.FLAT_TRIANGLE && heightB <= Tolerances.FLAT_TRIANGLE)
             {
                 findTimeOfEdges();
             }
-            else if (!areSeparatedAcrossEdges() && !areSeparatedInPlane())
+            else if (!areSeparatedAcrossEdges() && !areSeparatedInPlane(heightA < heightB ? edgesB : edgesA))
             {
                 motion.time = times.touch < times.last ? times.touch : times.last;
             }
@@ -71,7 +73,7 @@ package starlogo.intersection.sweep
         private function findTimeOfEdges():void
         {
             setLongest(_edgeA, edgesA, 0, 0, 0);
-            setLongest(_edgeB, edgesB, px, py, pz);
+            setLongest(_edgeB, edgesB, cornersB[0], cornersB[1], cornersB[2]);
             _edgeA.radius = tolerance;
             findTimeOfImpact(_edgeB, _edgeA, _motion);
             if (!(_motion.time <= _times.last))

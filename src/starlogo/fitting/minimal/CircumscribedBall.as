@@ -37,37 +37,35 @@ package starlogo.fitting.minimal
          */
         public static function through(points:Vector.<Number>):CircumscribedBall
         {
-            // the centre is q0 + l1 (q1 - q0) + ..., where G l = diag(G) / 2 and G holds the dot products of the differences
-            var n:int = points.length / 3 - 1;
-            var width:int = n + 1;
-            var d:Vector.<Number> = new Vector.<Number>(3 * n);
-            var i:int;
-            for (i = 0; i < 3 * n; i++)
-            {
-                d[i] = points[i + 3] - points[i % 3];
-            }
-            var g:Vector.<Number> = new Vector.<Number>(n * width);
-            for (i = 0; i < n; i++)
-            {
-                for (var j:int = 0; j < n; j++)
-                {
-                    g[i * width + j] = d[3 * i] * d[3 * j] + d[3 * i + 1] * d[3 * j + 1] + d[3 * i + 2] * d[3 * j + 2];
-                }
-                g[i * width + n] = g[i * width + i] / 2;
-            }
-            if (!eliminate(g, n))
-            {
-                return null;
-            }
+            // Each point after the first adds a direction, perpendicular to those before (Gram and Schmidt), and moves the centre along it until
+            // the point is as far away as the first.
+            var axes:Vector.<Number> = new Vector.<Number>();
             var shiftX:Number = 0;
             var shiftY:Number = 0;
             var shiftZ:Number = 0;
-            for (i = 0; i < n; i++)
+            for (var i:int = 3; i < points.length; i += 3)
             {
-                var weight:Number = g[i * width + n] / g[i * width + i];
-                shiftX += weight * d[3 * i];
-                shiftY += weight * d[3 * i + 1];
-                shiftZ += weight * d[3 * i + 2];
+                var toX:Number = points[i] - points[0];
+                var toY:Number = points[i + 1] - points[1];
+                var toZ:Number = points[i + 2] - points[2];
+                var lengthSquared:Number = toX * toX + toY * toY + toZ * toZ;
+                var missing:Number = lengthSquared / 2 - (toX * shiftX + toY * shiftY + toZ * shiftZ);
+                for (var k:int = 0; k < axes.length; k += 3)
+                {
+                    var along:Number = toX * axes[k] + toY * axes[k + 1] + toZ * axes[k + 2];
+                    toX -= along * axes[k];
+                    toY -= along * axes[k + 1];
+                    toZ -= along * axes[k + 2];
+                }
+                var length:Number = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
+                if (!(length * length > Tolerances.BALL_SINGULAR * lengthSquared))
+                {
+                    return null;
+                }
+                axes.push(toX / length, toY / length, toZ / length);
+                shiftX += missing / length * (toX / length);
+                shiftY += missing / length * (toY / length);
+                shiftZ += missing / length * (toZ / length);
             }
             var ball:CircumscribedBall = new CircumscribedBall();
             ball.points = points;
@@ -95,45 +93,6 @@ package starlogo.fitting.minimal
                 if (squareTo(others[i], others[i + 1], others[i + 2]) > square * (1 + Tolerances.BALL_SLACK))
                 {
                     return false;
-                }
-            }
-            return true;
-        }
-
-        // Solves a symmetric system of n equations, n + 1 numbers each, by elimination, the largest diagonal first; false when it is
-        // singular.
-        private static function eliminate(g:Vector.<Number>, n:int):Boolean
-        {
-            var width:int = n + 1;
-            var row:int;
-            var isDone:Vector.<Boolean> = new Vector.<Boolean>(n);
-            var scales:Vector.<Number> = new Vector.<Number>(n);
-            for (row = 0; row < n; row++)
-            {
-                scales[row] = g[row * width + row];
-            }
-            for (var step:int = 0; step < n; step++)
-            {
-                var pivot:int = -1;
-                for (row = 0; row < n; row++)
-                {
-                    if (!isDone[row] && (pivot < 0 || g[row * width + row] > g[pivot * width + pivot]))
-                    {
-                        pivot = row;
-                    }
-                }
-                if (!(g[pivot * width + pivot] > Tolerances.BALL_SINGULAR * scales[pivot]))
-                {
-                    return false;
-                }
-                isDone[pivot] = true;
-                for (row = 0; row < n; row++)
-                {
-                    var factor:Number = g[row * width + pivot] / g[pivot * width + pivot];
-                    for (var column:int = 0; column < width && row != pivot; column++)
-                    {
-                        g[row * width + column] -= factor * g[pivot * width + column];
-                    }
                 }
             }
             return true;

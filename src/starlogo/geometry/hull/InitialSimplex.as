@@ -129,15 +129,24 @@ package starlogo.geometry.hull
             {
                 across[i] = 0;
             }
+            var aX:Number = across[0];
+            var aY:Number = across[1];
+            var aZ:Number = across[2];
+            var bX:Number = across[3];
+            var bY:Number = across[4];
+            var bZ:Number = across[5];
+            var cX:Number = across[6];
+            var cY:Number = across[7];
+            var cZ:Number = across[8];
             var last:int = 3 * end;
             for (i = 3 * first; i < last; i += 3)
             {
                 var x:Number = vertices[i] - fromX;
                 var y:Number = vertices[int(i + 1)] - fromY;
                 var z:Number = vertices[int(i + 2)] - fromZ;
-                var a:Number = x * across[0] + y * across[1] + z * across[2];
-                var b:Number = x * across[3] + y * across[4] + z * across[5];
-                var c:Number = x * across[6] + y * across[7] + z * across[8];
+                var a:Number = x * aX + y * aY + z * aZ;
+                var b:Number = x * bX + y * bY + z * bZ;
+                var c:Number = x * cX + y * cY + z * cZ;
                 var square:Number = a * a + b * b + c * c;
                 if (square > _most)
                 {

@@ -50,8 +50,9 @@ package starlogo.solid
             {
                 return false;
             }
-            var solidA:Solid = a.solid;
-            var solidB:Solid = b.solid;
+            // a getter is a call, and every pair that does not meet comes here
+            var solidA:Solid = a.prepared == null ? a.solid : a.prepared;
+            var solidB:Solid = b.prepared == null ? b.solid : b.prepared;
             var rootA:HierarchyNode = a.root;
             var rootB:HierarchyNode = b.root;
             var size:Number = _pose.placement.size;
@@ -67,10 +68,6 @@ package starlogo.solid
          */
         public function isStructureInside(outer:SolidHierarchy, structure:BoundingStructure):Boolean
         {
-            if (!outer.hasTriangles)
-            {
-                return false;
-            }
             if (structure.kind == BoundingStructure.SPHERE)
             {
                 _radius = Sphere(structure).radius;
@@ -97,14 +94,13 @@ package starlogo.solid
             _middle.y = node.y;
             _middle.z = node.z;
             _radius = node.innerRadius;
-            return outer.hasTriangles && isBallInside(outer, _middle);
+            return isBallInside(outer, _middle);
         }
 
         // Of a ball in the second model's space, with the radius that was set, the middle decides.
         private function isBallInside(outer:SolidHierarchy, middle:Vector3D):Boolean
         {
             var relative:Placement = _pose.placement;
-            var root:HierarchyNode = outer.root;
             var px:Number = middle.x * relative.size;
             var py:Number = middle.y * relative.size;
             var pz:Number = middle.z * relative.size;
@@ -113,9 +109,7 @@ package starlogo.solid
             point.x = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
             point.y = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
             point.z = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
-            var radius:Number = _radius * relative.size;
-            return Math.abs(point.x - root.x) <= root.halfX - radius && Math.abs(point.y - root.y) <= root.halfY - radius
-                && Math.abs(point.z - root.z) <= root.halfZ - radius && outer.solid.isInside(point);
+            return outer.isInside(point, _radius * relative.size);
         }
 
         // Whether a part of one model is inside of the other: of the second in the first, or of the first in the second. The numbers take a point

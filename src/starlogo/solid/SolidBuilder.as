@@ -211,7 +211,8 @@ package starlogo.solid
         private function conclude():void
         {
             _extremes.finish();
-            _hierarchy.setSolid(_solid, _notes);
+            _hierarchy.prepared = _solid;
+            _hierarchy.notes = _notes;
         }
     }
 }

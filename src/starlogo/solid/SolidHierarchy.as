@@ -1,5 +1,6 @@
 package starlogo.solid
 {
+    import flash.geom.Vector3D;
     import starlogo.engine;
     import starlogo.hierarchy.Hierarchy;
     import starlogo.steps.finish;
@@ -16,7 +17,8 @@ package starlogo.solid
         /** @private What is known of the surface; null for nothing. */
         engine var notes:SurfaceNotes = null;
 
-        private var _solid:Solid = null;
+        /** What <code>solid</code> returns; null until it is prepared. */
+        internal var prepared:Solid = null;
 
         /** Made by a SolidHierarchyBuilder. */
         public function SolidHierarchy(vertices:Vector.<Number>, triangles:Vector.<uint>, boundsKind:int)
@@ -30,17 +32,24 @@ package starlogo.solid
          */
         internal function get solid():Solid
         {
-            if (_solid == null)
+            if (prepared == null)
             {
                 prepare();
             }
-            return _solid;
+            return prepared;
+        }
+
+        /** Whether a ball is inside that does not meet the surface. False where there are no triangles, or the surface is not closed. */
+        internal function isInside(middle:Vector3D, radius:Number):Boolean
+        {
+            return hasTriangles && Math.abs(middle.x - root.x) <= root.halfX - radius && Math.abs(middle.y - root.y) <= root.halfY - radius
+                && Math.abs(middle.z - root.z) <= root.halfZ - radius && solid.isInside(middle);
         }
 
         /** @private Sees to it that what exact tests need of the triangles is there. */
         engine function prepare():void
         {
-            if (hasTriangles && _solid == null)
+            if (hasTriangles && prepared == null)
             {
                 finish(new SolidBuilder(this));
             }
@@ -49,14 +58,7 @@ package starlogo.solid
         /** @private Whether what exact tests need of the triangles is there. */
         engine function get isPrepared():Boolean
         {
-            return _solid != null;
-        }
-
-        /** Keeps what was prepared. */
-        internal function setSolid(solid:Solid, notes:SurfaceNotes):void
-        {
-            _solid = solid;
-            this.notes = notes;
+            return prepared != null;
         }
     }
 }

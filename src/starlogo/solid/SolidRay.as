@@ -2,7 +2,6 @@ package starlogo.solid
 {
     import flash.geom.Vector3D;
     import starlogo.engine;
-    import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.RayTraversal;
     import starlogo.intersection.ray.Ray;
 
@@ -39,7 +38,8 @@ package starlogo.solid
          */
         public function find(hierarchy:SolidHierarchy, depth:int, exact:Boolean, ray:Ray):Boolean
         {
-            if (hierarchy.hasTriangles && beginsInside(hierarchy, ray))
+            _start.setTo(ray.x + ray.from * ray.directionX, ray.y + ray.from * ray.directionY, ray.z + ray.from * ray.directionZ);
+            if (hierarchy.isInside(_start, 0))
             {
                 ray.faceBack();
                 return true;
@@ -49,29 +49,6 @@ package starlogo.solid
                 return findTriangle(hierarchy, ray);
             }
             return _nodes.find(hierarchy.root, exact ? int.MAX_VALUE : depth, ray);
-        }
-
-        private function beginsInside(hierarchy:SolidHierarchy, ray:Ray):Boolean
-        {
-            var root:HierarchyNode = hierarchy.root;
-            var place:Number = ray.x + ray.from * ray.directionX;
-            _start.x = place;
-            place -= root.x;
-            if (!(place <= root.halfX && place >= -root.halfX))
-            {
-                return false;
-            }
-            place = ray.y + ray.from * ray.directionY;
-            _start.y = place;
-            place -= root.y;
-            if (!(place <= root.halfY && place >= -root.halfY))
-            {
-                return false;
-            }
-            place = ray.z + ray.from * ray.directionZ;
-            _start.z = place;
-            place -= root.z;
-            return place <= root.halfZ && place >= -root.halfZ && hierarchy.solid.isInside(_start);
         }
 
         private function findTriangle(hierarchy:SolidHierarchy, ray:Ray):Boolean

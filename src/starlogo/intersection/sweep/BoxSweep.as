@@ -88,7 +88,7 @@ package starlogo.intersection.sweep
         /** When they begin not to be separated by what was tried; or RelativeMotion.NEVER. */
         public var time:Number = RelativeMotion.NEVER;
 
-        // The absolute values of the entries; the motion in b's axes.
+        // The absolute values of the entries.
         private var _absXx:Number = 1;
         private var _absXy:Number = 0;
         private var _absXz:Number = 0;
@@ -98,9 +98,6 @@ package starlogo.intersection.sweep
         private var _absZx:Number = 0;
         private var _absZy:Number = 0;
         private var _absZz:Number = 1;
-        private var _motionAlongX:Number = 0;
-        private var _motionAlongY:Number = 0;
-        private var _motionAlongZ:Number = 0;
 
         // An edge of b, and half of each of its others.
         private var _pX:Number = 0;
@@ -120,7 +117,7 @@ package starlogo.intersection.sweep
         {
         }
 
-        /** Prepares what boxes have in common: b's axes and its motion, which are set. */
+        /** Prepares what boxes have in common: b's axes, which are set. */
         public function prepare():void
         {
             _absXx = xx < 0 ? -xx : xx;
@@ -132,9 +129,6 @@ package starlogo.intersection.sweep
             _absZx = zx < 0 ? -zx : zx;
             _absZy = zy < 0 ? -zy : zy;
             _absZz = zz < 0 ? -zz : zz;
-            _motionAlongX = xx * motionX + yx * motionY + zx * motionZ;
-            _motionAlongY = xy * motionX + yy * motionY + zy * motionZ;
-            _motionAlongZ = xz * motionX + yz * motionY + zz * motionZ;
         }
 
         /** Finds when two boxes begin not to be separated by any face: not after they touch; NEVER if that is not until the latest time. */
@@ -173,21 +167,21 @@ package starlogo.intersection.sweep
                 return;
             }
             times.at = fromX * xx + fromY * yx + fromZ * zx;
-            times.speed = _motionAlongX;
+            times.speed = xx * motionX + yx * motionY + zx * motionZ;
             times.reach = halfX + aX * _absXx + aY * _absYx + aZ * _absZx;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromX * xy + fromY * yy + fromZ * zy;
-            times.speed = _motionAlongY;
+            times.speed = xy * motionX + yy * motionY + zy * motionZ;
             times.reach = halfY + aX * _absXy + aY * _absYy + aZ * _absZy;
             if (times.areSeparated())
             {
                 return;
             }
             times.at = fromX * xz + fromY * yz + fromZ * zz;
-            times.speed = _motionAlongZ;
+            times.speed = xz * motionX + yz * motionY + zz * motionZ;
             times.reach = halfZ + aX * _absXz + aY * _absYz + aZ * _absZz;
             if (!times.areSeparated())
             {

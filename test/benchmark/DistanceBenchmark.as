@@ -14,9 +14,8 @@ package benchmark
     import starlogo.models.ColladaModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.solid.HierarchyDistances;
-    import starlogo.solid.HierarchyTraversal;
     import starlogo.solid.SolidHierarchy;
+    import starlogo.solid.TreePair;
     import support.Fixtures;
 
     use namespace engine;
@@ -37,8 +36,7 @@ package benchmark
         private static const KINDS:Array = ["sphere", "capsule", "box"];
 
         private var _random:SeededRandom = new SeededRandom(2210);
-        private var _distances:HierarchyDistances = new HierarchyDistances();
-        private var _touches:HierarchyTraversal = new HierarchyTraversal();
+        private var _pair:TreePair = new TreePair();
         private var _closest:ClosestPair = new ClosestPair();
         private var _all:Vector.<Measurement> = new Vector.<Measurement>();
         private var _visits:Array = [];
@@ -104,7 +102,7 @@ package benchmark
             {
                 var a:Placement = place(spread);
                 var b:Placement = place(spread);
-                if (!_touches.hierarchiesOverlap(tree, a, DEPTH, tree, b, DEPTH, false))
+                if (!_pair.areOverlapping(tree, a, DEPTH, tree, null, b, DEPTH, false))
                 {
                     firsts.push(a);
                     seconds.push(b);
@@ -112,31 +110,34 @@ package benchmark
             }
             add(name + " at depth 5", function(i:int):void
                 {
-                    _distances.betweenHierarchies(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, false, false, _closest);
+                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, false);
+                    _pair.findClosest(false, _closest);
                 });
             add("  by triangles", function(i:int):void
                 {
-                    _distances.betweenHierarchies(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true, false, _closest);
+                    _pair.setTo(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
+                    _pair.findClosest(false, _closest);
                 });
             add("  the other one a box", function(i:int):void
                 {
-                    _distances.toStructure(tree, firsts[i], DEPTH, tree.root.bounds, seconds[i], false, _closest);
+                    _pair.setTo(tree, firsts[i], DEPTH, null, tree.root.bounds, seconds[i], 1, false);
+                    _pair.findClosest(false, _closest);
                 });
             add("  whether they touch, by triangles", function(i:int):void
                 {
-                    _touches.hierarchiesOverlap(tree, firsts[i], DEPTH, tree, seconds[i], DEPTH, true);
+                    _pair.areOverlapping(tree, firsts[i], DEPTH, tree, null, seconds[i], DEPTH, true);
                 });
         }
 
         private function add(name:String, pair:Function):void
         {
-            var visits:int = _distances.nodeVisits;
-            var tests:int = _distances.triangleTests;
+            var visits:int = _pair.nodeVisits;
+            var tests:int = _pair.triangleTests;
             for (var i:int = 0; i < PAIRS; i++)
             {
                 pair(i);
             }
-            _visits.push(((_distances.nodeVisits - visits) / PAIRS).toFixed(1) + ", " + ((_distances.triangleTests - tests) / PAIRS).toFixed(1));
+            _visits.push(((_pair.nodeVisits - visits) / PAIRS).toFixed(1) + ", " + ((_pair.triangleTests - tests) / PAIRS).toFixed(1));
             _all.push(new Measurement(name, function():void
                     {
                         for (var k:int = 0; k < PAIRS; k++)

@@ -18,9 +18,8 @@ package benchmark
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
     import starlogo.models.ObjModel;
-    import starlogo.solid.HierarchyTraversal;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SweptHierarchyTraversal;
+    import starlogo.solid.TreePair;
     import support.Fixtures;
 
     use namespace engine;
@@ -39,8 +38,7 @@ package benchmark
         private static const PAIRS:int = 400;
         private static const DEPTH:int = 5;
 
-        private var _standing:HierarchyTraversal = new HierarchyTraversal();
-        private var _swept:SweptHierarchyTraversal = new SweptHierarchyTraversal(_standing);
+        private var _pair:TreePair = new TreePair();
         private var _pose:RelativePose = new RelativePose();
         private var _random:SeededRandom = new SeededRandom(2101);
         private var _hierarchies:Array = [];
@@ -96,7 +94,7 @@ package benchmark
             var second:Vector.<Placement> = places(spread, size, isUpright);
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _standing.hierarchiesOverlap(a, first[i], DEPTH, b, second[i], DEPTH, exact);
+                    var answer:Boolean = _pair.areOverlapping(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -127,7 +125,7 @@ package benchmark
             var structures:Vector.<BoundingStructure> = randomStructures();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    var answer:Boolean = _standing.structureOverlaps(a, first[i], DEPTH, structures[i], second[i]);
+                    var answer:Boolean = _pair.areOverlapping(a, first[i], DEPTH, null, structures[i], second[i], 1, false);
                     if (answers != null)
                     {
                         answers.writeDouble(answer ? 1 : 0);
@@ -143,15 +141,15 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _swept.setPair(a, first[i], DEPTH, b, b.root.bounds, second[i], DEPTH, exact);
-                    _swept.findTime(motions[i]);
+                    _pair.setTo(a, first[i], DEPTH, b, null, second[i], DEPTH, exact);
+                    _pair.findTime(motions[i]);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _swept.findContact(motions[i], contact);
+                            _pair.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -167,15 +165,15 @@ package benchmark
             var contact:ContactPoint = new ContactPoint();
             measure(name, function(i:int, answers:ByteArray):void
                 {
-                    _swept.setPair(a, first[i], DEPTH, null, structures[i], second[i], DEPTH, false);
-                    _swept.findTime(motions[i]);
+                    _pair.setTo(a, first[i], DEPTH, null, structures[i], second[i], 1, false);
+                    _pair.findTime(motions[i]);
                     var time:Number = motions[i].time;
                     if (answers != null)
                     {
                         answers.writeDouble(time);
                         if (time <= 1)
                         {
-                            _swept.findContact(motions[i], contact);
+                            _pair.findContact(motions[i], contact);
                             writeContact(contact, answers);
                         }
                     }
@@ -195,8 +193,7 @@ package benchmark
         {
             var answers:ByteArray = new ByteArray();
             var hits:int = 0;
-            _standing.resetCounts();
-            _swept.resetCounts();
+            _pair.resetCounts();
             for (var i:int = 0; i < PAIRS; i++)
             {
                 var at:int = answers.position;
@@ -207,7 +204,7 @@ package benchmark
                 hits += end - at > 8 || first == 1 ? 1 : 0;
                 answers.position = end;
             }
-            _visits.push(((_standing.nodeVisits + _swept.nodeVisits) / PAIRS).toFixed(2) + ", " + _standing.triangleTests + ", " + _swept.triangleTests);
+            _visits.push((_pair.nodeVisits / PAIRS).toFixed(2) + ", " + _pair.triangleTests);
             _hits.push((100 * hits / PAIRS).toFixed(0));
             answers.position = 0;
             var hash:int = 17;

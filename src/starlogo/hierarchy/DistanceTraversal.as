@@ -1,5 +1,10 @@
 package starlogo.hierarchy
 {
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.bounding.Capsule;
+    import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.distance.ClosestPair;
@@ -137,6 +142,24 @@ package starlogo.hierarchy
                         directionZ = _points.bZ - _points.aZ;
                     }
                 }
+            }
+        }
+
+        /** How far a structure reaches from its middle, or a little farther: what the rounding of distances is relative to. */
+        public static function reachOf(structure:BoundingStructure):Number
+        {
+            switch (structure.kind)
+            {
+                case BoundingStructure.SPHERE:
+                    return Sphere(structure).radius;
+                case BoundingStructure.BOX:
+                    var box:Box = Box(structure);
+                    return box.halfX + box.halfY + box.halfZ;
+                default:
+                    var capsule:Capsule = Capsule(structure);
+                    var start:Vector3D = capsule.start;
+                    var end:Vector3D = capsule.end;
+                    return capsule.radius + Math.abs(end.x - start.x) + Math.abs(end.y - start.y) + Math.abs(end.z - start.z);
             }
         }
 

@@ -1,6 +1,5 @@
 package starlogo.hierarchy
 {
-    import flash.geom.Vector3D;
     import starlogo.bounding.BoundingStructure;
     import starlogo.bounding.Box;
     import starlogo.engine;
@@ -115,52 +114,28 @@ package starlogo.hierarchy
         }
 
         /**
-         * Replaces the second model by a box of it, in a space of its own: its origin is the middle of the box, its axes are
-         * the box's.
+         * Relates the first of two models to a box of the second, in a space of its own: its origin is the middle of the box, its axes are the box's.
          *
-         * @param box in the second model's space
+         * @param box in the space of the first model
+         * @param pose relates the two models
          */
-        public function relateToAxesOf(box:Box):void
+        public function takeAxesOf(box:Box, pose:RelativePose):void
         {
+            gap = pose.gap;
             var relative:Placement = placement;
-            var scale:Number = relative.size;
-            var r00:Number = relative.r00;
-            var r01:Number = relative.r01;
-            var r02:Number = relative.r02;
-            var r10:Number = relative.r10;
-            var r11:Number = relative.r11;
-            var r12:Number = relative.r12;
-            var r20:Number = relative.r20;
-            var r21:Number = relative.r21;
-            var r22:Number = relative.r22;
-            var vector:Vector3D = box.center;
-            var x:Number = vector.x * scale;
-            var y:Number = vector.y * scale;
-            var z:Number = vector.z * scale;
-            relative.x += r00 * x + r01 * y + r02 * z;
-            relative.y += r10 * x + r11 * y + r12 * z;
-            relative.z += r20 * x + r21 * y + r22 * z;
-            vector = box.axisX;
-            x = vector.x;
-            y = vector.y;
-            z = vector.z;
-            relative.r00 = r00 * x + r01 * y + r02 * z;
-            relative.r10 = r10 * x + r11 * y + r12 * z;
-            relative.r20 = r20 * x + r21 * y + r22 * z;
-            vector = box.axisY;
-            x = vector.x;
-            y = vector.y;
-            z = vector.z;
-            relative.r01 = r00 * x + r01 * y + r02 * z;
-            relative.r11 = r10 * x + r11 * y + r12 * z;
-            relative.r21 = r20 * x + r21 * y + r22 * z;
-            vector = box.axisZ;
-            x = vector.x;
-            y = vector.y;
-            z = vector.z;
-            relative.r02 = r00 * x + r01 * y + r02 * z;
-            relative.r12 = r10 * x + r11 * y + r12 * z;
-            relative.r22 = r20 * x + r21 * y + r22 * z;
+            relative.size = pose.placement.size;
+            relative.x = box.center.x;
+            relative.y = box.center.y;
+            relative.z = box.center.z;
+            relative.r00 = box.axisX.x;
+            relative.r10 = box.axisX.y;
+            relative.r20 = box.axisX.z;
+            relative.r01 = box.axisY.x;
+            relative.r11 = box.axisY.y;
+            relative.r21 = box.axisY.z;
+            relative.r02 = box.axisZ.x;
+            relative.r12 = box.axisZ.y;
+            relative.r22 = box.axisZ.z;
         }
 
         /** Makes a structure of the second model, in the space of the first, wider by the gap: in a function of its own V8 makes no object of it. */

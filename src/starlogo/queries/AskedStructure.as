@@ -8,7 +8,7 @@ package starlogo.queries
     import starlogo.search.AgentTable;
     import starlogo.search.ModelShape;
     import starlogo.search.TreePairs;
-    import starlogo.solid.HierarchyTraversal;
+    import starlogo.solid.TreePair;
 
     use namespace engine;
 
@@ -31,7 +31,7 @@ package starlogo.queries
         private var _toWorld:Placement = new Placement();
         private var _toCentre:Placement = new Placement();
         private var _rowPlacement:Placement = new Placement();
-        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _pair:TreePair = new TreePair();
 
         /** No structure yet. */
         public function AskedStructure()
@@ -78,8 +78,8 @@ package starlogo.queries
             {
                 return intersects(table.structureOf(row), _inWorld[_kind]);
             }
-            return _traversal.structureOverlaps(shape.hierarchy, table.placementOf(row, _rowPlacement), trees.depthOf(table, row),
-                    _centred[_kind], _placement, trees.exact);
+            return _pair.areOverlapping(shape.hierarchy, table.placementOf(row, _rowPlacement), trees.depthOf(table, row), null, _centred[_kind], _placement, 1,
+                    trees.exact);
         }
     }
 }

@@ -5,14 +5,11 @@ package starlogo.queries
     import starlogo.broadphase.Extents;
     import starlogo.collision.Collider;
     import starlogo.engine;
-    import starlogo.geometry.Placement;
     import starlogo.geometry.Tolerances;
     import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.distance.findClosest;
     import starlogo.search.AgentTable;
-    import starlogo.search.ModelShape;
     import starlogo.search.RowPairs;
-    import starlogo.solid.HierarchyDistances;
 
     use namespace engine;
 
@@ -28,9 +25,6 @@ package starlogo.queries
         public var closest:ClosestPair = new ClosestPair();
 
         private var _seen:SeenAgents;
-        private var _hierarchies:HierarchyDistances = new HierarchyDistances();
-        private var _placementA:Placement = new Placement();
-        private var _placementB:Placement = new Placement();
 
         /** @param seen the agents that are asked about */
         public function DistanceQuestions(seen:SeenAgents)
@@ -85,9 +79,7 @@ package starlogo.queries
 
         private function measureInOrder(pairs:RowPairs, table:AgentTable, a:int, b:int, withPoints:Boolean):void
         {
-            var shapeA:ModelShape = table.shapes[a];
-            var shapeB:ModelShape = table.shapes[b];
-            if (shapeA.hierarchy == null)
+            if (table.shapes[a].hierarchy == null)
             {
                 findClosest(table.structureOf(a), table.structureOf(b), closest);
                 var extents:Extents = table.extents;
@@ -103,16 +95,7 @@ package starlogo.queries
                 closest.distance = 0;
                 return;
             }
-            var placementA:Placement = table.placementOf(a, _placementA);
-            var placementB:Placement = table.placementOf(b, _placementB);
-            var depthA:int = pairs.trees.depthOf(table, a);
-            if (shapeB.hierarchy == null)
-            {
-                _hierarchies.toStructure(shapeA.hierarchy, placementA, depthA, shapeB.structure, placementB, areTouching, closest);
-                return;
-            }
-            _hierarchies.betweenHierarchies(shapeA.hierarchy, placementA, depthA, shapeB.hierarchy, placementB, pairs.trees.depthOf(table, b),
-                    pairs.trees.exact, areTouching, closest);
+            pairs.trees.findClosest(table, a, b, areTouching, closest);
         }
 
         private function writePoints(pointA:Vector3D, pointB:Vector3D):void

@@ -6,10 +6,10 @@ package starlogo.search
     import starlogo.geometry.Placement;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
     import starlogo.intersection.sweep.RelativeMotion;
-    import starlogo.solid.HierarchyTraversal;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SweptHierarchyTraversal;
+    import starlogo.solid.TreePair;
 
     use namespace engine;
 
@@ -27,8 +27,7 @@ package starlogo.search
         public var exact:Boolean = false;
 
         private var _tests:int = 0;
-        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
-        private var _swept:SweptHierarchyTraversal;
+        private var _pair:TreePair = new TreePair();
 
         // The motion under way: that which was given, or the other way round.
         private var _motion:RelativeMotion;
@@ -39,7 +38,6 @@ package starlogo.search
         /** With the settings that colliders begin with. */
         public function TreePairs()
         {
-            _swept = new SweptHierarchyTraversal(_traversal);
         }
 
         /** As RowPairs.keepTouching, of a member that is a tree. */
@@ -49,11 +47,12 @@ package starlogo.search
             var row:int = rowAt[slot];
             var shapes:Vector.<ModelShape> = table.shapes;
             var agents:Vector.<Agent> = table.agents;
-            var hierarchy:SolidHierarchy = shapes[row].hierarchy;
+            var tree:SolidHierarchy = shapes[row].hierarchy;
             var number:int = agents[row].number;
             var placement:Placement = table.placementOf(row, _placementA);
             var depth:int = depthOf(table, row);
-            var isDecided:Boolean = exact;
+            var isExact:Boolean = exact;
+            var pair:TreePair = _pair;
             var kept:int = 0;
             for (var i:int = 0; i < count; i++)
             {
@@ -65,19 +64,18 @@ package starlogo.search
                 _tests++;
                 var other:SolidHierarchy = shapes[otherRow].hierarchy;
                 var otherPlacement:Placement = table.placementOf(otherRow, _placementB);
-                var otherDepth:int = depthOf(table, otherRow);
                 var isTouching:Boolean;
                 if (other == null)
                 {
-                    isTouching = _traversal.structureOverlaps(hierarchy, placement, depth, shapes[otherRow].structure, otherPlacement);
+                    isTouching = pair.areOverlapping(tree, placement, depth, null, shapes[otherRow].structure, otherPlacement, 1, false);
                 }
                 else if (agents[otherRow].number > number)
                 {
-                    isTouching = _traversal.hierarchiesOverlap(hierarchy, placement, depth, other, otherPlacement, otherDepth, isDecided);
+                    isTouching = pair.areOverlapping(tree, placement, depth, other, null, otherPlacement, depthOf(table, otherRow), isExact);
                 }
                 else
                 {
-                    isTouching = _traversal.hierarchiesOverlap(other, otherPlacement, otherDepth, hierarchy, placement, depth, isDecided);
+                    isTouching = pair.areOverlapping(other, otherPlacement, depthOf(table, otherRow), tree, null, placement, depth, isExact);
                 }
                 if (isTouching)
                 {
@@ -100,32 +98,25 @@ package starlogo.search
                 return areTouching(table, b, a, byLeaves);
             }
             _tests++;
-            var shapeA:ModelShape = table.shapes[a];
             var shapeB:ModelShape = table.shapes[b];
-            var placementA:Placement = table.placementOf(a, _placementA);
-            var placementB:Placement = table.placementOf(b, _placementB);
-            if (shapeB.hierarchy == null)
-            {
-                return _traversal.structureOverlaps(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.structure, placementB);
-            }
-            return _traversal.hierarchiesOverlap(shapeA.hierarchy, placementA, depthOf(table, a), shapeB.hierarchy, placementB,
-                    depthOf(table, b), exact && !byLeaves);
+            return _pair.areOverlapping(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy, shapeB.structure,
+                    table.placementOf(b, _placementB), depthOf(table, b), exact && !byLeaves && shapeB.hierarchy != null);
         }
 
         /** As RowPairs.findTime. */
         public function findTime(table:AgentTable, a:int, b:int, motion:RelativeMotion):void
         {
             _tests++;
-            setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), false);
-            _swept.findTime(_motion);
+            setMovingPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), false);
+            _pair.findTime(_motion);
             motion.time = _motion.time;
         }
 
         /** As RowPairs.findContact. */
         public function findContact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint):void
         {
-            setSweptPair(table, a, b, motion, table.forms[a] != ModelShape.TREE, false);
-            _swept.findContact(_motion, out);
+            setMovingPair(table, a, b, motion, table.forms[a] != ModelShape.TREE, false);
+            _pair.findContact(_motion, out);
             if (_motion !== motion)
             {
                 out.turn(motion);
@@ -136,8 +127,8 @@ package starlogo.search
         public function findImpact(table:AgentTable, a:int, b:int, motion:RelativeMotion, out:ContactPoint, byLeaves:Boolean = false):void
         {
             _tests++;
-            setSweptPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), byLeaves);
-            _swept.findImpact(_motion, out);
+            setMovingPair(table, a, b, motion, RowPairs.isSecondFirst(table, a, b), byLeaves);
+            _pair.findImpact(_motion, out);
             motion.time = _motion.time;
             if (_motion !== motion && out != null && motion.time != RelativeMotion.NEVER)
             {
@@ -148,8 +139,20 @@ package starlogo.search
         /** As RowPairs.findOuterContact. */
         public function findOuterContact(table:AgentTable, a:int, b:int, out:ContactPoint):void
         {
-            _swept.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
+            _pair.findOuterContact(table.shapes[a].structure, table.placementOf(a, _placementA), table.shapes[b].structure,
                     table.placementOf(b, _placementB), out);
+        }
+
+        /**
+         * Finds how far two rows are apart, of which the first is a tree, and not the second of a pair in order (RowPairs.isSecondFirst).
+         *
+         * @param areTouching whether they touch
+         * @param out takes it, in the world
+         */
+        public function findClosest(table:AgentTable, a:int, b:int, areTouching:Boolean, out:ClosestPair):void
+        {
+            setPair(table, a, b, false);
+            _pair.findClosest(areTouching, out);
         }
 
         /** How many levels are visited of a row's tree. */
@@ -163,31 +166,35 @@ package starlogo.search
         public function resetCounts():void
         {
             _tests = 0;
-            _swept.resetCounts();
-            _traversal.resetCounts();
+            _pair.resetCounts();
         }
 
         /** Writes how many tests were made since <code>resetCounts()</code>. */
         public function writeCounts(out:SearchCounts):void
         {
             out.hierarchyTests = _tests;
-            out.nodeVisits = _traversal.nodeVisits + _swept.nodeVisits;
-            out.triangleTests = _traversal.triangleTests + _swept.triangleTests;
+            out.nodeVisits = _pair.nodeVisits;
+            out.triangleTests = _pair.triangleTests;
         }
 
-        // Takes two rows in this order or the other, the first being a tree, and their motion. Where both are trees, leaves may decide in place of triangles.
-        private function setSweptPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean, byLeaves:Boolean):void
+        // Sets two rows in this order or the other, and the motion of the first of them.
+        private function setMovingPair(table:AgentTable, a:int, b:int, motion:RelativeMotion, isTurned:Boolean, byLeaves:Boolean):void
         {
+            _motion = motion;
             if (isTurned)
             {
+                _motion = _turned;
                 _turned.turn(motion);
-                setSweptPair(table, b, a, _turned, false, byLeaves);
-                return;
             }
+            setPair(table, isTurned ? b : a, isTurned ? a : b, byLeaves);
+        }
+
+        // Sets two rows of which the first is a tree.
+        private function setPair(table:AgentTable, a:int, b:int, byLeaves:Boolean):void
+        {
             var shapeB:ModelShape = table.shapes[b];
-            _motion = motion;
-            _swept.setPair(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy,
-                    shapeB.structure, table.placementOf(b, _placementB), depthOf(table, b), exact && !(byLeaves && shapeB.hierarchy != null));
+            _pair.setTo(table.shapes[a].hierarchy, table.placementOf(a, _placementA), depthOf(table, a), shapeB.hierarchy, shapeB.structure,
+                    table.placementOf(b, _placementB), depthOf(table, b), exact && !byLeaves && shapeB.hierarchy != null);
         }
     }
 }

@@ -25,8 +25,6 @@ package starlogo.solid
         public var isPointOfSecond:Boolean = false;
 
         private var _pose:RelativePose;
-        private var _radius:Number = 0;
-        private var _middle:Vector3D = new Vector3D();
         private var _point:Vector3D = new Vector3D();
 
         /**
@@ -61,55 +59,26 @@ package starlogo.solid
         }
 
         /**
-         * Whether a structure is inside of the first model.
+         * Whether a structure is inside of a model, whose surface it does not meet: a point of it decides.
          *
-         * @param outer the first model's hierarchy
-         * @param structure of the second model, in its space; it meets no surface of the first
+         * @param structure in the model's space
          */
         public function isStructureInside(outer:SolidHierarchy, structure:BoundingStructure):Boolean
         {
+            isPointOfSecond = false;
             if (structure.kind == BoundingStructure.SPHERE)
             {
-                _radius = Sphere(structure).radius;
-                return isBallInside(outer, Sphere(structure).center);
+                _point.copyFrom(Sphere(structure).center);
+                return outer.isInside(_point, Sphere(structure).radius);
             }
             if (structure.kind == BoundingStructure.CAPSULE)
             {
-                _radius = Capsule(structure).radius;
-                return isBallInside(outer, Capsule(structure).start);
+                _point.copyFrom(Capsule(structure).start);
+                return outer.isInside(_point, Capsule(structure).radius);
             }
-            _radius = 0;
-            return isBallInside(outer, Box(structure).center);
-        }
-
-        /**
-         * Whether a node is inside of the first model.
-         *
-         * @param outer the first model's hierarchy
-         * @param node of the second model, in its space; its box meets no surface of the first
-         */
-        public function isLeafInside(outer:SolidHierarchy, node:HierarchyNode):Boolean
-        {
-            _middle.x = node.x;
-            _middle.y = node.y;
-            _middle.z = node.z;
-            _radius = node.innerRadius;
-            return isBallInside(outer, _middle);
-        }
-
-        // Of a ball in the second model's space, with the radius that was set, the middle decides.
-        private function isBallInside(outer:SolidHierarchy, middle:Vector3D):Boolean
-        {
-            var relative:Placement = _pose.placement;
-            var px:Number = middle.x * relative.size;
-            var py:Number = middle.y * relative.size;
-            var pz:Number = middle.z * relative.size;
-            var point:Vector3D = _point;
-            isPointOfSecond = false;
-            point.x = relative.r00 * px + relative.r01 * py + relative.r02 * pz + relative.x;
-            point.y = relative.r10 * px + relative.r11 * py + relative.r12 * pz + relative.y;
-            point.z = relative.r20 * px + relative.r21 * py + relative.r22 * pz + relative.z;
-            return outer.isInside(point, _radius * relative.size);
+            var box:Box = Box(structure);
+            _point.copyFrom(box.center);
+            return outer.isInside(_point, Math.min(box.halfX, Math.min(box.halfY, box.halfZ)));
         }
 
         // Whether a part of one model is inside of the other: of the second in the first, or of the first in the second. The numbers take a point

@@ -9,7 +9,6 @@ package starlogo.solid
     import starlogo.geometry.Tolerances;
     import starlogo.hierarchy.HierarchyNode;
     import starlogo.hierarchy.LeafTest;
-    import starlogo.hierarchy.RelativePose;
     import starlogo.intersection.ClosestTriangles;
     import starlogo.intersection.TriangleBox;
 
@@ -18,64 +17,54 @@ package starlogo.solid
     /** Decides whether a triangle of a model's leaf touches a solid sphere, capsule or box. */
     internal final class StructureTriangles extends LeafTest
     {
-        private var _pose:RelativePose;
         private var _solid:Solid;
 
-        // The structure in the space of the model, by kind; its extents there, wider by what still touches: least x, greatest x, least y, ...
-        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3);
-        private var _structure:BoundingStructure;
+        // The structure's extents, wider by what still touches: least x, greatest x, least y, ...
         private var _extents:Vector.<Number> = new Vector.<Number>(6, true);
 
         // The middles of the ends of a sphere or capsule, as a triangle.
         private var _core:Vector.<Number> = new Vector.<Number>(9, true);
         private var _closest:ClosestTriangles = new ClosestTriangles();
         private var _box:TriangleBox = new TriangleBox();
+        private var _isBox:Boolean;
 
-        /**
-         * @param pose where the structure's space is in that of the model
-         */
-        public function StructureTriangles(pose:RelativePose)
+        /** No model yet. */
+        public function StructureTriangles()
         {
-            _pose = pose;
         }
 
         /**
-         * Prepares for a model and a structure that the pose relates.
+         * Begins with a model that has triangles.
          *
-         * @return whether the model has triangles; otherwise nothing else may be asked
+         * @param structure in the space of the model
+         * @param gap how far apart a triangle and the structure may be, beside the rounding of the model, and still touch
          */
-        public function prepare(model:SolidHierarchy, structure:BoundingStructure):Boolean
+        public function begin(model:SolidHierarchy, structure:BoundingStructure, gap:Number):void
         {
-            if (!model.hasTriangles)
-            {
-                return false;
-            }
             _solid = model.solid;
-            var touching:Number = _pose.gap + Tolerances.SURFACES * model.root.radius;
-            _moved[structure.kind] = structure.place(_pose.placement, _moved[structure.kind]);
-            _structure = _moved[structure.kind];
-            _structure.extentsInto(_extents);
+            var touching:Number = gap + Tolerances.SURFACES * model.root.radius;
+            structure.extentsInto(_extents);
             for (var i:int = 0; i < 6; i += 2)
             {
                 _extents[i] -= touching;
                 _extents[int(i + 1)] += touching;
             }
-            if (structure.kind == BoundingStructure.BOX)
+            _isBox = structure.kind == BoundingStructure.BOX;
+            if (_isBox)
             {
-                _box.box = Box(_structure);
+                _box.box = Box(structure);
                 _box.tolerance = touching;
             }
             else if (structure.kind == BoundingStructure.CAPSULE)
             {
-                var capsule:Capsule = Capsule(_structure);
+                var capsule:Capsule = Capsule(structure);
                 setCore(capsule.start, capsule.end, capsule.radius + touching);
             }
             else
             {
-                var sphere:Sphere = Sphere(_structure);
+                var sphere:Sphere = Sphere(structure);
                 setCore(sphere.center, sphere.center, sphere.radius + touching);
             }
-            return true;
         }
 
         /** @inheritDoc */
@@ -83,7 +72,6 @@ package starlogo.solid
         {
             var extents:Vector.<Number> = _solid.extents;
             var corners:Vector.<Number> = _solid.corners;
-            var isBox:Boolean = _structure.kind == BoundingStructure.BOX;
             for (var i:int = a.first; i < a.end; i++)
             {
                 var at:int = 6 * i;
@@ -92,7 +80,7 @@ package starlogo.solid
                 {
                     continue;
                 }
-                if (isBox ? _box.touches(corners, 9 * i) : _closest.areWithin(corners, 9 * i, _core, 0))
+                if (_isBox ? _box.touches(corners, 9 * i) : _closest.areWithin(corners, 9 * i, _core, 0))
                 {
                     time = 0;
                     return true;

@@ -32,22 +32,13 @@ package starlogo.solid
             moved = new MovedTriangles(pose);
         }
 
-        /**
-         * Prepares for two models that the pose relates.
-         *
-         * @return whether both have triangles; otherwise nothing else may be asked
-         */
-        public function prepare(a:SolidHierarchy, b:SolidHierarchy):Boolean
+        /** Begins with two models that the pose relates, both with triangles. */
+        public function begin(a:SolidHierarchy, b:SolidHierarchy):void
         {
-            if (!a.hasTriangles || !b.hasTriangles)
-            {
-                return false;
-            }
             solidA = a.solid;
             solidB = b.solid;
             moved.begin(solidB.corners);
             touching = pose.gap + Tolerances.SURFACES * (a.root.radius + b.root.radius * pose.placement.size);
-            return true;
         }
     }
 }

@@ -121,19 +121,19 @@ package starlogo.solid
             var bear:Model = read(FIXTURES[0]);
             var whole:SolidHierarchy = hierarchyOf(bear, BoundingStructure.BOX, 3);
             var cloud:SolidHierarchy = hierarchyOf(new Model("cloud", bear.vertices), BoundingStructure.BOX, 3);
-            var standing:HierarchyTraversal = new HierarchyTraversal();
+            var pair:TreePair = new TreePair();
             var visits:Array = [];
             for (var i:int = 0; i < 2; i++)
             {
-                standing.resetCounts();
+                pair.resetCounts();
                 for (var x:Number = -1; x < 1; x += 0.1)
                 {
                     var place:Placement = new Placement();
                     place.x = x;
                     place.setRotation(50 * x, 20, 30);
-                    standing.hierarchiesOverlap(whole, new Placement(), HierarchyNode.LARGEST_DEPTH, cloud, place, HierarchyNode.LARGEST_DEPTH, true);
+                    pair.areOverlapping(whole, new Placement(), HierarchyNode.LARGEST_DEPTH, cloud, null, place, HierarchyNode.LARGEST_DEPTH, true);
                 }
-                visits.push(standing.nodeVisits);
+                visits.push(pair.nodeVisits);
                 whole.prepare();
             }
             assertTrue(visits[0] > 20);

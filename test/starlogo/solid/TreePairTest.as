@@ -26,7 +26,7 @@ package starlogo.solid
     use namespace engine;
 
     /** Depths of all combinations find no more the deeper they are; nothing overflows, whatever the sizes. */
-    public class HierarchyTraversalTest
+    public class TreePairTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
@@ -34,7 +34,7 @@ package starlogo.solid
 
         private static var sHierarchies:Object;
 
-        private var _traversal:HierarchyTraversal = new HierarchyTraversal();
+        private var _pair:TreePair = new TreePair();
 
         [BeforeClass]
         public static function begin():void
@@ -93,7 +93,7 @@ package starlogo.solid
                 answers.push([]);
                 for (var k:int = 0; k < 7; k++)
                 {
-                    var isHit:Boolean = _traversal.hierarchiesOverlap(a, placementA, i + 1, b, placementB, k + 1, false);
+                    var isHit:Boolean = treesOverlap(a, placementA, i + 1, b, placementB, k + 1, false);
                     answers[i].push(isHit);
                     changes += isHit == answers[0][0] ? 0 : 1;
                     if (isHit)
@@ -159,10 +159,10 @@ package starlogo.solid
             var speck:SolidHierarchy = hierarchyOf(BuiltInModel.sphere(), BoundingStructure.BOX);
             var large:Placement = placed(1e6, 0, 0, 0);
             var small:Placement = placed(1e-6, 0, 0, 0.5e6);
-            assertTrue("one box", _traversal.hierarchiesOverlap(walls, large, 1, speck, small, 9, false));
-            assertTrue("one box, the other way round", _traversal.hierarchiesOverlap(speck, small, 9, walls, large, 1, false));
-            assertFalse("two boxes", _traversal.hierarchiesOverlap(walls, large, 9, speck, small, 1, false));
-            assertFalse("two boxes, the other way round", _traversal.hierarchiesOverlap(speck, small, 1, walls, large, 9, false));
+            assertTrue("one box", treesOverlap(walls, large, 1, speck, small, 9, false));
+            assertTrue("one box, the other way round", treesOverlap(speck, small, 9, walls, large, 1, false));
+            assertFalse("two boxes", treesOverlap(walls, large, 9, speck, small, 1, false));
+            assertFalse("two boxes, the other way round", treesOverlap(speck, small, 1, walls, large, 9, false));
         }
 
         private function checkSpeck(random:SeededRandom, size:Number, giant:Number, cube:SolidHierarchy, ball:SolidHierarchy):void
@@ -185,28 +185,39 @@ package starlogo.solid
                 var message:String = [size, giant, place, heading].join(", ");
                 for each (var depth:int in [1, 3, 10])
                 {
-                    assertEquals(message, place[3], _traversal.hierarchiesOverlap(cube, large, depth, ball, small, depth, false));
-                    assertEquals(message, place[3], _traversal.hierarchiesOverlap(ball, small, depth, cube, large, depth, false));
+                    assertEquals(message, place[3], treesOverlap(cube, large, depth, ball, small, depth, false));
+                    assertEquals(message, place[3], treesOverlap(ball, small, depth, cube, large, depth, false));
                     for each (var box:BoundingStructure in structures(0.5))
                     {
-                        assertEquals(message + box, place[3], _traversal.structureOverlaps(cube, large, depth, box, small));
+                        assertEquals(message + box, place[3], structureOverlaps(cube, large, depth, box, small));
                     }
                     // a cube's sphere and capsule reach farther
                     if (place[3])
                     {
                         for each (box in structures(1))
                         {
-                            assertTrue(message + box, _traversal.structureOverlaps(ball, small, depth, box, large));
+                            assertTrue(message + box, structureOverlaps(ball, small, depth, box, large));
                         }
                     }
                     else
                     {
-                        assertFalse(message, _traversal.structureOverlaps(ball, small, depth, structures(0.5)[2], large));
+                        assertFalse(message, structureOverlaps(ball, small, depth, structures(0.5)[2], large));
                     }
                 }
-                assertEquals(message, place[3], _traversal.hierarchiesOverlap(cube, large, 1, ball, small, 1, true));
-                assertEquals(message, place[3], _traversal.hierarchiesOverlap(ball, small, 1, cube, large, 1, true));
+                assertEquals(message, place[3], treesOverlap(cube, large, 1, ball, small, 1, true));
+                assertEquals(message, place[3], treesOverlap(ball, small, 1, cube, large, 1, true));
             }
+        }
+
+        private function treesOverlap(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, placementB:Placement, depthB:int,
+                exact:Boolean):Boolean
+        {
+            return _pair.areOverlapping(a, placementA, depthA, b, null, placementB, depthB, exact);
+        }
+
+        private function structureOverlaps(a:SolidHierarchy, placementA:Placement, depth:int, structure:BoundingStructure, placementB:Placement):Boolean
+        {
+            return _pair.areOverlapping(a, placementA, depth, null, structure, placementB, 1, false);
         }
 
         // About the middle of a model of size 1.

@@ -22,7 +22,7 @@ package starlogo.solid
      * Models that pass each other: the time is the first at which the standing test says that they collide. That test is asked
      * at 65 moments of each way, shortly before the time, and shortly after.
      */
-    public class SweptHierarchyTraversalTest
+    public class SweptTreePairTest
     {
         public static const FIXTURES:Array = ["/assets/bear.obj"];
 
@@ -33,8 +33,7 @@ package starlogo.solid
         private static var sHierarchies:Object;
         private static var sModels:Array;
 
-        private var _standing:HierarchyTraversal = new HierarchyTraversal();
-        private var _swept:SweptHierarchyTraversal = new SweptHierarchyTraversal(_standing);
+        private var _pair:TreePair = new TreePair();
         private var _random:SeededRandom;
         private var _ways:int;
         private var _misses:int;
@@ -139,8 +138,8 @@ package starlogo.solid
             {
                 placementB.size *= 0.1;
             }
-            _swept.setPair(a, placementA, depthA, b, b == null ? structure : b.root.bounds, placementB, depthB, exact);
-            _swept.findTime(way);
+            _pair.setTo(a, placementA, depthA, b, structure, placementB, depthB, exact);
+            _pair.findTime(way);
             var time:Number = way.time;
             var isSeen:Boolean = false;
             for (var i:int = 0; i <= MOMENTS && !isSeen; i++)
@@ -184,9 +183,7 @@ package starlogo.solid
             placementA.x += way.startX + time * way.x;
             placementA.y += way.startY + time * way.y;
             placementA.z += way.startZ + time * way.z;
-            var answer:Boolean = b != null
-                ? _standing.hierarchiesOverlap(a, placementA, depthA, b, placementB, depthB, exact)
-                : _standing.structureOverlaps(a, placementA, depthA, structure, placementB);
+            var answer:Boolean = _pair.areOverlapping(a, placementA, depthA, b, structure, placementB, depthB, exact);
             placementA.x = x;
             placementA.y = y;
             placementA.z = z;

@@ -1,0 +1,446 @@
+package starlogo.solid
+{
+    import flash.geom.Vector3D;
+    import starlogo.bounding.BoundingStructure;
+    import starlogo.bounding.Box;
+    import starlogo.engine;
+    import starlogo.geometry.Placement;
+    import starlogo.geometry.Tolerances;
+    import starlogo.hierarchy.BoxDistances;
+    import starlogo.hierarchy.BoxTraversal;
+    import starlogo.hierarchy.DistanceTraversal;
+    import starlogo.hierarchy.HierarchyNode;
+    import starlogo.hierarchy.LeafTest;
+    import starlogo.hierarchy.NodePairTraversal;
+    import starlogo.hierarchy.RelativePose;
+    import starlogo.hierarchy.StructureTraversal;
+    import starlogo.hierarchy.SweptBoxTraversal;
+    import starlogo.hierarchy.UprightBoxTraversal;
+    import starlogo.intersection.contact.ContactFinder;
+    import starlogo.intersection.contact.ContactPoint;
+    import starlogo.intersection.distance.ClosestPair;
+    import starlogo.intersection.sweep.RelativeMotion;
+
+    use namespace engine;
+
+    /**
+     * Two models that are placed in the world: two trees, or a tree and a structure. They are set once, and then asked whether they overlap, when
+     * they touch for the first time, where, and how far they are apart (thesis §4.6).
+     *
+     * <p>The thesis puts both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models takes the
+     * second into the space of the first. A traversal of pairs of nodes answers there, depth-first, down to two nodes that are leaves or at their
+     * depth limit. Which traversal depends on what the nodes are: boxes or any structures. Where triangles decide, they do so for the leaves.</p>
+     *
+     * <p>Answers are nested: what triangles find, nodes find at any depth, and a greater depth finds no more than a smaller one. Nodes alone would
+     * not do for solids: the leaves hug the surface, and a model well inside of a closed one meets none of them. Hence the ContainmentTest, whose
+     * answer no depth changes.</p>
+     *
+     * <p>Nothing is allocated once the stacks have grown and the models' triangles were prepared.</p>
+     *
+     * @private
+     */
+    public final class TreePair
+    {
+        // The pair. The second model has a tree, or a structure represents it.
+        private var _a:SolidHierarchy;
+        private var _placementA:Placement;
+        private var _depthA:int;
+        private var _b:SolidHierarchy;
+        private var _placementB:Placement;
+        private var _depthB:int;
+
+        // Whether triangles decide about leaves, and whether the nodes that are visited are boxes.
+        private var _isExact:Boolean;
+        private var _areBoxes:Boolean;
+
+        // Stands for a structure.
+        private var _leaf:HierarchyNode = new HierarchyNode();
+
+        // Takes the second model into the space of the first; where the structure is a box, the space of its axes, with the node that stands for it.
+        private var _pose:RelativePose = new RelativePose();
+        private var _boxPose:RelativePose = new RelativePose();
+        private var _boxLeaf:HierarchyNode = new HierarchyNode();
+        private var _movedBox:Box = new Box(new Vector3D(), Vector3D.X_AXIS, Vector3D.Y_AXIS, Vector3D.Z_AXIS, 0, 0, 0);
+
+        // Models that stand still.
+        private var _uprightBoxes:UprightBoxTraversal;
+        private var _boxes:BoxTraversal;
+        private var _boxAndBoxes:BoxTraversal;
+        private var _structures:StructureTraversal;
+        private var _trianglePairs:ExactPairTest;
+        private var _triangles:StructureTriangles = new StructureTriangles();
+        private var _containment:ContainmentTest;
+
+        // Models that move; what has found the first touch.
+        private var _sweptBoxes:SweptBoxTraversal;
+        private var _sweptStructures:StructureTraversal;
+        private var _sweptPairs:SweptPairTest;
+        private var _first:NodePairTraversal;
+
+        // Models that are apart.
+        private var _boxDistances:BoxDistances;
+        private var _structureDistances:DistanceTraversal;
+        private var _nearest:NearestTriangles;
+
+        // Where the first model is at the time under way; by kind, a structure of the second in the space of the first.
+        private var _start:Placement = new Placement();
+        private var _moved:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
+        private var _finder:ContactFinder = new ContactFinder();
+
+        /** No pair yet, and nothing counted. */
+        public function TreePair()
+        {
+            _leaf.x = _leaf.y = _leaf.z = _boxLeaf.x = _boxLeaf.y = _boxLeaf.z = 0;
+            _uprightBoxes = new UprightBoxTraversal(_pose);
+            _boxes = new BoxTraversal(_pose);
+            _boxAndBoxes = new BoxTraversal(_boxPose);
+            _structures = new StructureTraversal(_pose, false);
+            _trianglePairs = new ExactPairTest(_pose);
+            _containment = new ContainmentTest(_pose);
+            _sweptBoxes = new SweptBoxTraversal(_pose);
+            _sweptStructures = new StructureTraversal(_pose, true);
+            _sweptPairs = new SweptPairTest(_pose);
+            _boxDistances = new BoxDistances(_pose);
+            _structureDistances = new DistanceTraversal(_pose);
+            _nearest = new NearestTriangles(_pose);
+        }
+
+        /** Pairs of nodes that were visited since resetCounts. */
+        public function get nodeVisits():int
+        {
+            return _uprightBoxes.nodeVisits + _boxes.nodeVisits + _boxAndBoxes.nodeVisits + _structures.nodeVisits + _sweptBoxes.nodeVisits
+                + _sweptStructures.nodeVisits + _boxDistances.nodeVisits + _structureDistances.nodeVisits;
+        }
+
+        /** Pairs of triangles that were tested since resetCounts. */
+        public function get triangleTests():int
+        {
+            return _trianglePairs.triangleTests + _sweptPairs.triangleTests + _nearest.triangleTests;
+        }
+
+        /** Begins to count. */
+        public function resetCounts():void
+        {
+            _uprightBoxes.nodeVisits = _boxes.nodeVisits = _boxAndBoxes.nodeVisits = _structures.nodeVisits = _sweptBoxes.nodeVisits = 0;
+            _sweptStructures.nodeVisits = _boxDistances.nodeVisits = _structureDistances.nodeVisits = 0;
+            _trianglePairs.triangleTests = _sweptPairs.triangleTests = _nearest.triangleTests = 0;
+        }
+
+        /**
+         * Sets the two: two trees, or a tree and a structure.
+         *
+         * @param a the first model's hierarchy
+         * @param placementA where the first model stands
+         * @param depthA how many levels of it are visited
+         * @param b the second model's hierarchy; null if a structure represents that model
+         * @param structureB the structure, in the second model's space; does not count otherwise
+         * @param placementB where the second model stands
+         * @param depthB how many levels of its hierarchy are visited
+         * @param exact whether, if each that is a tree has triangles, depths do not count and triangles decide: false of a
+         *     tree and a structure
+         */
+        public function setTo(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
+                placementB:Placement, depthB:int, exact:Boolean):void
+        {
+            _isExact = exact && a.hasTriangles && (b == null || b.hasTriangles);
+            var kindB:int = b == null ? structureB.kind : b.boundsKind;
+            _areBoxes = _isExact ? b != null || kindB == BoundingStructure.BOX : a.boundsKind == BoundingStructure.BOX && kindB == BoundingStructure.BOX;
+            // to put an object into a field costs Adobe's VM more than to see that it is there
+            if (_a !== a)
+            {
+                _a = a;
+            }
+            if (_b !== b)
+            {
+                _b = b;
+            }
+            if (b == null && _leaf.structure !== structureB)
+            {
+                _leaf.structure = structureB;
+            }
+            _placementA = placementA;
+            _placementB = placementB;
+            _depthA = _isExact ? int.MAX_VALUE : depthA;
+            _depthB = _isExact ? int.MAX_VALUE : depthB;
+            _pose.relate(placementA, placementB);
+        }
+
+        /**
+         * Whether two overlap that stand still. Afterwards a pair has to be set for other questions.
+         *
+         * <p>The arguments are those of <code>setTo()</code>, but of a tree and a structure triangles may decide as well: whether one meets the solid
+         * structure. The arguments are not kept, because that would be a tenth of the time of two models that are apart.</p>
+         */
+        public function areOverlapping(a:SolidHierarchy, placementA:Placement, depthA:int, b:SolidHierarchy, structureB:BoundingStructure,
+                placementB:Placement, depthB:int, exact:Boolean):Boolean
+        {
+            var pose:RelativePose = _pose;
+            pose.relate(placementA, placementB);
+            var decider:LeafTest = null;
+            if (exact && a.hasTriangles && (b == null || b.hasTriangles))
+            {
+                decider = prepareTriangles(a, b, structureB);
+                depthA = depthB = int.MAX_VALUE;
+            }
+            var traversal:NodePairTraversal = _structures;
+            var second:HierarchyNode = _leaf;
+            if (b != null)
+            {
+                second = b.root;
+                if (decider != null || a.boundsKind == BoundingStructure.BOX && b.boundsKind == BoundingStructure.BOX)
+                {
+                    traversal = pose.isUpright ? _uprightBoxes : _boxes;
+                }
+            }
+            else if (structureB.kind == BoundingStructure.BOX && (decider != null || a.boundsKind == BoundingStructure.BOX))
+            {
+                traversal = _boxAndBoxes;
+                second = _boxLeaf;
+                setBoxLeaf(Box(structureB));
+            }
+            else if (_leaf.structure !== structureB)
+            {
+                _leaf.structure = structureB;
+            }
+            // whose roots do not overlap, as of most that are close and do not collide, are not inside of each other
+            return traversal.find(a.root, depthA, second, depthB, decider)
+                || ((traversal.rootsOverlapped || decider != null) && isOneInside(a, b, structureB));
+        }
+
+        /**
+         * Finds the first moment at which the two overlap as the first moves. Afterwards they have to be set again.
+         *
+         * <p>To come to be inside of a closed surface without having been there at the beginning, a part of a model has to cross it,
+         * and its nodes have to touch. So the nodes, or the triangles, are looked at over time, and the standing test is asked at time 0;
+         * at time 1 too where nothing was found, so that no rounding hides what stands there.</p>
+         *
+         * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         */
+        public function findTime(motion:RelativeMotion):void
+        {
+            begin(motion);
+            if (overlapsAt(_start))
+            {
+                motion.time = 0;
+                return;
+            }
+            if (findFirst())
+            {
+                motion.time = _first.time;
+                return;
+            }
+            _start.x += motion.x;
+            _start.y += motion.y;
+            _start.z += motion.z;
+            motion.time = overlapsAt(_start) ? 1 : RelativeMotion.NEVER;
+        }
+
+        /**
+         * Where the two touch that collide: where the first two triangles, or the first two nodes that are leaves or at their depth limit, do;
+         * of a model that is inside of another, where the structures around both overlap.
+         *
+         * @param motion of the first model, relative to the second, with the time when they do first
+         * @param out takes it, in the world
+         */
+        public function findContact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            begin(motion);
+            if (findFirst() && _first.time <= motion.time + Tolerances.SAME_TIME)
+            {
+                findContactOfFirst(motion, out);
+            }
+            else
+            {
+                findContactOf(_a.root.bounds, rootB.bounds, motion, out);
+            }
+        }
+
+        /**
+         * Finds when the two touch for the first time that do not touch at the beginning, and where.
+         *
+         * @param motion of the first model, relative to the second; takes the time, from 0 to 1, or RelativeMotion.NEVER
+         * @param out takes where, in the world; null if only the time is wanted
+         */
+        public function findImpact(motion:RelativeMotion, out:ContactPoint):void
+        {
+            begin(motion);
+            motion.time = findFirst() ? _first.time : RelativeMotion.NEVER;
+            if (out != null && motion.time != RelativeMotion.NEVER)
+            {
+                findContactOfFirst(motion, out);
+            }
+        }
+
+        /**
+         * Finds how far the two are apart where they were set, and between which points: of the nodes that <code>areOverlapping()</code> tests, or of
+         * the triangles.
+         *
+         * @param areTouching whether the two overlap: then a point of both is found
+         * @param out takes it, in the world
+         */
+        public function findClosest(areTouching:Boolean, out:ClosestPair):void
+        {
+            if (_isExact)
+            {
+                _nearest.begin(_a.solid, _b.solid);
+                _boxDistances.find(_a.root, _depthA, rootB, _depthB, _nearest);
+                out.copyPoints(_nearest.nearest.points);
+                out.distance = _nearest.least;
+            }
+            else
+            {
+                if (_b == null)
+                {
+                    _leaf.radius = DistanceTraversal.reachOf(_leaf.structure);
+                }
+                var traversal:DistanceTraversal = _areBoxes && _b != null ? _boxDistances : _structureDistances;
+                traversal.find(_a.root, _depthA, rootB, _depthB, null);
+                traversal.writePoints(out);
+            }
+            out.distance *= _placementA.size;
+            var placement:Placement = _placementA;
+            if (areTouching && out.distance > 0 && isOneInside(_a, _b, _leaf.structure))
+            {
+                var point:Vector3D = _containment.innerPoint;
+                out.aX = out.bX = point.x;
+                out.aY = out.bY = point.y;
+                out.aZ = out.bZ = point.z;
+                placement = _containment.isPointOfSecond ? _placementB : _placementA;
+            }
+            out.settle(areTouching);
+            out.place(placement);
+        }
+
+        /**
+         * How the structures around two models overlap that stand still. Afterwards a pair has to be set.
+         *
+         * @param a is around the first model, in its space
+         * @param placementA where that stands
+         * @param b is around the second model, in its space
+         * @param placementB where that stands
+         * @param out takes it, in the world
+         */
+        public function findOuterContact(a:BoundingStructure, placementA:Placement, b:BoundingStructure, placementB:Placement,
+                out:ContactPoint):void
+        {
+            _placementA = placementA;
+            _placementB = placementB;
+            RelativeMotion.NONE.time = 0;
+            begin(RelativeMotion.NONE);
+            findContactOf(a, b, RelativeMotion.NONE, out);
+        }
+
+        private function overlapsAt(placementA:Placement):Boolean
+        {
+            return areOverlapping(_a, placementA, _depthA, _b, _leaf.structure, _placementB, _depthB, _isExact);
+        }
+
+        // Lets the first model stand where a motion of it begins.
+        private function begin(motion:RelativeMotion):void
+        {
+            _start.copyFrom(_placementA);
+            _start.x += motion.startX;
+            _start.y += motion.startY;
+            _start.z += motion.startZ;
+            _pose.relate(_start, _placementB);
+            _pose.relateMotion(_placementA, motion);
+        }
+
+        // The box, as wide as a node's would be, in the space of its axes.
+        private function setBoxLeaf(box:Box):void
+        {
+            var distance:Number = Math.abs(box.center.x) + Math.abs(box.center.y) + Math.abs(box.center.z);
+            var margin:Number = Tolerances.ROUNDING * (box.halfX + box.halfY + box.halfZ + distance);
+            _boxLeaf.setHalfExtents(box.halfX + margin, box.halfY + margin, box.halfZ + margin);
+            box.place(_pose.placement, _movedBox);
+            _boxPose.takeAxesOf(_movedBox, _pose);
+        }
+
+        private function prepareTriangles(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure):LeafTest
+        {
+            if (b == null)
+            {
+                _triangles.begin(a, moveToFirst(structureB), _pose.gap);
+                return _triangles;
+            }
+            _trianglePairs.begin(a, b);
+            return _trianglePairs;
+        }
+
+        private function isOneInside(a:SolidHierarchy, b:SolidHierarchy, structureB:BoundingStructure):Boolean
+        {
+            return b == null ? _containment.isStructureInside(a, moveToFirst(structureB)) : _containment.isOneInside(a, b);
+        }
+
+        private function get rootB():HierarchyNode
+        {
+            return _b == null ? _leaf : _b.root;
+        }
+
+        // Finds the first two triangles or nodes that touch as the first model moves.
+        private function findFirst():Boolean
+        {
+            var decider:LeafTest = null;
+            _first = _areBoxes && _b != null ? _sweptBoxes : _sweptStructures;
+            if (_isExact)
+            {
+                _sweptPairs.begin(_a, _b);
+                decider = _sweptPairs;
+            }
+            return _first.find(_a.root, _depthA, rootB, _depthB, decider);
+        }
+
+        // Of the first two triangles or nodes that findFirst has found, at the motion's time.
+        private function findContactOfFirst(motion:RelativeMotion, out:ContactPoint):void
+        {
+            if (!_isExact)
+            {
+                findContactOf(_first.firstA.bounds, _first.firstB.bounds, motion, out);
+                return;
+            }
+            _pose.motion.time = motion.time;
+            _sweptPairs.findContact(out);
+            moveToWorld(motion, out);
+        }
+
+        // Of two structures in their models' spaces, at the motion's time.
+        private function findContactOf(a:BoundingStructure, b:BoundingStructure, motion:RelativeMotion, out:ContactPoint):void
+        {
+            var time:Number = motion.time;
+            var way:RelativeMotion = _pose.motion;
+            var displacement:RelativeMotion = _finder.displacement;
+            displacement.startX = -time * way.x;
+            displacement.startY = -time * way.y;
+            displacement.startZ = -time * way.z;
+            _finder.find(a, moveToFirst(b), out);
+            out.x += time * way.x;
+            out.y += time * way.y;
+            out.z += time * way.z;
+            moveToWorld(motion, out);
+        }
+
+        private function moveToFirst(structure:BoundingStructure):BoundingStructure
+        {
+            return _moved[structure.kind] = structure.place(_pose.placement, _moved[structure.kind]);
+        }
+
+        private function moveToWorld(motion:RelativeMotion, out:ContactPoint):void
+        {
+            var a:Placement = _placementA;
+            var time:Number = motion.time;
+            var x:Number = out.x * a.size;
+            var y:Number = out.y * a.size;
+            var z:Number = out.z * a.size;
+            out.x = a.r00 * x + a.r01 * y + a.r02 * z + a.x + motion.startX + time * motion.x;
+            out.y = a.r10 * x + a.r11 * y + a.r12 * z + a.y + motion.startY + time * motion.y;
+            out.z = a.r20 * x + a.r21 * y + a.r22 * z + a.z + motion.startZ + time * motion.z;
+            x = out.normalX;
+            y = out.normalY;
+            z = out.normalZ;
+            out.normalX = a.r00 * x + a.r01 * y + a.r02 * z;
+            out.normalY = a.r10 * x + a.r11 * y + a.r12 * z;
+            out.normalZ = a.r20 * x + a.r21 * y + a.r22 * z;
+            out.depth *= a.size;
+        }
+    }
+}

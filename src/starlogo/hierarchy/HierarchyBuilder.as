@@ -12,7 +12,7 @@ package starlogo.hierarchy
      *
      * <p>What is divided are items: triangles, or vertices where there are none. See NodeDivider for how.</p>
      *
-     * <p>The work is done in steps, a millisecond or two each for thousands of items. They throw an ArgumentError if the model's extent is not finite.</p>
+     * <p>The work is done in steps, a millisecond or two each for thousands of items. They throw an ArgumentError if a coordinate is larger than 1e100.</p>
      *
      * @private
      */
@@ -96,12 +96,7 @@ package starlogo.hierarchy
         {
             var extents:Vector.<Number> = _items.extents;
             _maker = new NodeMaker(_hierarchy, extents);
-            var root:HierarchyNode = _maker.make(1, 0, _items.count, extents);
-            if (root.radius - root.radius != 0)
-            {
-                throw new ArgumentError("the coordinates are too large: the model's extent is not a finite number");
-            }
-            _hierarchy.root = root;
+            _hierarchy.root = _maker.make(1, 0, _items.count, extents);
         }
 
         private function newDivider():Steps

@@ -8,7 +8,7 @@ package starlogo.hierarchy
 
     /**
      * Divides the leaves of a hierarchy of triangles further, for tests of triangles and rays: in steps, down to a few triangles. A hierarchy that
-     * was divided so and is made again of what was stored of it is divided alike, and the order of its triangles stays as it is.
+     * was read with all its nodes stays as it is.
      *
      * @private
      */
@@ -26,8 +26,29 @@ package starlogo.hierarchy
         public function HierarchyRefiner(hierarchy:Hierarchy)
         {
             _hierarchy = hierarchy;
-            _items = new Items(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
-            slices(_items.count, ITEMS_PER_STEP, _items.measure).begin(newDivider);
+            if (hasLargeLeaf())
+            {
+                _items = new Items(hierarchy.vertices, hierarchy.triangles, hierarchy.order);
+                slices(_items.count, ITEMS_PER_STEP, _items.measure).begin(newDivider);
+            }
+        }
+
+        private function hasLargeLeaf():Boolean
+        {
+            var stack:Vector.<HierarchyNode> = new <HierarchyNode>[_hierarchy.root];
+            while (stack.length > 0)
+            {
+                var node:HierarchyNode = stack.pop();
+                if (node.low != null)
+                {
+                    stack.push(node.low, node.high);
+                }
+                else if (node.end - node.first > LEAF_SIZE)
+                {
+                    return true;
+                }
+            }
+            return false;
         }
 
         private function newDivider():Steps

@@ -12,12 +12,16 @@ package starlogo.hierarchy
      */
     public final class NodeMaker
     {
+        // Products of three coordinates are finite.
+        private static const LARGEST:Number = 1e100;
+
         private var _hierarchy:Hierarchy;
         private var _radius:Number = 0;
 
         /**
          * @param hierarchy what the nodes are of
          * @param extents of the whole model: minX, minY, minZ, maxX, maxY, maxZ
+         * @throws ArgumentError if a coordinate is larger than 1e100
          */
         public function NodeMaker(hierarchy:Hierarchy, extents:Vector.<Number>)
         {
@@ -26,6 +30,10 @@ package starlogo.hierarchy
             for (var i:int = 0; i < 6; i++)
             {
                 _radius = Math.max(_radius, Math.abs(extents[i]));
+            }
+            if (!(_radius <= LARGEST))
+            {
+                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + _radius);
             }
             _radius *= Math.sqrt(3);
         }

@@ -191,22 +191,17 @@ package starlogo.libraries
         engine function ofKind(name:String, kind:int, vertices:Vector.<Number>):BoundingStructure
         {
             var shape:ShapeStructures = find(name);
-            if (shape.ofKind(kind) == null)
-            {
-                shape.checkRest(vertices);
-            }
-            if (shape.ofKind(kind) == null && shape.foundLater == null)
+            if (shape.smallest[kind] == null)
             {
                 var build:StructuresBuild = new StructuresBuild(name, vertices, fitters, _cheaperTestsFactor, true);
                 finish(build);
-                shape.foundLater = build.structures;
+                shape.addMissing(build.structures);
             }
-            var structure:BoundingStructure = shape.ofKind(kind);
-            if (structure == null)
+            if (shape.smallest[kind] == null)
             {
                 throw new ArgumentError("shape \"" + name + "\" cannot be a " + KINDS[kind] + ": none of the library's fitters finds one");
             }
-            return structure;
+            return shape.smallest[kind];
         }
 
         /**

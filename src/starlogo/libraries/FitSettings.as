@@ -13,7 +13,7 @@ package starlogo.libraries
     public final class FitSettings
     {
         /** Has to be raised whenever an algorithm of the engine gives another result for the same settings. */
-        private static const REVISION:int = 4;
+        private static const REVISION:int = 5;
 
         /**
          * The settings that structures depend on; null if structures are not wanted, or cannot be kept.

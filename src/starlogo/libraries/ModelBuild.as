@@ -79,7 +79,7 @@ package starlogo.libraries
         /** Whether the structures were read, when no step is left. */
         public function get areStructuresRead():Boolean
         {
-            return _structures != null && _structures.isRead;
+            return _structures != null && _fits.structures != null;
         }
 
         /** The builder that has the hierarchy, or builds it when it is needed; when no step is left. Null if none was wanted. */
@@ -111,7 +111,7 @@ package starlogo.libraries
         private function get isComplete():Boolean
         {
             return (_structures == null || _fits.structures != null) && (_hierarchy == null || _fits.tree != null)
-                && (!wantsSurface || _fits.notes != null);
+                && (!wantsSurface || _fits.surface != null);
         }
 
         private function useFits():void
@@ -122,7 +122,7 @@ package starlogo.libraries
             }
             if (_hierarchy != null && _fits.tree != null)
             {
-                _hierarchy.useStored(new TreeReader(_fits.tree), _fits.notes);
+                _hierarchy.useStored(new TreeReader(_fits.tree), _fits.surface);
             }
         }
 
@@ -134,9 +134,7 @@ package starlogo.libraries
 
         private function keep():void
         {
-            var isNew:Boolean = _structures != null && !_structures.isRead || _hierarchy != null && !_hierarchy.isTaken
-                || wantsSurface && _hierarchy.hierarchy.notes !== _fits.notes;
-            if (isNew && _store.mayHold(_model))
+            if ((!isComplete || _hierarchy != null && !_hierarchy.isTaken) && _store.mayHold(_model))
             {
                 _store.keep(_geometry.fingerprint, _settings, fits);
             }

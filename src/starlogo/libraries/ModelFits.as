@@ -6,13 +6,13 @@ package starlogo.libraries
     import starlogo.libraries.cooked.TreeWriter;
     import starlogo.models.cooked.CookedFile;
     import starlogo.solid.SolidHierarchy;
-    import starlogo.solid.SurfaceNotes;
+    import starlogo.solid.Surface;
 
     use namespace engine;
 
     /**
-     * The results of the computations for a model, without what follows from them: the smallest structures, how the hierarchy divides the
-     * triangles, the notes of the surface. It is what a FitStore keeps and a cooked file contains.
+     * The record of what was computed for a model: the smallest structures, how the hierarchy divides the triangles, and the surface. A cooked
+     * file contains it and a FitStore keeps it, sealed by a checksum.
      */
     public final class ModelFits
     {
@@ -31,11 +31,11 @@ package starlogo.libraries
         engine var tree:ByteArray = null;
 
         /**
-         * The notes of the surface; null if there are none.
+         * What exact tests need to know of the surface; null if it was not prepared.
          *
          * @private
          */
-        engine var notes:SurfaceNotes = null;
+        engine var surface:Surface = null;
 
         /** Empty. GreatLand and FitStore make them. */
         public function ModelFits()
@@ -57,7 +57,7 @@ package starlogo.libraries
         /** Whether there is what exact colliders need of the surface. */
         public function get hasSurface():Boolean
         {
-            return notes != null;
+            return surface != null;
         }
 
         /**
@@ -73,14 +73,14 @@ package starlogo.libraries
             var fits:ModelFits = new ModelFits();
             if (shape != null)
             {
-                fits.structures = shape.unchecked || shape.smallest;
+                fits.structures = shape.smallest;
             }
             if (hierarchy != null)
             {
                 fits.tree = CookedFile.newBytes();
                 TreeWriter.write(hierarchy, fits.tree);
                 fits.tree.position = 0;
-                fits.notes = hierarchy.isPrepared ? hierarchy.notes : null;
+                fits.surface = hierarchy.isPrepared ? hierarchy.surface : null;
             }
             return fits;
         }

@@ -10,7 +10,7 @@ package starlogo.libraries
      */
     public final class ShapeStructures
     {
-        /** The smallest structure of each kind, or null; also if it is not kept for the client, so that it need not be computed again. */
+        /** The smallest structure of each kind, or null; also if the client is not given it, so that it need not be computed again. */
         public var smallest:Vector.<BoundingStructure> = new Vector.<BoundingStructure>(3, true);
 
         /** The structure with the least volume, or with the cheapest tests within the factor. */
@@ -18,12 +18,6 @@ package starlogo.libraries
 
         /** Whether the client is given the smallest of each kind. */
         public var keepsAll:Boolean;
-
-        /** The smallest structures of each kind as they were read, not checked yet; null for none. */
-        public var unchecked:Vector.<BoundingStructure> = null;
-
-        /** The structures that the fitters found later, when one of a missing kind was asked for; or null. */
-        public var foundLater:ShapeStructures = null;
 
         /**
          * @param found all structures that were found; null among them is left out
@@ -44,7 +38,7 @@ package starlogo.libraries
             }
             for each (structure in smallest)
             {
-                // a volume that was read may be no number: such a structure is refused when it is checked
+                // a volume that was read may be no number
                 if (tightest == null && structure != null && !(structure.volume > least * cheaperTestsFactor))
                 {
                     tightest = structure;
@@ -52,50 +46,13 @@ package starlogo.libraries
             }
         }
 
-        /**
-         * The smallest structure of a kind, as far as one was found.
-         *
-         * @param kind BoundingStructure.SPHERE, CAPSULE or BOX
-         * @return null if there is none
-         */
-        public function ofKind(kind:int):BoundingStructure
+        /** Takes what other fitters found of kinds that are missing. */
+        public function addMissing(other:ShapeStructures):void
         {
-            return smallest[kind] == null && foundLater != null ? foundLater.smallest[kind] : smallest[kind];
-        }
-
-        /** Leaves only the tightest: the others are not checked yet. */
-        public function trustTightestOnly():void
-        {
-            unchecked = smallest;
-            smallest = new Vector.<BoundingStructure>(unchecked.length, true);
-            smallest[tightest.kind] = tightest;
-        }
-
-        /**
-         * Checks the structures that are not checked yet, and uses them if all of them enclose the model.
-         *
-         * @param vertices the model's, x, y, z each
-         */
-        public function checkRest(vertices:Vector.<Number>):void
-        {
-            if (unchecked != null && areEnclosing(unchecked, vertices))
+            for (var kind:int = 0; kind < smallest.length; kind++)
             {
-                smallest = unchecked;
+                smallest[kind] ||= other.smallest[kind];
             }
-            unchecked = null;
-        }
-
-        /** Whether all of some structures contain all vertices, x, y, z each; null among them is left out. */
-        public static function areEnclosing(structures:Vector.<BoundingStructure>, vertices:Vector.<Number>):Boolean
-        {
-            for each (var structure:BoundingStructure in structures)
-            {
-                if (structure != null && !encloses(structure, vertices))
-                {
-                    return false;
-                }
-            }
-            return true;
         }
     }
 }

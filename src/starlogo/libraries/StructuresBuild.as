@@ -29,8 +29,6 @@ package starlogo.libraries
         private var _fits:Vector.<Fit> = new Vector.<Fit>();
         private var _work:StepSequence = new StepSequence();
         private var _structures:ShapeStructures = null;
-        private var _read:Vector.<BoundingStructure> = null;
-        private var _isRead:Boolean = false;
         private var _checked:int = 0;
 
         /**
@@ -69,19 +67,13 @@ package starlogo.libraries
         }
 
         /**
-         * Uses structures that were read in place of the fitters, if they enclose the model. To be called before the first step.
+         * Uses structures that were read in place of the fitters. To be called before the first step.
          *
          * @param read by the numbers of the kinds, the smallest of each that the fitters once found, or null
          */
         public function useRead(read:Vector.<BoundingStructure>):void
         {
-            _read = read;
-        }
-
-        /** Whether the structures are those that were read, when no step is left. */
-        public function get isRead():Boolean
-        {
-            return _isRead;
+            _structures = new ShapeStructures(read, _cheaperTestsFactor, _keepsAll);
         }
 
         /** The structures, when no step is left. */
@@ -98,35 +90,15 @@ package starlogo.libraries
          */
         public function step():Boolean
         {
-            if (_read != null)
-            {
-                checkRead();
-                return !_isRead;
-            }
             try
             {
-                return _work.step();
+                return _structures == null && _work.step();
             }
             catch (error:ArgumentError)
             {
                 throw named(error.message);
             }
             return false;
-        }
-
-        private function checkRead():void
-        {
-            var chosen:ShapeStructures = new ShapeStructures(_read, _cheaperTestsFactor, _keepsAll);
-            _isRead = ShapeStructures.areEnclosing(_keepsAll ? _read : new <BoundingStructure>[chosen.tightest], _vertices);
-            _read = null;
-            if (_isRead)
-            {
-                _structures = chosen;
-                if (!_keepsAll)
-                {
-                    chosen.trustTightestOnly();
-                }
-            }
         }
 
         // One structure in each call.
@@ -138,7 +110,7 @@ package starlogo.libraries
             {
                 throw new ArgumentError("the library needs fitters of spheres, capsules or boxes, but " + fitter + " found " + structure);
             }
-            var outside:int = encloses(structure, _vertices) ? -1 : firstOutside(structure);
+            var outside:int = firstOutside(structure);
             if (outside >= 0)
             {
                 throw new ArgumentError(fitter + " found a structure that does not enclose vertex " + outside / 3 + " at ("

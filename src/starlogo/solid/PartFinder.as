@@ -33,7 +33,6 @@ package starlogo.solid
         // The pieces that are one part, how many parts are left, and pairs of nodes whose pieces have not been compared.
         private var _sets:DisjointSets;
         private var _partCount:int;
-        private var _joins:Vector.<int> = new Vector.<int>();
         private var _stack:Vector.<HierarchyNode>;
 
         // For each triangle in order, the next one of another piece.
@@ -43,7 +42,7 @@ package starlogo.solid
         /**
          * @param root the node around all triangles
          * @param solid has their corners and extents
-         * @param surface has their pieces
+         * @param surface has their pieces; the parts take their place when no step is left
          * @param order the numbers of the triangles as the hierarchy has them
          */
         public function PartFinder(root:HierarchyNode, solid:Solid, surface:Surface, order:Vector.<int>)
@@ -54,46 +53,17 @@ package starlogo.solid
             _touching = 2 * Tolerances.SURFACES * root.radius;
             _closest.reach = _touching;
             _stack = new <HierarchyNode>[root, root];
-            _partCount = surface.pieceCount;
+            _partCount = surface.partCount;
             _sets = new DisjointSets(_partCount);
             _runEnd = order.length;
             _runEnds = new Vector.<int>(order.length, true);
-            slices(order.length, RUNS_PER_STEP, findRuns).repeat(compareSome);
+            slices(order.length, RUNS_PER_STEP, findRuns).repeat(compareSome).call(numberParts);
         }
 
-        /**
-         * The number of the part that a triangle is of: that of one of its pieces.
-         *
-         * @param triangle its index in the hierarchy's order
-         */
-        public function partOf(triangle:int):int
+        // The number of the part of a triangle, by its index in the hierarchy's order: that of one of its pieces.
+        private function partOf(triangle:int):int
         {
-            return _sets.rootOf(_surface.pieces[_order[triangle]]);
-        }
-
-        /** Two triangles that touch, by their indices in the hierarchy's order, for each time that two parts turned out to be one. */
-        public function get joins():Vector.<int>
-        {
-            return _joins;
-        }
-
-        /**
-         * Joins the parts of triangles that are known to touch, in place of any steps.
-         *
-         * @param known as <code>joins</code> has them
-         * @return whether they do touch, and no two are of one part already; if not, steps are left
-         */
-        public function joinKnown(known:Vector.<int>):Boolean
-        {
-            for (var i:int = 0; i < known.length; i += 2)
-            {
-                if (partOf(known[i]) == partOf(known[i + 1]) || !doTouch(known[i], known[i + 1]))
-                {
-                    return false;
-                }
-                joinParts(known[i], known[i + 1]);
-            }
-            return true;
+            return _sets.rootOf(_surface.parts[_order[triangle]]);
         }
 
         private function compareSome():Boolean
@@ -180,9 +150,8 @@ package starlogo.solid
 
         private function joinParts(i:int, k:int):void
         {
-            _sets.join(_surface.pieces[_order[i]], _surface.pieces[_order[k]]);
+            _sets.join(_surface.parts[_order[i]], _surface.parts[_order[k]]);
             _partCount--;
-            _joins.push(i, k);
         }
 
         private function doTouch(i:int, k:int):Boolean
@@ -199,6 +168,15 @@ package starlogo.solid
             return triangleTriangle(_solid.corners, 9 * i, _solid.corners, 9 * k, _closest);
         }
 
+        private function numberParts():void
+        {
+            var parts:Vector.<int> = _surface.parts;
+            for (var i:int = 0; i < parts.length; i++)
+            {
+                parts[i] = _sets.rootOf(parts[i]);
+            }
+        }
+
         // From the last triangle down.
         private function findRuns(first:int, end:int):void
         {
@@ -206,7 +184,7 @@ package starlogo.solid
             for (var i:int = last - first; i > last - end; i--)
             {
                 _runEnds[i] = _runEnd;
-                if (i > 0 && _surface.pieces[_order[i]] != _surface.pieces[_order[i - 1]])
+                if (i > 0 && _surface.parts[_order[i]] != _surface.parts[_order[i - 1]])
                 {
                     _runEnd = i;
                 }

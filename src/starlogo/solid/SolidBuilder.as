@@ -10,8 +10,8 @@ package starlogo.solid
 
     /**
      * Prepares what exact tests and tests for insides need of a hierarchy's triangles, in steps: nodes down to a few of them, their corners in
-     * the hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is noted of the surface
-     * spares most of the work if it is true.
+     * the hierarchy's order, the surface that they make, and the outermost points of the parts that it comes in. What is known of the surface
+     * spares most of the work.
      */
     internal final class SolidBuilder extends StepSequence
     {
@@ -19,32 +19,28 @@ package starlogo.solid
 
         private var _hierarchy:SolidHierarchy;
         private var _order:Vector.<int>;
-        private var _notes:SurfaceNotes;
         private var _solid:Solid;
-        private var _finder:SurfaceFinder;
+        private var _finder:SurfaceBuilder;
         private var _surface:Surface;
-        private var _parts:PartFinder;
         private var _extremes:PartExtremes;
 
         /**
-         * @param hierarchy of triangles; gets the solid, and the notes with which another builder is done sooner
+         * @param hierarchy of triangles; gets the solid, and what was found out of the surface
          */
         public function SolidBuilder(hierarchy:SolidHierarchy)
         {
             _hierarchy = hierarchy;
             _order = hierarchy.order;
-            _notes = hierarchy.notes;
+            _surface = hierarchy.surface;
             _solid = new Solid(hierarchy.root, _order.length);
             add(new HierarchyRefiner(hierarchy));
             sliced(place);
-            if (_notes != null)
+            if (_surface == null)
             {
-                begin(newCheck).call(useChecked);
+                begin(newSurface).begin(newParts);
             }
-            else
-            {
-                addSurface();
-            }
+            call(useSurface);
+            sliced(measure).call(conclude);
         }
 
         private function sliced(work:Function):StepSequence
@@ -62,50 +58,20 @@ package starlogo.solid
             }
         }
 
-        private function newCheck():Steps
-        {
-            _finder = new SurfaceCheck(_hierarchy.vertices, _hierarchy.triangles, _notes.isTurned);
-            return _finder;
-        }
-
-        // Uses the notes where they are right; otherwise the surface is examined without them.
-        private function useChecked():void
-        {
-            if (_finder.surface == null)
-            {
-                _notes = null;
-                addSurface();
-                return;
-            }
-            useSurface();
-            if (_parts.joinKnown(_notes.joins))
-            {
-                sliced(measure).call(conclude);
-                return;
-            }
-            addParts();
-        }
-
-        private function addSurface():void
-        {
-            begin(newSurface).call(useFound);
-        }
-
         private function newSurface():Steps
         {
             _finder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
             return _finder;
         }
 
-        private function useFound():void
+        private function newParts():Steps
         {
-            useSurface();
-            addParts();
+            _surface = _finder.surface;
+            return new PartFinder(_hierarchy.root, _solid, _surface, _order);
         }
 
         private function useSurface():void
         {
-            _surface = _finder.surface;
             _solid.isClosed = _surface.isClosed;
             _solid.isOriented = _surface.isOriented;
             _solid.widestSeam = _surface.widestSeam;
@@ -113,21 +79,7 @@ package starlogo.solid
             {
                 turnRound();
             }
-            _extremes = new PartExtremes(_solid, _surface.pieceCount);
-            _parts = new PartFinder(_hierarchy.root, _solid, _surface, _order);
-        }
-
-        private function addParts():void
-        {
-            add(_parts).call(writeNotes);
-            sliced(measure).call(conclude);
-        }
-
-        private function writeNotes():void
-        {
-            _notes = new SurfaceNotes();
-            _notes.isTurned = _surface.isTurned;
-            _notes.joins = _parts.joins;
+            _extremes = new PartExtremes(_solid, _surface.partCount);
         }
 
         private function placeCorners(triangle:int, corner:int):void
@@ -204,7 +156,7 @@ package starlogo.solid
         {
             for (var i:int = first; i < end; i++)
             {
-                _extremes.add(_parts.partOf(i), i);
+                _extremes.add(_surface.parts[_order[i]], i);
             }
         }
 
@@ -212,7 +164,7 @@ package starlogo.solid
         {
             _extremes.finish();
             _hierarchy.prepared = _solid;
-            _hierarchy.notes = _notes;
+            _hierarchy.surface = _surface;
         }
     }
 }

@@ -15,7 +15,7 @@ package starlogo.solid
     public final class SolidHierarchy extends Hierarchy
     {
         /** @private What is known of the surface; null for nothing. */
-        engine var notes:SurfaceNotes = null;
+        engine var surface:Surface = null;
 
         /** What <code>solid</code> returns; null until it is prepared. */
         internal var prepared:Solid = null;

@@ -45,22 +45,21 @@ package starlogo.solid
         }
 
         /**
-         * Spares most of the work, if what is given is true; what turns out not to be is done anyhow. To be called before
-         * the first step.
+         * Spares most of the work. To be called before the first step. Items that the tree does not divide are divided anyhow.
          *
          * @param tree how the items were divided, not begun
-         * @param notes what was noted of the surface; null for nothing
+         * @param surface what is known of the surface; null for nothing
          */
-        public function useStored(tree:StoredTree, notes:SurfaceNotes):void
+        public function useStored(tree:StoredTree, surface:Surface):void
         {
             _builder.useStored(tree);
-            _hierarchy.notes = notes;
+            _hierarchy.surface = surface;
         }
 
         /**
          * @inheritDoc
          *
-         * @throws ArgumentError if the model's extent is not finite
+         * @throws ArgumentError if a coordinate is larger than 1e100
          */
         override public function step():Boolean
         {

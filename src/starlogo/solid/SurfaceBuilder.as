@@ -1,12 +1,26 @@
 package starlogo.solid
 {
+    import starlogo.steps.StepSequence;
+
     /**
-     * Finds out what a model's triangles are as a whole, in steps: every edge is compared with those between the same two places. Costs
-     * sorting vertices and edges, and a few look-ups for each triangle.
+     * Finds out what a model's triangles are as a whole, in steps: which vertices are at the same place, to within Tolerances.WELDING, which pieces
+     * the triangles hang together in, and how the edges between the same two places run. Costs sorting vertices and edges, and a few look-ups for
+     * each triangle.
      */
-    internal final class SurfaceBuilder extends SurfaceFinder
+    internal final class SurfaceBuilder extends StepSequence
     {
         private static const TRIANGLES_PER_STEP:int = 400;
+
+        /** What was found, when no step is left. */
+        public var surface:Surface;
+
+        private var _triangles:Vector.<uint>;
+        private var _welding:Welding;
+        private var _hasArea:Boolean = false;
+
+        // The vertices that hang together; for the root of a set, 1 more than the number of its piece, or 0.
+        private var _sets:DisjointSets;
+        private var _numbers:Vector.<int>;
 
         private var _orientation:Orientation;
 
@@ -20,24 +34,57 @@ package starlogo.solid
          */
         public function SurfaceBuilder(vertices:Vector.<Number>, triangles:Vector.<uint>)
         {
-            super(vertices, triangles, TRIANGLES_PER_STEP);
+            var count:int = triangles.length / 3;
+            surface = new Surface(count);
+            _triangles = triangles;
+            _welding = new Welding(vertices);
+            _sets = new DisjointSets(vertices.length / 3);
+            _numbers = new Vector.<int>(vertices.length / 3, true);
             _orientation = new Orientation(vertices, triangles);
             _edges = new EdgeBuckets(vertices.length / 3, triangles.length);
-            repeat(compareSome).call(conclude);
+            add(_welding).slices(count, TRIANGLES_PER_STEP, joinSome).slices(count, TRIANGLES_PER_STEP, numberSome).repeat(compareSome).call(conclude);
         }
 
-        /** @inheritDoc */
-        override protected function addTriangle(triangle:int, a:int, b:int, c:int):void
+        private function joinSome(first:int, end:int):void
         {
-            _edges.add(3 * triangle, a, b);
-            _edges.add(3 * triangle + 1, b, c);
-            _edges.add(3 * triangle + 2, c, a);
+            var welded:Vector.<int> = _welding.welded;
+            var triangles:Vector.<uint> = _triangles;
+            for (var i:int = first; i < end; i++)
+            {
+                var corner:int = 3 * i;
+                var a:int = welded[triangles[corner]];
+                var b:int = welded[triangles[int(corner + 1)]];
+                var c:int = welded[triangles[int(corner + 2)]];
+                _sets.join(a, b);
+                _sets.join(a, c);
+                if (a != b && b != c && c != a)
+                {
+                    _hasArea = true;
+                    _edges.add(corner, a, b);
+                    _edges.add(corner + 1, b, c);
+                    _edges.add(corner + 2, c, a);
+                }
+            }
+        }
+
+        private function numberSome(first:int, end:int):void
+        {
+            surface.widestSeam = _welding.widestGap;
+            for (var i:int = first; i < end; i++)
+            {
+                var root:int = _sets.rootOf(_welding.welded[_triangles[3 * i]]);
+                if (_numbers[root] == 0)
+                {
+                    _numbers[root] = ++surface.partCount;
+                }
+                surface.parts[i] = _numbers[root] - 1;
+            }
         }
 
         // Whether the next bucket's edges between the same two vertices close the surface, and cancel out.
         private function compareSome():Boolean
         {
-            var isTurned:Vector.<Boolean> = found.isTurned;
+            var isTurned:Vector.<Boolean> = surface.isTurned;
             var pairs:Array = _edges.pairsOf(_bucket);
             var edges:Array = _edges.edgesOf(_bucket);
             var order:Array = _edges.orderOf(_bucket++);
@@ -58,7 +105,7 @@ package starlogo.solid
                     }
                     balance += isBackward ? -1 : 1;
                 }
-                found.isOriented &&= balance == 0;
+                surface.isOriented &&= balance == 0;
                 if (isTurned == null)
                 {
                     compare(edges, order, first, i, balance);
@@ -70,7 +117,7 @@ package starlogo.solid
         // Edges of the same two vertices, from one place in the order up to another.
         private function compare(edges:Array, order:Array, first:int, end:int, balance:int):void
         {
-            found.isClosed &&= (end - first) % 2 == 0;
+            surface.isClosed &&= (end - first) % 2 == 0;
             if (end - first == 2)
             {
                 var a:int = EdgeBuckets.numberOf(edges[order[first]]);
@@ -81,9 +128,9 @@ package starlogo.solid
 
         private function conclude():void
         {
-            found.isClosed &&= hasArea;
-            found.isOriented &&= found.isClosed;
-            if (found.isClosed && !found.isOriented)
+            surface.isClosed &&= _hasArea;
+            surface.isOriented &&= surface.isClosed;
+            if (surface.isClosed && !surface.isOriented)
             {
                 add(_orientation).call(turn);
             }
@@ -92,9 +139,9 @@ package starlogo.solid
         // Whether edges cancel out once triangles are turned is found out by comparing them once more.
         private function turn():void
         {
-            found.isTurned = _orientation.isTurned;
-            found.isOriented = found.isTurned != null;
-            if (found.isOriented)
+            surface.isTurned = _orientation.isTurned;
+            surface.isOriented = surface.isTurned != null;
+            if (surface.isOriented)
             {
                 _bucket = 0;
                 repeat(compareSome);

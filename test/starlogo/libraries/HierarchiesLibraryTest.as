@@ -250,7 +250,7 @@ package starlogo.libraries
             assertThrows(ArgumentError, /"a".*4 numbers/, _library.add, "a", new <Number>[0, 0, 0, 1]);
             assertThrows(ArgumentError, /"a".*y coordinate of vertex 1.*NaN/, _library.add, "a", new <Number>[0, 0, 0, 1, NaN, 0]);
             assertThrows(ArgumentError, /"a".*z coordinate of vertex 0.*Infinity/, _library.add, "a", new <Number>[0, 0, -Infinity]);
-            assertThrows(ArgumentError, /too large/, _library.add, "a", new <Number>[-1.7e308, 0, 0, 1.7e308, 0, 0]);
+            assertThrows(ArgumentError, /must be at most/, _library.add, "a", new <Number>[-1.7e308, 0, 0, 1.7e308, 0, 0]);
             assertThrows(ArgumentError, /"a".*4 indices/, _library.add, "a", good, new <uint>[0, 1, 2, 0]);
             assertThrows(ArgumentError, /"a".*triangle 1.*vertex 3.*last one is 2/, _library.add, "a", good, new <uint>[0, 1, 2, 0, 1, 3]);
             assertStrictlyEquals(root, _library.root("a"));

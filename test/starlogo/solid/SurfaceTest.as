@@ -20,7 +20,7 @@ package starlogo.solid
                 var surface:Surface = surfaceOf(model.vertices, model.triangles);
                 assertTrue(model.name, surface.isClosed);
                 assertTrue(model.name, surface.isOriented);
-                assertEquals("pieces", 1, surface.pieceCount);
+                assertEquals("pieces", 1, surface.partCount);
             }
         }
 
@@ -30,7 +30,7 @@ package starlogo.solid
             var cube:Model = BuiltInModel.cube();
             var surface:Surface = surfaceOf(cube.vertices, cube.triangles.slice(3));
             assertFalse(surface.isClosed);
-            assertEquals("pieces", 1, surface.pieceCount);
+            assertEquals("pieces", 1, surface.partCount);
         }
 
         [Test]
@@ -72,7 +72,7 @@ package starlogo.solid
             }
             var surface:Surface = surfaceOf(vertices, triangles);
             assertTrue(surface.isClosed);
-            assertEquals(3, surface.pieceCount);
+            assertEquals(3, surface.partCount);
         }
 
         [Test]
@@ -106,7 +106,7 @@ package starlogo.solid
                     }
                     var surface:Surface = surfaceOf(vertices, triangles);
                     assertTrue(model.name + ", " + rounding, surface.isClosed && surface.isOriented);
-                    assertEquals(1, surface.pieceCount);
+                    assertEquals(1, surface.partCount);
                     assertTrue("seam: " + surface.widestSeam, surface.widestSeam > rounding / 2 && surface.widestSeam <= 4 * rounding);
                 }
             }
@@ -128,7 +128,7 @@ package starlogo.solid
             {
                 triangles.push(24 + cube.triangles[i]);
             }
-            assertEquals(2, surfaceOf(vertices, triangles).pieceCount);
+            assertEquals(2, surfaceOf(vertices, triangles).partCount);
             assertTrue(surfaceOf(vertices, triangles).isClosed);
             assertEquals(0, surfaceOf(vertices, triangles).widestSeam);
             // without a triangle of the small one
@@ -151,14 +151,14 @@ package starlogo.solid
                 }
             }
             var surface:Surface = surfaceOf(vertices, triangles);
-            assertEquals(1, surface.pieceCount);
+            assertEquals(1, surface.partCount);
             assertFalse(surface.isClosed);
             // all in one place
             for (i = 0; i < vertices.length; i++)
             {
                 vertices[i] = 1;
             }
-            assertEquals(1, surfaceOf(vertices, triangles).pieceCount);
+            assertEquals(1, surfaceOf(vertices, triangles).partCount);
         }
 
         [Test]
@@ -232,7 +232,7 @@ package starlogo.solid
             }
             var surface:Surface = surfaceOf(vertices, triangles);
             assertTrue(surface.isClosed && surface.isOriented);
-            assertEquals(1, surface.pieceCount);
+            assertEquals(1, surface.partCount);
             assertEquals(isTurned.join(), surface.isTurned.join());
             assertFalse(surfaceOf(vertices, triangles.slice(0, triangles.length - 3)).isClosed);
             // a wall from one vertex to the next: three triangles at its edges

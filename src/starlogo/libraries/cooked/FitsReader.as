@@ -13,19 +13,25 @@ package starlogo.libraries.cooked
     import starlogo.models.Model;
     import starlogo.models.cooked.CookedFile;
     import starlogo.models.cooked.CookedNumbers;
-    import starlogo.solid.SurfaceNotes;
+    import starlogo.solid.Surface;
 
     use namespace engine;
 
     /**
-     * Reads what FitsWriter wrote, and believes nothing: sections of other settings, or that hold impossible numbers, are left out. Whether what a
-     * section says is true of the model is checked where it is used.
+     * Reads what FitsWriter wrote. Sections of other settings, or that hold impossible numbers, are left out. Whether the geometry is that of the
+     * model is not checked: the file's seal stands for it.
      *
      * @private
      */
     public final class FitsReader
     {
         private static const KINDS:int = 7;
+
+        // The fitters refuse larger coordinates, so models with such have no record.
+        private static const LARGEST:Number = 1e100;
+
+        // The numbers of a structure are at most the coordinates of the model times this, or 1.
+        private static const LARGEST_FACTOR:Number = 10;
 
         /** All is static. */
         public function FitsReader()
@@ -42,23 +48,28 @@ package starlogo.libraries.cooked
          */
         public static function read(file:CookedFile, model:Model, settings:FitSettings, fits:ModelFits):void
         {
+            var largest:Number = largestOf(model.vertices);
+            if (!(largest <= LARGEST))
+            {
+                return;
+            }
             var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
             var structures:ByteArray = settings.structures == null ? null : file.section(CookedFile.STRUCTURES, settings.structures);
-            fits.structures ||= readStructures(structures);
+            fits.structures ||= readStructures(structures, Math.max(1, LARGEST_FACTOR * largest));
             if (settings.hierarchy == null)
             {
                 return;
             }
             var surface:ByteArray = file.section(CookedFile.SURFACE, settings.hierarchy);
-            var notes:SurfaceNotes = surface == null ? null : SurfaceNotes.read(surface, triangleCount);
-            if (fits.tree == null || fits.notes == null && notes != null)
+            var read:Surface = surface == null ? null : Surface.read(surface, triangleCount);
+            if (fits.tree == null || fits.surface == null && read != null)
             {
                 fits.tree = file.section(CookedFile.HIERARCHY, settings.hierarchy);
-                fits.notes = notes;
+                fits.surface = read;
             }
         }
 
-        private static function readStructures(bytes:ByteArray):Vector.<BoundingStructure>
+        private static function readStructures(bytes:ByteArray, limit:Number):Vector.<BoundingStructure>
         {
             if (bytes == null || bytes.length < 4)
             {
@@ -73,6 +84,16 @@ package starlogo.libraries.cooked
             {
                 return null;
             }
+            var written:Vector.<Number> = new Vector.<Number>();
+            while (written.length < numbers)
+            {
+                written.push(bytes.readDouble());
+            }
+            if (!(largestOf(written) <= limit))
+            {
+                return null;
+            }
+            bytes.position = 4;
             try
             {
                 var sphere:Sphere = hasSphere ? new Sphere(CookedNumbers.readVector(bytes), bytes.readDouble()) : null;
@@ -84,6 +105,17 @@ package starlogo.libraries.cooked
                 // the constructors refuse what is no structure
             }
             return null;
+        }
+
+        // NaN if one is no number.
+        private static function largestOf(numbers:Vector.<Number>):Number
+        {
+            var largest:Number = 0;
+            for each (var number:Number in numbers)
+            {
+                largest = Math.max(largest, Math.abs(number));
+            }
+            return largest;
         }
 
         // The constructor straightens the axes once more, which may change their last bits.

@@ -46,9 +46,9 @@ package starlogo.libraries.cooked
             if (fits.tree != null && settings.hierarchy != null)
             {
                 tree.writeBytes(fits.tree);
-                if (fits.notes != null)
+                if (fits.surface != null)
                 {
-                    fits.notes.writeTo(surface);
+                    fits.surface.writeTo(surface);
                 }
             }
             return CookedFile.write(new <Fingerprint>[wanted, settings.structures, settings.hierarchy, settings.hierarchy],

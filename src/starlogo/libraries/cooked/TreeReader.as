@@ -27,6 +27,9 @@ package starlogo.libraries.cooked
         private static const NODES_PER_STEP:int = 300;
         private static const NUMBERS_PER_NODE:int = 5;
 
+        // Added to the axis of a node that is divided below the thesis's tree.
+        private static const BELOW:int = 3;
+
         private var _bytes:ByteArray;
         private var _hierarchy:Hierarchy;
         private var _vertices:Vector.<Number>;
@@ -38,7 +41,7 @@ package starlogo.libraries.cooked
         private var _isRefused:Boolean = false;
 
         // Of each node: its first item, the one after its last, its level, the number of its right child (the left one comes
-        // next; 0 for a leaf), its axis. And of each node, its extents.
+        // next; 0 for a leaf), its axis and whether it is divided below the thesis's tree. And of each node, its extents.
         private var _plan:Vector.<int> = new Vector.<int>();
         private var _extents:Vector.<Number>;
 
@@ -135,9 +138,10 @@ package starlogo.libraries.cooked
                 {
                     var first:int = _plan[at];
                     var level:int = _plan[at + 2];
-                    var middle:int = first + (code - 1) / 3;
-                    _isRefused = middle <= first || middle >= _plan[at + 1] || level >= _maxDepth;
-                    _plan[at + 4] = (code - 1) % 3;
+                    var middle:int = first + (code - 1) / 6;
+                    var division:int = (code - 1) % 6;
+                    _isRefused = middle <= first || middle >= _plan[at + 1] || division < BELOW && level >= _maxDepth;
+                    _plan[at + 4] = division;
                     _open.push(at);
                     addToPlan(first, middle, level + 1);
                 }
@@ -241,7 +245,8 @@ package starlogo.libraries.cooked
                 var right:int = _plan[int(at + 3)];
                 if (right > 0)
                 {
-                    _maker.divide(node, _plan[int(at + 4)], _nodes[int(_node + 1)], _nodes[right], node.level);
+                    var division:int = _plan[int(at + 4)];
+                    _maker.divide(node, division % BELOW, _nodes[int(_node + 1)], _nodes[right], division < BELOW ? node.level : HierarchyNode.LARGEST_DEPTH);
                 }
             }
             _hierarchy.root = _nodes[0];

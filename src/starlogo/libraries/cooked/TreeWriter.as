@@ -27,8 +27,9 @@ package starlogo.libraries.cooked
         }
 
         /**
-         * Writes the order of the items, each in as few bytes as their number needs, then the nodes from the root down, left
-         * before right: 0 for a leaf, else 1 more than the axis and three times the number of items that go left.
+         * Writes the order of the items, each in as few bytes as their number needs, then the nodes from the root down, low
+         * before high: 0 for a node without children, else 1 + axis + 3 if the node is a leaf of the thesis's tree or below one + 6 times the number
+         * of items that go to the low side.
          *
          * @param hierarchy of boxes, spheres or capsules
          * @param out gets the bytes, at its position; has the lowest byte of a number first
@@ -47,13 +48,13 @@ package starlogo.libraries.cooked
             while (stack.length > 0)
             {
                 var node:HierarchyNode = stack.pop();
-                if (node.isLeaf)
+                if (node.low == null)
                 {
                     CookedNumbers.write(0, out);
                     continue;
                 }
-                CookedNumbers.write(1 + node.splitAxis + 3 * (node.left.end - node.first), out);
-                stack.push(node.right, node.left);
+                CookedNumbers.write(1 + node.splitAxis + (node.isLeaf ? 3 : 0) + 6 * (node.low.end - node.first), out);
+                stack.push(node.high, node.low);
             }
         }
     }

@@ -13,7 +13,7 @@ import { ROOT, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
-const THIRD_PARTY = ["pako", "saxes", "xmlchars"];
+const THIRD_PARTY = ["pako"];
 
 const types = publicSignatures();
 const program = translate(transpiled, types);

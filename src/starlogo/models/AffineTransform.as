@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.geometry.Placement;
+
     /**
      * Where a node of a scene is: x' = m00 x + m01 y + m02 z + m03 and so on, in doubles on every player.
      *
@@ -15,6 +17,15 @@ package starlogo.models
         public function AffineTransform(rows:Vector.<Number> = null)
         {
             _m = rows == null ? new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : rows;
+        }
+
+        /** A scale, after it a turn, after it a translation. @param turn its rotation */
+        public static function of(turn:Placement, scaleX:Number = 1, scaleY:Number = 1, scaleZ:Number = 1, x:Number = 0, y:Number = 0, z:Number = 0):AffineTransform
+        {
+            return new AffineTransform(new <Number>[
+                        turn.r00 * scaleX, turn.r01 * scaleY, turn.r02 * scaleZ, x,
+                        turn.r10 * scaleX, turn.r11 * scaleY, turn.r12 * scaleZ, y,
+                        turn.r20 * scaleX, turn.r21 * scaleY, turn.r22 * scaleZ, z]);
         }
 
         /** First another transform, then this one. */
@@ -47,7 +58,7 @@ package starlogo.models
          * @param points x, y, z each
          * @param first the first of them
          * @param end the one behind the last
-         * @param out where they go; long enough
+         * @param out where they go; long enough; may be the same points
          * @param to where in it the first one goes
          * @return whether all their coordinates are finite
          */

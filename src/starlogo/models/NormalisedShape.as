@@ -36,8 +36,8 @@ package starlogo.models
         private var _translation:Vector3D;
         private var _bounds:VertexBounds;
 
-        // what turn() multiplies by
-        private var _rows:Vector.<Number>;
+        // what turn() does
+        private var _turn:AffineTransform;
 
         // what place() takes off, what it adds, and what it divides by
         private var _low:Vector3D = new Vector3D();
@@ -143,32 +143,24 @@ package starlogo.models
 
         private function findRotation():void
         {
-            _rows = _transform.rotationRows();
-            frame.turn(_rows);
+            turnBy(_transform.rotationMatrix(), 1);
         }
 
         private function findScale():void
         {
-            _rows = new <Number>[_factors.x, 0, 0, 0, _factors.y, 0, 0, 0, _factors.z];
-            frame.scale(_factors);
+            turnBy(new AffineTransform(new <Number>[_factors.x, 0, 0, 0, 0, _factors.y, 0, 0, 0, 0, _factors.z, 0]),
+                    cubeRoot(Math.abs(_factors.x)) * cubeRoot(Math.abs(_factors.y)) * cubeRoot(Math.abs(_factors.z)));
+        }
+
+        private function turnBy(turn:AffineTransform, factor:Number):void
+        {
+            _turn = turn;
+            frame.turn(turn, factor);
         }
 
         private function turn(first:int, end:int):void
         {
-            var turned:Vector.<Number> = vertices;
-            var rows:Vector.<Number> = _rows;
-            var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i += 3)
-            {
-                var j:int = i + 1;
-                var k:int = i + 2;
-                var x:Number = turned[i];
-                var y:Number = turned[j];
-                var z:Number = turned[k];
-                turned[i] = rows[0] * x + rows[1] * y + rows[2] * z;
-                turned[j] = rows[3] * x + rows[4] * y + rows[5] * z;
-                turned[k] = rows[6] * x + rows[7] * y + rows[8] * z;
-            }
+            _turn.place(vertices, first, end, vertices, first);
         }
 
         private function findFootprint():void

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -88,7 +89,7 @@ package starlogo.models.collada
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
             var input:ColladaElement = _document.input(vertices, "POSITION");
-            _document.refuseIf(input == null, vertices, "expected an <input> with the semantic POSITION");
+            refuseIf(input == null, _document.modelName, "expected an <input> with the semantic POSITION", vertices);
             return _document.target(input, "source", ["source"], _mesh);
         }
 

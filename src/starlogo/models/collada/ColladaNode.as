@@ -14,31 +14,28 @@ package starlogo.models.collada
         /** Where its parent is in the scene, then where it is itself. */
         public var transform:AffineTransform;
 
-        /** The element's id. */
-        public var id:String;
-
         /** How many nodes it is in. */
         public var depth:int;
 
         /**
          * @param element the element
          * @param parent what it is in, or null
+         * @param transform where that is in the scene
          */
-        public function ColladaNode(element:ColladaElement, parent:ColladaNode)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform)
         {
             this.element = element;
             this.parent = parent;
-            id = element.id;
-            transform = parent == null ? new AffineTransform() : parent.transform;
+            this.transform = transform;
             depth = parent == null ? 0 : parent.depth + 1;
         }
 
-        /** Whether it is, or is in, a node of an id. */
-        public function isWithin(id:String):Boolean
+        /** Whether it is, or is in, a node of an element. */
+        public function isWithin(element:ColladaElement):Boolean
         {
             for (var node:ColladaNode = this; node != null; node = node.parent)
             {
-                if (node.id == id)
+                if (node.element == element)
                 {
                     return true;
                 }

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.ModelLimits;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Adds a mesh to a model where an instance of it is, in steps. */
@@ -37,8 +38,7 @@ package starlogo.models.collada
             _firstCorner = triangles.length;
             var vertexCount:int = mesh.vertices.length / 3;
             var triangleCount:int = mesh.triangles.length / 3;
-            document.refuseIf(ModelLimits.areExceeded(_firstVertex + vertexCount, _firstCorner / 3 + triangleCount), instance.element,
-                    ModelLimits.PROBLEM);
+            refuseIf(ModelLimits.areExceeded(_firstVertex + vertexCount, _firstCorner / 3 + triangleCount), document.modelName, ModelLimits.PROBLEM, instance.element);
             vertices.length += 3 * vertexCount;
             triangles.length += 3 * triangleCount;
             slices(vertexCount, VERTICES_PER_STEP, placeVertices).slices(triangleCount, TRIANGLES_PER_STEP, placeTriangles);
@@ -47,7 +47,7 @@ package starlogo.models.collada
         private function placeVertices(first:int, end:int):void
         {
             var areFinite:Boolean = _instance.transform.place(_mesh.vertices, first, end, _vertices, _firstVertex + first);
-            _document.refuseIf(!areFinite, _instance.element, "its transformed coordinates are too large to be finite numbers");
+            refuseIf(!areFinite, _document.modelName, "its transformed coordinates are too large to be finite numbers", _instance.element);
         }
 
         private function placeTriangles(first:int, end:int):void

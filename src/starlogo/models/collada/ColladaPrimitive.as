@@ -1,8 +1,10 @@
 package starlogo.models.collada
 {
+    import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.polygons.addTriangle;
+    import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -78,7 +80,7 @@ package starlogo.models.collada
         internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = document.input(element, "VERTEX") || document.input(element, "POSITION");
-            document.refuseIf(input == null, element, "expected an <input> with the semantic VERTEX");
+            refuseIf(input == null, document.modelName, "expected an <input> with the semantic VERTEX", element);
             return input;
         }
 
@@ -87,7 +89,7 @@ package starlogo.models.collada
             for each (var input:ColladaElement in _element.childrenNamed("input"))
             {
                 var offset:Number = _document.integer(input, "offset", 0);
-                _document.refuseIf(offset > MAX_OFFSET, input, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
+                refuseIf(offset > MAX_OFFSET, _document.modelName, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
                 _stride = Math.max(_stride, offset + 1);
             }
             _offset = _document.integer(positionInput(_document, _element), "offset", 0);
@@ -121,7 +123,7 @@ package starlogo.models.collada
         private function checkTriangles():void
         {
             _words = _text.words;
-            _document.refuseIf(cornerCount % 3 != 0, _element, "expected three corners for each triangle, but found " + cornerCount);
+            refuseIf(cornerCount % 3 != 0, _document.modelName, "expected three corners for each triangle, but found " + cornerCount, _element);
             _document.checkCount(_element, cornerCount / 3, "triangles");
         }
 
@@ -152,7 +154,7 @@ package starlogo.models.collada
                 var size:Number = Number(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
-                    throw _document.error(_element.child("vcount"), "expected how many corners a polygon has, but found \"" +
+                    throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected how many corners a polygon has, but found \"" +
                             TextTokens.shorten(_sizes[i]) + "\"");
                 }
                 _sum += size;
@@ -161,8 +163,8 @@ package starlogo.models.collada
 
         private function checkSum():void
         {
-            _document.refuseIf(_sum != cornerCount, _element, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
-                    cornerCount);
+            refuseIf(_sum != cornerCount, _document.modelName, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
+                    cornerCount, _element);
         }
 
         private function readPolylist():Boolean
@@ -244,7 +246,7 @@ package starlogo.models.collada
         {
             if (_words.length % _stride != 0)
             {
-                throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " +
+                throw new ModelError(_document.modelName, String(_element), "expected " + _stride + " indices for each corner, but found " +
                         _words.length + " in all");
             }
             return _words.length / _stride;
@@ -257,7 +259,7 @@ package starlogo.models.collada
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
-                throw _document.error(_element, "expected a position's index, 0 to " + (_positions.count - 1) +
+                throw new ModelError(_document.modelName, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
                         ", but found \"" + TextTokens.shorten(_words[word + _offset]) + "\"");
             }
             index += _positions.first;

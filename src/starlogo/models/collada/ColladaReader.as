@@ -13,8 +13,7 @@ package starlogo.models.collada
      */
     public final class ColladaReader extends ModelReader
     {
-        private var _source:String;
-        private var _upAxis:String;
+        private var _xml:XmlReader;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
         private var _instance:int = 0;
@@ -24,9 +23,6 @@ package starlogo.models.collada
         private var _mesh:ColladaMesh = null;
         private var _reading:Steps = null;
 
-        // the points of geometries without surfaces: of use only where no geometry has any
-        private var _loosePoints:Vector.<Number> = new Vector.<Number>();
-
         /**
          * @param name the model's name
          * @param source the document's text
@@ -34,10 +30,10 @@ package starlogo.models.collada
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
-            super(name);
-            _source = source;
-            _upAxis = upAxis == null ? null : UpAxis.of(upAxis, name);
-            begin(measuring).call(parse).begin(walking).repeat(readInstances).begin(turningUp);
+            super(name, upAxis == null ? null : UpAxis.of(upAxis, name));
+            refuseIf(source == null, name, "there is no text to read");
+            _xml = new XmlReader(name, source);
+            add(_xml).begin(walking).repeat(readInstances).call(checkVertices);
         }
 
         /** @inheritDoc */
@@ -46,20 +42,12 @@ package starlogo.models.collada
             return _instance == 0 ? 0 : 0.9 * _instance / _scene.instances.length;
         }
 
-        private function measuring():Steps
-        {
-            return _source == null ? null : new XmlMeter(name, _source);
-        }
-
-        private function parse():void
-        {
-            _document = new ColladaDocument(name, _source);
-            _source = null;
-        }
-
         private function walking():Steps
         {
-            _scene = new ColladaScene(_document);
+            _document = new ColladaDocument(name, _xml);
+            _xml = null;
+            upAxis ||= upAxisOfDocument();
+            _scene = new ColladaScene(_document, UpAxis.transform(upAxis));
             return _scene;
         }
 
@@ -88,7 +76,7 @@ package starlogo.models.collada
             }
             _mesh = null;
             _instance++;
-            return new ColladaPlacing(_document, mesh, instance, mesh.hasSurfaces ? vertices : _loosePoints, triangles);
+            return new ColladaPlacing(_document, mesh, instance, mesh.hasSurfaces ? vertices : loosePoints, triangles);
         }
 
         /** A geometry is read once, however often it is in the scene. */
@@ -102,14 +90,9 @@ package starlogo.models.collada
             return _meshes[key];
         }
 
-        private function turningUp():Steps
+        private function checkVertices():void
         {
-            if (vertices.length == 0)
-            {
-                vertices = _loosePoints;
-            }
-            refuseIf(vertices.length == 0, name, "no vertices: expected a scene or a library with a geometry in it");
-            return UpAxis.turning(vertices, _upAxis || upAxisOfDocument());
+            takeVertices("a scene or a library with a geometry in it");
         }
 
         private function upAxisOfDocument():String
@@ -121,8 +104,8 @@ package starlogo.models.collada
                 return UpAxis.Y;
             }
             var text:String = element.words.join(" ");
-            _document.refuseIf(!/^[XYZ]_UP$/.test(text), element, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
-                    "\"");
+            refuseIf(!/^[XYZ]_UP$/.test(text), _document.modelName, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
+                    "\"", element);
             return text.charAt(0).toLowerCase();
         }
     }

@@ -1,6 +1,8 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /**
@@ -61,7 +63,7 @@ package starlogo.models.gltf
             place = "accessors[" + index + "]";
             _file = file;
             _accessor = json.entry("accessors", index);
-            json.refuseIf(_accessor.type !== type, place + ".type", "expected \"" + type + "\", but found \"" + _accessor.type + "\"");
+            refuseIf(_accessor.type !== type, json.name, "expected \"" + type + "\", but found \"" + _accessor.type + "\"", place + ".type");
             count = json.whole(_accessor, "count", place, most, -1);
             _width = WIDTHS[type];
             _kind = kindOf(_accessor, place);
@@ -73,7 +75,7 @@ package starlogo.models.gltf
             {
                 var size:int = SIZES[_kind] * _width;
                 _stride = json.whole(json.entry("bufferViews", _view), "byteStride", "bufferViews[" + _view + "]", 252, size);
-                json.refuseIf(_stride < size, "bufferViews[" + _view + "].byteStride", "expected at least " + size + ", but found " + _stride);
+                refuseIf(_stride < size, json.name, "expected at least " + size + ", but found " + _stride, "bufferViews[" + _view + "].byteStride");
                 rows(_offset, count, _stride);
             }
             _sparse = json.objectIn(_accessor, "sparse", place);
@@ -92,7 +94,7 @@ package starlogo.models.gltf
         private function kindOf(owner:Object, where:String):int
         {
             var kind:int = _file.json.whole(owner, "componentType", where, int.MAX_VALUE, -1);
-            _file.json.refuseIf(!SIZES.hasOwnProperty(kind), where + ".componentType", "expected 5120 to 5123, 5125 or 5126, but found " + kind);
+            refuseIf(!SIZES.hasOwnProperty(kind), _file.json.name, "expected 5120 to 5123, 5125 or 5126, but found " + kind, where + ".componentType");
             return kind;
         }
 
@@ -117,11 +119,11 @@ package starlogo.models.gltf
             var sparseCount:int = json.whole(_sparse, "count", where, count, -1);
             var indices:Object = json.objectIn(_sparse, "indices", where);
             var values:Object = json.objectIn(_sparse, "values", where);
-            json.refuseIf(indices == null || values == null, where, "expected indices and values");
+            refuseIf(indices == null || values == null, json.name, "expected indices and values", where);
             var indexKind:int = kindOf(indices, where + ".indices");
             var indexView:int = json.reference(indices, "bufferView", where + ".indices", "bufferViews");
             var valueView:int = json.reference(values, "bufferView", where + ".values", "bufferViews");
-            json.refuseIf(indexView < 0 || valueView < 0, where, "expected indices and values in bufferViews");
+            refuseIf(indexView < 0 || valueView < 0, json.name, "expected indices and values in bufferViews", where);
             var indexOffset:int = json.whole(indices, "byteOffset", where + ".indices", int.MAX_VALUE, 0);
             var valueOffset:int = json.whole(values, "byteOffset", where + ".values", int.MAX_VALUE, 0);
             var size:int = SIZES[_kind] * _width;
@@ -147,7 +149,7 @@ package starlogo.models.gltf
                 var index:Number = _replaced[i];
                 if (!(index >= 0 && index < count && int(index) == index))
                 {
-                    throw _file.json.error(place + ".sparse.indices", "element " + i + " is " + index + ": there are " + count + " to be replaced");
+                    throw new ModelError(_file.json.name, place + ".sparse.indices", "element " + i + " is " + index + ": there are " + count + " to be replaced");
                 }
                 for (var k:int = 0; k < _width; k++)
                 {

@@ -2,6 +2,7 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
     import starlogo.models.ModelLimits;
     import starlogo.models.TextTokens;
@@ -91,7 +92,7 @@ package starlogo.models.gltf
             {
                 if (_buffers[i] == null && json.entry("buffers", i).uri === uri)
                 {
-                    json.refuseIf(bytes == null, "buffers[" + i + "].uri", problem);
+                    refuseIf(bytes == null, json.name, problem, "buffers[" + i + "].uri");
                     keep(i, bytes, 0, bytes.length);
                 }
             }
@@ -103,18 +104,18 @@ package starlogo.models.gltf
             var view:Object = json.entry("bufferViews", index);
             var viewPlace:String = "bufferViews[" + index + "]";
             var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
-            json.refuseIf(buffer < 0, viewPlace, "it names no buffer");
+            refuseIf(buffer < 0, json.name, "it names no buffer", viewPlace);
             var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
             var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
-            json.refuseIf(offset + length > size, place, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size);
+            refuseIf(offset + length > size, json.name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
-                json.refuseIf(isCompressed(view, viewPlace), viewPlace, "its data are compressed with meshopt, which is not read: save the model " +
-                        "without compression (gltfpack without -c, or \"gltf-transform copy\")");
-                throw json.error("buffers[" + buffer + "]", "its data are not there");
+                refuseIf(isCompressed(view, viewPlace), json.name, "its data are compressed with meshopt, which is not read: save the model " +
+                        "without compression (gltfpack without -c, or \"gltf-transform copy\")", viewPlace);
+                throw new ModelError(json.name, "buffers[" + buffer + "]", "its data are not there");
             }
-            json.refuseIf(Number(start) + size > _lengths[buffer], viewPlace, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
-                    "], which has " + _lengths[buffer]);
+            refuseIf(Number(start) + size > _lengths[buffer], json.name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+                    "], which has " + _lengths[buffer], viewPlace);
             _buffers[buffer].position = _starts[buffer] + start + offset;
             return _buffers[buffer];
         }
@@ -194,8 +195,8 @@ package starlogo.models.gltf
             json = new GltfJson(_name, root);
             var asset:Object = json.objectIn(root, "asset", "");
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            json.refuseIf(!/^2\.0/.test(version), "asset.version", "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
-                    "\": save the model as 2.0");
+            refuseIf(!/^2\.0/.test(version), json.name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
+                    "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
                 checkExtension(String(extension));
@@ -204,19 +205,19 @@ package starlogo.models.gltf
 
         private function checkExtension(extension:String):void
         {
-            json.refuseIf(extension == DRACO, "extensionsRequired", "its meshes are compressed with Draco (" + DRACO +
-                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")");
-            json.refuseIf(MESHOPT.test(extension), "extensionsRequired", "its data are compressed with meshopt (" + extension +
-                    "), which is not read: save the model without compression (gltfpack without -c, or \"gltf-transform copy\")");
-            json.refuseIf(!HARMLESS.test(extension), "extensionsRequired", "it needs the extension \"" + TextTokens.shorten(extension) +
-                    "\", which is not known: save the model without it");
+            refuseIf(extension == DRACO, json.name, "its meshes are compressed with Draco (" + DRACO +
+                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")", "extensionsRequired");
+            refuseIf(MESHOPT.test(extension), json.name, "its data are compressed with meshopt (" + extension +
+                    "), which is not read: save the model without compression (gltfpack without -c, or \"gltf-transform copy\")", "extensionsRequired");
+            refuseIf(!HARMLESS.test(extension), json.name, "it needs the extension \"" + TextTokens.shorten(extension) +
+                    "\", which is not known: save the model without it", "extensionsRequired");
         }
 
         /** Whether a primitive has its geometry in Draco's form alone. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
-            json.refuseIf(json.hasExtension(primitive, DRACO, place), place, "it is compressed with Draco (" + DRACO +
-                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")");
+            refuseIf(json.hasExtension(primitive, DRACO, place), json.name, "it is compressed with Draco (" + DRACO +
+                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")", place);
         }
 
         private function isCompressed(view:Object, place:String):Boolean
@@ -249,7 +250,7 @@ package starlogo.models.gltf
             _lengths.push(0);
             json.whole(buffer, "byteLength", place, ModelLimits.BYTES, -1);
             var uri:* = buffer.uri;
-            json.refuseIf(uri !== undefined && !(uri is String), place + ".uri", "expected an address");
+            refuseIf(uri !== undefined && !(uri is String), json.name, "expected an address", place + ".uri");
             if (uri === undefined)
             {
                 if (_next == 0 && _chunkStart >= 0)
@@ -262,15 +263,15 @@ package starlogo.models.gltf
             if (uri.indexOf("data:") == 0)
             {
                 var comma:int = uri.indexOf(",");
-                json.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", place + ".uri", "expected data in base64");
+                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", json.name, "expected data in base64", place + ".uri");
                 _decoding = new Base64(_name, uri, comma + 1, place + ".uri");
                 return;
             }
-            json.refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), place + ".uri", "expected data, or a path from the file's folder on, but found \"" +
-                    TextTokens.shorten(uri) + "\"");
+            refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), json.name, "expected data, or a path from the file's folder on, but found \"" +
+                    TextTokens.shorten(uri) + "\"", place + ".uri");
             if (missing.indexOf(uri) < 0)
             {
-                json.refuseIf(missing.length == MAX_MISSING, place + ".uri", "more than " + MAX_MISSING + " files are beside this one");
+                refuseIf(missing.length == MAX_MISSING, json.name, "more than " + MAX_MISSING + " files are beside this one", place + ".uri");
                 missing.push(uri);
             }
             _next++;
@@ -279,7 +280,7 @@ package starlogo.models.gltf
         private function keep(index:int, bytes:ByteArray, start:int, length:int):void
         {
             var wanted:int = json.entry("buffers", index).byteLength;
-            json.refuseIf(length < wanted, "buffers[" + index + "]", "it should have " + wanted + " bytes, but has " + length);
+            refuseIf(length < wanted, json.name, "it should have " + wanted + " bytes, but has " + length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;
             _starts[index] = start;

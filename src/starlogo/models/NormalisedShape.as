@@ -74,7 +74,7 @@ package starlogo.models
                     turnAll().scaleAll().call(findFootprint).slices(_count, VERTICES_PER_STEP, place);
                     break;
                 case Model.VOLUME:
-                    centreAll().turnAll().centreAll().scaleAll().call(findGround).slices(_count, VERTICES_PER_STEP, place);
+                    centreAll().turnAll().centreAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
                     break;
                 case Model.AS_GIVEN:
                     turnAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
@@ -100,7 +100,7 @@ package starlogo.models
 
         private function measureAll():NormalisedShape
         {
-            call(forget).slices(_count, VERTICES_PER_STEP, measure);
+            slices(_count, VERTICES_PER_STEP, measure);
             return this;
         }
 
@@ -130,13 +130,9 @@ package starlogo.models
             return this;
         }
 
-        private function forget():void
-        {
-            _bounds = new VertexBounds();
-        }
-
         private function measure(first:int, end:int):void
         {
+            _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(vertices, first, end);
             check(_bounds.areFinite ? null : VertexData.vertexProblem(vertices));
         }
@@ -185,14 +181,10 @@ package starlogo.models
                     rootOf(extentZ));
         }
 
-        private function findGround():void
-        {
-            setPlace(0, 0, _bounds.minZ, -_translation.x, -_translation.y, -_translation.z, 1);
-        }
-
+        // A volume stands on the ground.
         private function findTranslation():void
         {
-            setPlace(0, 0, 0, -_translation.x, -_translation.y, -_translation.z, 1);
+            setPlace(0, 0, frame.scaling == Model.VOLUME ? _bounds.minZ : 0, -_translation.x, -_translation.y, -_translation.z, 1);
         }
 
         private function setPlace(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):void

@@ -3,7 +3,6 @@ package starlogo.models.collada
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.polygons.WorkLimit;
     import starlogo.models.refuseIf;
 
     /** A COLLADA document: its elements found by id, their numbers read, and their places named in errors. */
@@ -14,8 +13,8 @@ package starlogo.models.collada
         /** The element COLLADA. */
         public var root:ColladaElement;
 
-        /** How much may be spent on cutting all the document's polygons. */
-        public var triangulation:WorkLimit = new WorkLimit(Triangulator.MAX_WORK);
+        /** Cuts all the document's polygons. */
+        public var triangulator:Triangulator = new Triangulator();
 
         /** The model's name. */
         public var modelName:String;

@@ -3,7 +3,6 @@ package starlogo.models.collada
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.polygons.addTriangle;
     import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
@@ -50,17 +49,16 @@ package starlogo.models.collada
          * @param positions its points, which are read
          * @param isUsed a number for each point of the mesh; set to 1 where a corner is
          * @param triangles where the triangles go
-         * @param triangulator cuts the polygons, into the same triangles
          */
         public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
-                isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
+                isUsed:Vector.<uint>, triangles:Vector.<uint>)
         {
             _document = document;
             _element = element;
             _positions = positions;
             _isUsed = isUsed;
             _triangles = triangles;
-            _triangulator = triangulator;
+            _triangulator = document.triangulator;
             _lists = element.childrenNamed("p");
             readInputs();
             addParts();
@@ -215,7 +213,7 @@ package starlogo.models.collada
                 {
                     var first:int = isFan ? 0 : i - 2 + (i & 1);
                     var second:int = isFan ? i - 1 : i - 1 - (i & 1);
-                    addTriangle(_triangles, strip[first], strip[second], strip[i]);
+                    _triangulator.addTriangle(strip[first], strip[second], strip[i]);
                 }
                 read += 10 + strip.length;
             }

@@ -1,9 +1,11 @@
 package starlogo.models.collada
 {
+    import starlogo.models.ModelLimits;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
     import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -13,6 +15,9 @@ package starlogo.models.collada
      */
     public final class ColladaReader extends ModelReader
     {
+        private static const VERTICES_PER_STEP:int = 3000;
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
         private var _xml:XmlReader;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
@@ -76,7 +81,42 @@ package starlogo.models.collada
             }
             _mesh = null;
             _instance++;
-            return new ColladaPlacing(_document, mesh, instance, mesh.hasSurfaces ? vertices : loosePoints, triangles);
+            return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
+        }
+
+        /** The work that adds a mesh where an instance has it. The instance's transform decides which way round triangles are. */
+        private function placing(mesh:ColladaMesh, instance:ColladaInstance, out:Vector.<Number>):Steps
+        {
+            var firstVertex:int = out.length / 3;
+            var firstCorner:int = triangles.length;
+            var vertexCount:int = mesh.vertices.length / 3;
+            var triangleCount:int = mesh.triangles.length / 3;
+            refuseIf(ModelLimits.areExceeded(firstVertex + vertexCount, firstCorner / 3 + triangleCount), name, ModelLimits.PROBLEM, instance.element);
+            out.length += 3 * vertexCount;
+            triangles.length += 3 * triangleCount;
+            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    var areFinite:Boolean = instance.transform.place(mesh.vertices, first, end, out, firstVertex + first);
+                    refuseIf(!areFinite, name, "its transformed coordinates are too large to be finite numbers", instance.element);
+                }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    addTriangles(mesh.triangles, 3 * first, 3 * end, firstVertex, firstCorner, instance.transform.isMirror);
+                });
+        }
+
+        private function addTriangles(from:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void
+        {
+            var to:Vector.<uint> = triangles;
+            var at:int = firstCorner + first;
+            var second:int = isMirror ? 2 : 1;
+            var third:int = 3 - second;
+            for (var i:int = first; i < last; i += 3)
+            {
+                to[at] = from[i] + firstVertex;
+                to[int(at + second)] = from[int(i + 1)] + firstVertex;
+                to[int(at + third)] = from[int(i + 2)] + firstVertex;
+                at += 3;
+            }
         }
 
         /** A geometry is read once, however often it is in the scene. */

@@ -99,7 +99,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    addGeometry(element, _node.transform);
+                    instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), _node.transform, element));
                     break;
                 case "instance_controller":
                     addController(element, _node.transform);
@@ -139,11 +139,6 @@ package starlogo.models.collada
             refuseIf(node.isWithin(target), _document.modelName, "recursive instance_node: it places the node \"" +
                     TextTokens.shorten(target.id) + "\" within itself", element);
             return target;
-        }
-
-        private function addGeometry(element:ColladaElement, transform:AffineTransform):void
-        {
-            instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), transform, element));
         }
 
         /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */

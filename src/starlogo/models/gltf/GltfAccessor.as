@@ -182,6 +182,7 @@ package starlogo.models.gltf
 
         private static function readRow(bytes:ByteArray, kind:int, out:Vector.<Number>, at:int, last:int):void
         {
+            var number:int;
             switch (kind)
             {
                 case FLOAT:
@@ -197,27 +198,20 @@ package starlogo.models.gltf
                     }
                     break;
                 case UNSIGNED_SHORT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readUnsignedShort();
-                    }
-                    break;
                 case SHORT:
+                    var shortSign:int = kind == SHORT ? 0x8000 : 0;
                     while (at < last)
                     {
-                        out[at++] = bytes.readUnsignedShort() << 16 >> 16;
+                        number = bytes.readUnsignedShort();
+                        out[at++] = number - ((number & shortSign) << 1);
                     }
                     break;
-                case UNSIGNED_BYTE:
+                default:
+                    var byteSign:int = kind == BYTE ? 0x80 : 0;
                     while (at < last)
                     {
-                        out[at++] = bytes.readUnsignedByte();
-                    }
-                    break;
-                case BYTE:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readByte();
+                        number = bytes.readUnsignedByte();
+                        out[at++] = number - ((number & byteSign) << 1);
                     }
             }
         }

@@ -23,6 +23,8 @@ package starlogo.models.gltf
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
 
+        private static const BUFFERS_PER_STEP:int = 100;
+
         /** How many buffers may be beside a file: each is fetched. */
         private static const MAX_MISSING:int = 100;
 
@@ -42,17 +44,9 @@ package starlogo.models.gltf
         private var _text:String;
         private var _meter:JsonMeter;
 
-        // of each buffer its bytes, null for what is not there, and where in them it starts
+        // the bytes of each buffer, null for what is not there; and the chunk of a binary file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
-        private var _starts:Vector.<int> = new Vector.<int>();
-        private var _lengths:Vector.<int> = new Vector.<int>();
-
-        // the chunk of a binary file
-        private var _chunkStart:int = -1;
-        private var _chunkLength:int = 0;
-
-        private var _next:int = 0;
-        private var _decoding:Base64 = null;
+        private var _chunk:ByteArray = null;
 
         /**
          * @param name the model's name
@@ -64,7 +58,7 @@ package starlogo.models.gltf
             _name = name;
             _bytes = bytes;
             _text = text;
-            call(open).begin(measuring).call(parse).repeat(readBuffers);
+            call(open).begin(measuring).call(parse);
         }
 
         /** Whether bytes begin like a binary glTF file. */
@@ -92,8 +86,8 @@ package starlogo.models.gltf
             {
                 if (_buffers[i] == null && json.entry("buffers", i).uri === uri)
                 {
-                    refuseIf(bytes == null, json.name, problem, "buffers[" + i + "].uri");
-                    keep(i, bytes, 0, bytes.length);
+                    refuseIf(bytes == null, _name, problem, "buffers[" + i + "].uri");
+                    keep(i, bytes);
                 }
             }
         }
@@ -104,19 +98,19 @@ package starlogo.models.gltf
             var view:Object = json.entry("bufferViews", index);
             var viewPlace:String = "bufferViews[" + index + "]";
             var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
-            refuseIf(buffer < 0, json.name, "it names no buffer", viewPlace);
+            refuseIf(buffer < 0, _name, "it names no buffer", viewPlace);
             var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
             var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
-            refuseIf(offset + length > size, json.name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
+            refuseIf(offset + length > size, _name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
-                refuseIf(isCompressed(view, viewPlace), json.name, "its data are compressed with meshopt, which is not read: save the model " +
+                refuseIf(isCompressed(view, viewPlace), _name, "its data are compressed with meshopt, which is not read: save the model " +
                         "without compression (gltfpack without -c, or \"gltf-transform copy\")", viewPlace);
-                throw new ModelError(json.name, "buffers[" + buffer + "]", "its data are not there");
+                throw new ModelError(_name, "buffers[" + buffer + "]", "its data are not there");
             }
-            refuseIf(Number(start) + size > _lengths[buffer], json.name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
-                    "], which has " + _lengths[buffer], viewPlace);
-            _buffers[buffer].position = _starts[buffer] + start + offset;
+            refuseIf(Number(start) + size > _buffers[buffer].length, _name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+                    "], which has " + _buffers[buffer].length, viewPlace);
+            _buffers[buffer].position = start + offset;
             return _buffers[buffer];
         }
 
@@ -159,10 +153,13 @@ package starlogo.models.gltf
                     _bytes.position = start;
                     _text = _bytes.readUTFBytes(chunkLength);
                 }
-                else if (kind == BINARY_CHUNK && _chunkStart < 0)
+                else if (kind == BINARY_CHUNK && _chunk == null)
                 {
-                    _chunkStart = start;
-                    _chunkLength = chunkLength;
+                    _chunk = new ByteArray();
+                    if (chunkLength > 0)
+                    {
+                        _chunk.writeBytes(_bytes, start, chunkLength);
+                    }
                 }
             }
             refuseIf(_text == null, _name, "there is no JSON in it");
@@ -195,28 +192,29 @@ package starlogo.models.gltf
             json = new GltfJson(_name, root);
             var asset:Object = json.objectIn(root, "asset", "");
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            refuseIf(!/^2\.0/.test(version), json.name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
+            refuseIf(!/^2\.0/.test(version), _name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
                     "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
                 checkExtension(String(extension));
             }
+            slices(json.count("buffers"), BUFFERS_PER_STEP, readBuffers);
         }
 
         private function checkExtension(extension:String):void
         {
-            refuseIf(extension == DRACO, json.name, "its meshes are compressed with Draco (" + DRACO +
+            refuseIf(extension == DRACO, _name, "its meshes are compressed with Draco (" + DRACO +
                     "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")", "extensionsRequired");
-            refuseIf(MESHOPT.test(extension), json.name, "its data are compressed with meshopt (" + extension +
+            refuseIf(MESHOPT.test(extension), _name, "its data are compressed with meshopt (" + extension +
                     "), which is not read: save the model without compression (gltfpack without -c, or \"gltf-transform copy\")", "extensionsRequired");
-            refuseIf(!HARMLESS.test(extension), json.name, "it needs the extension \"" + TextTokens.shorten(extension) +
+            refuseIf(!HARMLESS.test(extension), _name, "it needs the extension \"" + TextTokens.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
 
         /** Whether a primitive has its geometry in Draco's form alone. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
-            refuseIf(json.hasExtension(primitive, DRACO, place), json.name, "it is compressed with Draco (" + DRACO +
+            refuseIf(json.hasExtension(primitive, DRACO, place), _name, "it is compressed with Draco (" + DRACO +
                     "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")", place);
         }
 
@@ -225,66 +223,54 @@ package starlogo.models.gltf
             return json.hasExtension(view, "EXT_meshopt_compression", place) || json.hasExtension(view, "KHR_meshopt_compression", place);
         }
 
-        // A buffer, or a step of one that is text.
-        private function readBuffers():Boolean
+        private function readBuffers(first:int, end:int):void
         {
-            if (_decoding != null)
+            for (var i:int = first; i < end; i++)
             {
-                if (!_decoding.step())
-                {
-                    keep(_next++, _decoding.bytes, 0, _decoding.bytes.length);
-                    _decoding = null;
-                }
+                _buffers.push(null);
+                readBuffer(i, json.entry("buffers", i), "buffers[" + i + "]");
             }
-            else if (_next < json.count("buffers"))
-            {
-                readBuffer(json.entry("buffers", _next), "buffers[" + _next + "]");
-            }
-            return _decoding != null || _next < json.count("buffers");
         }
 
-        private function readBuffer(buffer:Object, place:String):void
+        private function readBuffer(index:int, buffer:Object, place:String):void
         {
-            _buffers.push(null);
-            _starts.push(0);
-            _lengths.push(0);
             json.whole(buffer, "byteLength", place, ModelLimits.BYTES, -1);
             var uri:* = buffer.uri;
-            refuseIf(uri !== undefined && !(uri is String), json.name, "expected an address", place + ".uri");
+            refuseIf(uri !== undefined && !(uri is String), _name, "expected an address", place + ".uri");
             if (uri === undefined)
             {
-                if (_next == 0 && _chunkStart >= 0)
+                if (index == 0 && _chunk != null)
                 {
-                    keep(0, _bytes, _chunkStart, _chunkLength);
+                    keep(0, _chunk);
                 }
-                _next++;
                 return;
             }
             if (uri.indexOf("data:") == 0)
             {
                 var comma:int = uri.indexOf(",");
-                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", json.name, "expected data in base64", place + ".uri");
-                _decoding = new Base64(_name, uri, comma + 1, place + ".uri");
+                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", _name, "expected data in base64", place + ".uri");
+                var decoding:Base64 = new Base64(_name, uri, comma + 1, place + ".uri");
+                add(decoding).call(function():void
+                    {
+                        keep(index, decoding.bytes);
+                    });
                 return;
             }
-            refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), json.name, "expected data, or a path from the file's folder on, but found \"" +
+            refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), _name, "expected data, or a path from the file's folder on, but found \"" +
                     TextTokens.shorten(uri) + "\"", place + ".uri");
             if (missing.indexOf(uri) < 0)
             {
-                refuseIf(missing.length == MAX_MISSING, json.name, "more than " + MAX_MISSING + " files are beside this one", place + ".uri");
+                refuseIf(missing.length == MAX_MISSING, _name, "more than " + MAX_MISSING + " files are beside this one", place + ".uri");
                 missing.push(uri);
             }
-            _next++;
         }
 
-        private function keep(index:int, bytes:ByteArray, start:int, length:int):void
+        private function keep(index:int, bytes:ByteArray):void
         {
             var wanted:int = json.entry("buffers", index).byteLength;
-            refuseIf(length < wanted, json.name, "it should have " + wanted + " bytes, but has " + length, "buffers[" + index + "]");
+            refuseIf(bytes.length < wanted, _name, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;
-            _starts[index] = start;
-            _lengths[index] = length;
         }
     }
 }

@@ -36,9 +36,6 @@ package starlogo.models
         private var _translation:Vector3D;
         private var _bounds:VertexBounds;
 
-        // what turn() does
-        private var _turn:AffineTransform;
-
         // what place() takes off, what it adds, and what it divides by
         private var _low:Vector3D = new Vector3D();
         private var _half:Vector3D = new Vector3D();
@@ -112,22 +109,27 @@ package starlogo.models
 
         private function turnAll():NormalisedShape
         {
-            if (_transform != null && _transform.rotation.lengthSquared > 0)
-            {
-                call(findRotation).slices(_count, VERTICES_PER_STEP, turn);
-                measureAll();
-            }
-            return this;
+            return _transform == null || _transform.rotation.lengthSquared == 0 ? this : turnBy(_transform.rotationMatrix(), 1);
         }
 
         private function scaleAll():NormalisedShape
         {
-            if (_factors.x != 1 || _factors.y != 1 || _factors.z != 1)
-            {
-                call(findScale).slices(_count, VERTICES_PER_STEP, turn);
-                measureAll();
-            }
-            return this;
+            var f:Vector3D = _factors;
+            return f.x == 1 && f.y == 1 && f.z == 1 ? this : turnBy(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
+                    cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
+        }
+
+        // Also scales; the factor says how much larger that makes the model.
+        private function turnBy(turn:AffineTransform, factor:Number):NormalisedShape
+        {
+            call(function():void
+                {
+                    frame.turn(turn, factor);
+                }).slices(_count, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    turn.place(vertices, first, end, vertices, first);
+                });
+            return measureAll();
         }
 
         private function measure(first:int, end:int):void
@@ -135,28 +137,6 @@ package starlogo.models
             _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(vertices, first, end);
             check(_bounds.areFinite ? null : VertexData.vertexProblem(vertices));
-        }
-
-        private function findRotation():void
-        {
-            turnBy(_transform.rotationMatrix(), 1);
-        }
-
-        private function findScale():void
-        {
-            turnBy(new AffineTransform(new <Number>[_factors.x, 0, 0, 0, 0, _factors.y, 0, 0, 0, 0, _factors.z, 0]),
-                    cubeRoot(Math.abs(_factors.x)) * cubeRoot(Math.abs(_factors.y)) * cubeRoot(Math.abs(_factors.z)));
-        }
-
-        private function turnBy(turn:AffineTransform, factor:Number):void
-        {
-            _turn = turn;
-            frame.turn(turn, factor);
-        }
-
-        private function turn(first:int, end:int):void
-        {
-            _turn.place(vertices, first, end, vertices, first);
         }
 
         private function findFootprint():void

@@ -104,7 +104,7 @@ package starlogo.models.collada
                 case "polylist":
                     _text = new ColladaWords(_lists);
                     _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
-                    add(_text).add(_sizeText).begin(checkingSizes).call(checkSum).repeat(_triangulator.cuttingBetween(readPolylist));
+                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
                     break;
                 case "polygons":
                     _lists = _lists.concat(_element.childrenNamed("ph"));
@@ -157,11 +157,7 @@ package starlogo.models.collada
                 }
                 _sum += size;
             }
-        }
-
-        private function checkSum():void
-        {
-            refuseIf(_sum != cornerCount, _document.modelName, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
+            refuseIf(end == _sizes.length && _sum != cornerCount, _document.modelName, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
                     cornerCount, _element);
         }
 

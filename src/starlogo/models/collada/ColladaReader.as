@@ -38,7 +38,7 @@ package starlogo.models.collada
             super(name, upAxis == null ? null : UpAxis.of(upAxis, name));
             refuseIf(source == null, name, "there is no text to read");
             _xml = new XmlReader(name, source);
-            add(_xml).begin(walking).repeat(readInstances).call(checkVertices);
+            add(_xml).begin(walking).repeat(readInstances);
         }
 
         /** @inheritDoc */
@@ -70,6 +70,7 @@ package starlogo.models.collada
         {
             if (_instance == _scene.instances.length)
             {
+                takeVertices("a scene or a library with a geometry in it");
                 return null;
             }
             var instance:ColladaInstance = _scene.instances[_instance];
@@ -128,11 +129,6 @@ package starlogo.models.collada
                 _meshes[key] = new ColladaMesh(_document, geometry);
             }
             return _meshes[key];
-        }
-
-        private function checkVertices():void
-        {
-            takeVertices("a scene or a library with a geometry in it");
         }
 
         private function upAxisOfDocument():String

@@ -39,7 +39,7 @@ package starlogo.models.collada
             _accessor = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
             _array = document.target(_accessor, "source", ["float_array", "int_array"], source);
             _text = new ColladaWords(new <ColladaElement>[_array]);
-            add(_text).begin(readingPoints).call(letGo);
+            add(_text).begin(readingPoints);
         }
 
         private function readingPoints():Steps
@@ -66,12 +66,6 @@ package starlogo.models.collada
                 _points[at++] = numberAt(_word + z);
                 _word += _stride;
             }
-        }
-
-        private function letGo():void
-        {
-            _words = null;
-            _text = null;
         }
 
         private function numberAt(word:int):Number
@@ -108,7 +102,8 @@ package starlogo.models.collada
             {
                 columns = new <int>[0, 1, 2];
             }
-            refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride, _document.modelName, "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
+            refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
+                    _document.modelName, "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
             return columns;
         }
     }

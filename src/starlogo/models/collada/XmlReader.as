@@ -1,7 +1,6 @@
 package starlogo.models.collada
 {
     import starlogo.models.NextOfTwo;
-    import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
     import starlogo.steps.Steps;
 
@@ -112,7 +111,7 @@ package starlogo.models.collada
         {
             var start:int = _at + 1;
             _at = endOf(">");
-            refuse(_open == null || TextTokens.trimmed(_source.substring(start, _at - 1)) != _names.pop());
+            refuse(_open == null || _source.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
             _open = _open.parent;
         }
 

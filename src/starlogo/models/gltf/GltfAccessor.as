@@ -76,7 +76,8 @@ package starlogo.models.gltf
                 var size:int = SIZES[_kind] * _width;
                 _stride = json.whole(json.entry("bufferViews", _view), "byteStride", "bufferViews[" + _view + "]", 252, size);
                 refuseIf(_stride < size, json.name, "expected at least " + size + ", but found " + _stride, "bufferViews[" + _view + "].byteStride");
-                rows(_offset, count, _stride);
+                file.openView(_view, _offset, count == 0 ? 0 : Number(count - 1) * _stride + size, place);
+                slices(count, NUMBERS_PER_STEP / _width, readRows);
             }
             _sparse = json.objectIn(_accessor, "sparse", place);
             if (_sparse != null)
@@ -96,13 +97,6 @@ package starlogo.models.gltf
             var kind:int = _file.json.whole(owner, "componentType", where, int.MAX_VALUE, -1);
             refuseIf(!SIZES.hasOwnProperty(kind), _file.json.name, "expected 5120 to 5123, 5125 or 5126, but found " + kind, where + ".componentType");
             return kind;
-        }
-
-        // Checks that the rows are there, and reads them.
-        private function rows(offset:int, rowCount:int, stride:int):void
-        {
-            _file.openView(_view, offset, rowCount == 0 ? 0 : Number(rowCount - 1) * stride + SIZES[_kind] * _width, place);
-            slices(rowCount, NUMBERS_PER_STEP / _width, readRows);
         }
 
         private function readRows(first:int, end:int):void

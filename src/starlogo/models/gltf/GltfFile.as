@@ -8,7 +8,6 @@ package starlogo.models.gltf
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * A glTF 2.0 file, binary or not: its JSON, and the buffers that are in it, in steps. Those beside it have to be given.
@@ -17,7 +16,6 @@ package starlogo.models.gltf
      */
     public final class GltfFile extends StepSequence
     {
-        private static const MAGIC:uint = 0x46546C67;
         private static const JSON_CHUNK:uint = 0x4E4F534A;
         private static const BINARY_CHUNK:uint = 0x004E4942;
         private static const HEADER_LENGTH:int = 12;
@@ -32,6 +30,10 @@ package starlogo.models.gltf
         private static const HARMLESS:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         private static const DRACO:String = "KHR_draco_mesh_compression";
         private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;
+        private static const DRACO_PROBLEM:String = "compressed with Draco (" + DRACO +
+            "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")";
+        private static const MESHOPT_PROBLEM:String = "compressed with meshopt, which is not read: " +
+            "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
 
         /** The addresses of the buffers beside the file, as it has them, when no step is left. */
         public var missing:Vector.<String> = new Vector.<String>();
@@ -52,13 +54,16 @@ package starlogo.models.gltf
          * @param name the model's name
          * @param bytes a binary file, or text; its endianness is set; null if there is only text
          * @param text the text; null for that of the bytes
+         * @throws ModelError if there is no JSON
          */
         public function GltfFile(name:String, bytes:ByteArray, text:String)
         {
             _name = name;
             _bytes = bytes;
             _text = text;
-            call(open).begin(measuring).call(parse);
+            open();
+            _meter = new JsonMeter(name, _text);
+            add(_meter).call(parse);
         }
 
         /** Whether bytes begin like a binary glTF file. */
@@ -104,8 +109,8 @@ package starlogo.models.gltf
             refuseIf(offset + length > size, _name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
-                refuseIf(isCompressed(view, viewPlace), _name, "its data are compressed with meshopt, which is not read: save the model " +
-                        "without compression (gltfpack without -c, or \"gltf-transform copy\")", viewPlace);
+                refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
+                        _name, "its data are " + MESHOPT_PROBLEM, viewPlace);
                 throw new ModelError(_name, "buffers[" + buffer + "]", "its data are not there");
             }
             refuseIf(Number(start) + size > _buffers[buffer].length, _name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
@@ -171,12 +176,6 @@ package starlogo.models.gltf
             return _bytes.readUnsignedInt();
         }
 
-        private function measuring():Steps
-        {
-            _meter = new JsonMeter(_name, _text);
-            return _meter;
-        }
-
         private function parse():void
         {
             try
@@ -203,10 +202,8 @@ package starlogo.models.gltf
 
         private function checkExtension(extension:String):void
         {
-            refuseIf(extension == DRACO, _name, "its meshes are compressed with Draco (" + DRACO +
-                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")", "extensionsRequired");
-            refuseIf(MESHOPT.test(extension), _name, "its data are compressed with meshopt (" + extension +
-                    "), which is not read: save the model without compression (gltfpack without -c, or \"gltf-transform copy\")", "extensionsRequired");
+            refuseIf(extension == DRACO, _name, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
+            refuseIf(MESHOPT.test(extension), _name, "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
             refuseIf(!HARMLESS.test(extension), _name, "it needs the extension \"" + TextTokens.shorten(extension) +
                     "\", which is not known: save the model without it", "extensionsRequired");
         }
@@ -214,13 +211,7 @@ package starlogo.models.gltf
         /** Whether a primitive has its geometry in Draco's form alone. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
-            refuseIf(json.hasExtension(primitive, DRACO, place), _name, "it is compressed with Draco (" + DRACO +
-                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")", place);
-        }
-
-        private function isCompressed(view:Object, place:String):Boolean
-        {
-            return json.hasExtension(view, "EXT_meshopt_compression", place) || json.hasExtension(view, "KHR_meshopt_compression", place);
+            refuseIf(json.hasExtension(primitive, DRACO, place), _name, "it is " + DRACO_PROBLEM, place);
         }
 
         private function readBuffers(first:int, end:int):void

@@ -39,7 +39,7 @@ package starlogo.models.gltf
         {
             super(name, upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name));
             _file = file;
-            begin(walking).repeat(readParts).call(checkVertices).begin(droppingUnused);
+            begin(walking).repeat(readParts).begin(droppingUnused);
         }
 
         /** @inheritDoc */
@@ -139,13 +139,9 @@ package starlogo.models.gltf
             refuseIf(_pointCount > MAX_POINTS, name, "all meshes up to here read more than " + MAX_POINTS + " points", where);
         }
 
-        private function checkVertices():void
-        {
-            takeVertices("a mesh in the scene");
-        }
-
         private function droppingUnused():Steps
         {
+            takeVertices("a mesh in the scene");
             return triangles.length == 0 ? null : new VertexFilter(vertices, triangles, new Vector.<uint>(vertices.length / 3));
         }
     }

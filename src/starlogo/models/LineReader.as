@@ -65,9 +65,10 @@ package starlogo.models
             repeat(readSome);
         }
 
-        /** Reads a statement, or as much of it as matters. @param word its first word; the next one is <code>words[next]</code> */
+        /** Reads a statement, or as much of it as matters. A format that does not say how passes over all. @param word its first word; the next one is <code>words[next]</code> */
         protected function readStatement(word:String):void
         {
+            skipStatement();
         }
 
         /** How many triangles there are so far. */

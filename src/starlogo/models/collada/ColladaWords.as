@@ -35,10 +35,12 @@ package starlogo.models.collada
         public function step():Boolean
         {
             var end:int = _text.length - _start > CHARACTERS_PER_STEP ? _ends.after(_start + CHARACTERS_PER_STEP) : _text.length;
-            for each (var word:String in TextTokens.of(_text.substring(_start, end)))
+            var more:Array = TextTokens.of(_text.substring(_start, end));
+            for (var i:int = 0; i < more.length && _start > 0; i++)
             {
-                words.push(word);
+                words.push(more[i]);
             }
+            words = _start == 0 ? more : words;
             _start = end;
             return _start < _text.length;
         }

@@ -176,37 +176,38 @@ package starlogo.models.gltf
 
         private static function readRow(bytes:ByteArray, kind:int, out:Vector.<Number>, at:int, last:int):void
         {
+            // the bit that tells negative numbers, of those that have some
+            var sign:int = kind == SHORT ? 0x8000 : (kind == BYTE ? 0x80 : 0);
             var number:int;
-            switch (kind)
+            if (kind == FLOAT)
             {
-                case FLOAT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readFloat();
-                    }
-                    break;
-                case UNSIGNED_INT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readUnsignedInt();
-                    }
-                    break;
-                case UNSIGNED_SHORT:
-                case SHORT:
-                    var shortSign:int = kind == SHORT ? 0x8000 : 0;
-                    while (at < last)
-                    {
-                        number = bytes.readUnsignedShort();
-                        out[at++] = number - ((number & shortSign) << 1);
-                    }
-                    break;
-                default:
-                    var byteSign:int = kind == BYTE ? 0x80 : 0;
-                    while (at < last)
-                    {
-                        number = bytes.readUnsignedByte();
-                        out[at++] = number - ((number & byteSign) << 1);
-                    }
+                while (at < last)
+                {
+                    out[at++] = bytes.readFloat();
+                }
+            }
+            else if (kind == UNSIGNED_INT)
+            {
+                while (at < last)
+                {
+                    out[at++] = bytes.readUnsignedInt();
+                }
+            }
+            else if (SIZES[kind] == 2)
+            {
+                while (at < last)
+                {
+                    number = bytes.readUnsignedShort();
+                    out[at++] = number - ((number & sign) << 1);
+                }
+            }
+            else
+            {
+                while (at < last)
+                {
+                    number = bytes.readUnsignedByte();
+                    out[at++] = number - ((number & sign) << 1);
+                }
             }
         }
 

@@ -15,6 +15,10 @@ package starlogo.models.zip
         private static const MAX_RATIO:int = 1032;
         private static const LONGEST_MATCH:int = 258;
         private static const BYTES_PER_STEP:int = 6000;
+
+        // from so many bytes on the player copies them faster than a loop
+        private static const WORTH_A_CALL:int = 32;
+
         private static const SHORT_MASK:int = (1 << HuffmanCode.SHORT_LENGTH) - 1;
         private static const END_OF_BLOCK:int = 256;
         private static const LENGTH_CODES:int = 29;
@@ -301,7 +305,20 @@ package starlogo.models.zip
             refuse(from < 0, "it repeats bytes that are not there");
             while (written < end)
             {
-                out[written++] = out[from++];
+                // what repeats itself is twice as long each time
+                var count:int = Math.min(end - written, written - from);
+                if (count >= WORTH_A_CALL)
+                {
+                    out.position = written;
+                    out.writeBytes(out, from, count);
+                    written += count;
+                    continue;
+                }
+                for (var last:int = from + count; from < last; from++)
+                {
+                    out[written++] = out[from];
+                }
+                from -= count;
             }
             return written;
         }

@@ -77,16 +77,10 @@ package starlogo.models
             return triangles.length / 3;
         }
 
-        /** How many vertices there are so far. */
-        protected function get vertexCount():int
-        {
-            return vertices.length / 3;
-        }
-
         /** Refuses what has too many vertices or triangles so far. */
         protected final function checkLimits(place:String):void
         {
-            refuseIf(ModelLimits.areExceeded(vertexCount, triangleCount), name, ModelLimits.PROBLEM, place);
+            refuseIf(ModelLimits.areExceeded(vertices.length / 3, triangleCount), name, ModelLimits.PROBLEM, place);
         }
 
         /** Goes to the end of the line. */

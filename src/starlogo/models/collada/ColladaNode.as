@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
 
-    /** A node of a COLLADA scene as it is visited: one element may be visited often, through instance_node. */
+    /** A node of a COLLADA scene as it is visited, or a geometry that it places. One element may be visited often, through instance_node. */
     internal final class ColladaNode
     {
         /** The element. */
@@ -14,6 +14,9 @@ package starlogo.models.collada
         /** Where its parent is in the scene, then where it is itself. */
         public var transform:AffineTransform;
 
+        /** The geometry that it places; null for a node. */
+        public var geometry:ColladaElement;
+
         /** How many nodes it is in. */
         public var depth:int;
 
@@ -21,9 +24,11 @@ package starlogo.models.collada
          * @param element the element
          * @param parent what it is in, or null
          * @param transform where that is in the scene
+         * @param geometry the geometry that it places; null for a node
          */
-        public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform, geometry:ColladaElement = null)
         {
+            this.geometry = geometry;
             this.element = element;
             this.parent = parent;
             this.transform = transform;

@@ -73,7 +73,7 @@ package starlogo.models.collada
                 takeVertices("a scene or a library with a geometry in it");
                 return null;
             }
-            var instance:ColladaInstance = _scene.instances[_instance];
+            var instance:ColladaNode = _scene.instances[_instance];
             var mesh:ColladaMesh = _mesh;
             if (mesh == null)
             {
@@ -86,7 +86,7 @@ package starlogo.models.collada
         }
 
         /** The work that adds a mesh where an instance has it. The instance's transform decides which way round triangles are. */
-        private function placing(mesh:ColladaMesh, instance:ColladaInstance, out:Vector.<Number>):Steps
+        private function placing(mesh:ColladaMesh, instance:ColladaNode, out:Vector.<Number>):Steps
         {
             var firstVertex:int = out.length / 3;
             var firstCorner:int = triangles.length;

@@ -22,7 +22,7 @@ package starlogo.models.collada
         internal static const MAX_PARTS:int = 250000;
 
         /** When no step is left: the geometries, in the document's order. */
-        public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
+        public var instances:Vector.<ColladaNode> = new Vector.<ColladaNode>();
 
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
@@ -79,7 +79,7 @@ package starlogo.models.collada
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, up, geometry));
+                    instances.push(new ColladaNode(geometry, null, up, geometry));
                 }
             }
         }
@@ -99,7 +99,7 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), _node.transform, element));
+                    instances.push(new ColladaNode(element, null, _node.transform, _document.target(element, "url", ["geometry"])));
                     break;
                 case "instance_controller":
                     addController(element, _node.transform);
@@ -156,7 +156,7 @@ package starlogo.models.collada
                 refuseIf(i > MAX_CONTROLLERS, _document.modelName, "more than " + MAX_CONTROLLERS +
                         " controllers deform each other, or they do in a circle", element);
             }
-            instances.push(new ColladaInstance(target, transform, element));
+            instances.push(new ColladaNode(element, null, transform, target));
         }
     }
 }

@@ -10,7 +10,7 @@ package starlogo.models.gltf
     {
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        private static const TRIANGLES:int = 4;
+        internal static const TRIANGLES:int = 4;
         private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
@@ -55,13 +55,8 @@ package starlogo.models.gltf
             slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
         }
 
-        /** Whether a primitive has a surface: it may be points or lines. */
-        public static function hasSurface(json:GltfJson, primitive:Object, place:String):Boolean
-        {
-            return modeOf(json, primitive, place) >= TRIANGLES;
-        }
-
-        private static function modeOf(json:GltfJson, primitive:Object, place:String):int
+        /** What a primitive is made of: points or lines are below TRIANGLES. */
+        internal static function modeOf(json:GltfJson, primitive:Object, place:String):int
         {
             return json.whole(primitive, "mode", place, FAN, TRIANGLES);
         }

@@ -114,7 +114,7 @@ package starlogo.models.gltf
             }
             var weights:Vector.<Number> = json.numbers(mesh, "weights", "meshes[" + meshIndex + "]", -1, new Vector.<Number>());
             weights = json.numbers(node, "weights", "nodes[" + _scene.nodes[_node] + "]", -1, weights);
-            var hasSurface:Boolean = GltfPart.hasSurface(json, primitive, where);
+            var hasSurface:Boolean = GltfPart.modeOf(json, primitive, where) >= GltfPart.TRIANGLES;
             var targets:Array = json.listIn(primitive, "targets", where);
             // primitives may share their vertices, and be different triangles of them
             var isPlain:Boolean = targets.length == 0 && attributes.JOINTS_0 === undefined;

@@ -154,11 +154,11 @@ package starlogo.models.obj
                 throw errorAt(line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         TextTokens.shorten(word) + "\"");
             }
-            index = index > 0 ? index - 1 : vertexCount + index;
+            index = index > 0 ? index - 1 : vertices.length / 3 + index;
             if (index < 0)
             {
                 throw errorAt(line, "the corner \"" + TextTokens.shorten(word) +
-                        "\" counts back beyond the first vertex: there are " + vertexCount + " before it");
+                        "\" counts back beyond the first vertex: there are " + vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
@@ -170,6 +170,7 @@ package starlogo.models.obj
 
         private function checkIndices():void
         {
+            var vertexCount:int = vertices.length / 3;
             refuseIf(vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
             refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, placeOf(_highestLine));
             _isUsed = new Vector.<uint>(vertexCount);

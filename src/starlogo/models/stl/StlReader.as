@@ -56,7 +56,8 @@ package starlogo.models.stl
                 _points = new PointTable(Math.min(text.length / 20, ModelLimits.VERTICES));
                 readLines(text);
             }
-            call(takePoints).begin(turningUp);
+            vertices = _points.coordinates;
+            call(checkEnd).begin(turningUp);
         }
 
         /**
@@ -145,16 +146,9 @@ package starlogo.models.stl
             _corners++;
         }
 
-        /** @inheritDoc */
-        override protected function get vertexCount():int
-        {
-            return _points.coordinates.length / 3;
-        }
-
-        private function takePoints():void
+        private function checkEnd():void
         {
             refuseIf(_corners != 0, name, "the file is cut off: a facet has no end", placeOf(line));
-            loosePoints = _points.coordinates;
             takeVertices("facets");
         }
     }

@@ -22,25 +22,24 @@ package starlogo.models.zip
         public var text:String = null;
 
         private var _name:String;
-        private var _bytes:ByteArray;
-        private var _archive:ZipArchive = null;
+        private var _archive:ZipArchive;
         private var _manifest:Inflater = null;
         private var _document:Inflater = null;
 
         /**
          * @param name the model's name
-         * @param bytes the archive
+         * @param bytes the archive; its endianness is set
+         * @throws ModelError if it is damaged
          */
         public function ArchivedDocument(name:String, bytes:ByteArray)
         {
             _name = name;
-            _bytes = bytes;
+            _archive = new ZipArchive(name, bytes);
             begin(unpackingManifest).begin(unpackingDocument).call(decode);
         }
 
         private function unpackingManifest():Steps
         {
-            _archive = new ZipArchive(_name, _bytes);
             _manifest = _archive.has(MANIFEST) ? _archive.unpack(MANIFEST, MAX_MANIFEST) : null;
             return _manifest;
         }

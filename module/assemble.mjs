@@ -8,7 +8,7 @@ import { Program } from "./translate.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const standins = join(here, "../standins/module");
-const FILES = ["language.mjs", "ByteArray.mjs", "xml.mjs", "machine.mjs", "contacts.mjs"];
+const FILES = ["language.mjs", "ByteArray.mjs", "machine.mjs", "contacts.mjs"];
 
 /** What the compiler wrote into a folder. */
 export function translate(folder, signatures, externals = {}, hasAllStatics = false) {

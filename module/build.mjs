@@ -4,7 +4,7 @@
  *
  *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
  */
-import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { buildSync, transformSync } from "esbuild";
 import { standinsText, translate } from "./assemble.mjs";
@@ -13,7 +13,7 @@ import { ROOT, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
-const THIRD_PARTY = ["pako", "saxes", "xmlchars"];
+const THIRD_PARTY = ["pako"];
 
 const types = publicSignatures();
 const program = translate(transpiled, types);
@@ -106,9 +106,7 @@ function licences() {
 	const parts = THIRD_PARTY.map((name) => {
 		const folder = join(ROOT, "module/node_modules", name);
 		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-		// saxes' package brings none
-		const file = [join(folder, "LICENSE"), join(ROOT, "module/licences", `${name}.txt`)].find(existsSync);
-		return `## ${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
+		return `## ${name} ${version} (${license})\n\n${readFileSync(join(folder, "LICENSE"), "utf8").trim()}\n`;
 	});
 	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
 }

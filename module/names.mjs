@@ -28,7 +28,6 @@ export const EXTERNALS = {
 	"standin.Machine.unheard": ["machine.mjs", "unheard"],
 	"standin.Machine.uncaught": ["machine.mjs", "uncaught"],
 	"standin.Network.fetch": ["machine.mjs", "fetchBytes"],
-	"standin.Xml.parse": ["xml.mjs", "parseXml"],
 };
 
 /** The package that only a client with Away3D has. */

@@ -10,8 +10,6 @@ const IVY_FILES = ['build/ivy.xml', 'module/ivy.xml'];
 const INSIDE = {
 	'flex-sdk': { folder: '', where: ['docs/asdoc'], licence: 'MPL-1.1', what: 'the templates of ASDoc: style sheets, scripts and pictures' },
 	pako: { folder: 'module/', where: ['module', 'playground'], what: 'inflates' },
-	saxes: { folder: 'module/', where: ['module', 'playground'], what: 'parses XML' },
-	xmlchars: { folder: 'module/', where: ['module', 'playground'], what: 'knows the characters of XML' },
 	'@blockly/keyboard-navigation': { folder: 'playground/', where: ['playground'], what: 'reaches blocks by keys' },
 	blockly: { folder: 'playground/', where: ['playground'], what: 'shows blocks' },
 	three: { folder: 'playground/', where: ['playground'], what: 'draws' },

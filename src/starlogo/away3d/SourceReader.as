@@ -6,28 +6,36 @@ package starlogo.away3d
     import away3d.entities.Mesh;
     import flash.utils.getQualifiedClassName;
     import starlogo.geometry.PointTable;
+    import starlogo.models.AffineTransform;
     import starlogo.models.ModelError;
-    import starlogo.steps.StepSequence;
+    import starlogo.models.ModelReader;
+    import starlogo.models.refuseIf;
 
     /** Reads what Away3dModel takes, in steps of about a millisecond. */
-    internal final class SourceReader extends StepSequence
+    internal final class SourceReader extends ModelReader
     {
         private static const INDICES_PER_STEP:int = 900;
 
-        private var _name:String;
+        // the swap of y and z, which is a mirror
+        private static const SWAP:AffineTransform = new AffineTransform(new <Number>[1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
+
         private var _source:Object;
-        private var _parts:Vector.<GeometryPart> = new Vector.<GeometryPart>();
+
+        // the parts, and what takes the vertices of each to the engine's space
+        private var _parts:Vector.<ISubGeometry> = new Vector.<ISubGeometry>();
+        private var _places:Vector.<AffineTransform> = new Vector.<AffineTransform>();
         private var _hasTriangles:Boolean = false;
         private var _points:PointTable;
-        private var _triangles:Vector.<uint> = new Vector.<uint>();
 
         // How many parts are done, and of the one that is next: its data, how far it is read, and for each vertex the number
         // of its point, -1 where it has none yet.
         private var _part:int = 0;
         private var _next:int = 0;
-        private var _data:Vector.<Number> = null;
-        private var _indices:Vector.<uint> = null;
+        private var _geometry:ISubGeometry = null;
+        private var _data:Vector.<Number>;
+        private var _indices:Vector.<uint>;
         private var _pointOf:Vector.<int>;
+        private var _point:Vector.<Number> = new Vector.<Number>(3, true);
 
         /**
          * @param name what agents call the shape
@@ -35,56 +43,44 @@ package starlogo.away3d
          */
         public function SourceReader(name:String, source:Object)
         {
-            _name = name;
+            super(name || "");
             _source = source;
             call(collect).repeat(readSome);
         }
 
-        /** How much is read, from 0 to 1. */
-        public function get progress():Number
+        /** @inheritDoc */
+        override public function get progress():Number
         {
-            var count:int = _data == null ? 0 : itemCount();
-            var ofPart:Number = count == 0 ? 0 : _next / count;
+            var ofPart:Number = _geometry == null ? 0 : _next / itemCount;
             return _parts.length == 0 ? 0 : (_part + ofPart) / _parts.length;
-        }
-
-        /** x, y, z, ... with z up, when all is read. */
-        public function get vertices():Vector.<Number>
-        {
-            return _points.coordinates;
-        }
-
-        /** Three vertex indices each, when all is read. */
-        public function get triangles():Vector.<uint>
-        {
-            return _triangles;
         }
 
         private function collect():void
         {
             addSource(_source);
             var most:int = 0;
-            for each (var part:GeometryPart in _parts)
+            for each (var part:ISubGeometry in _parts)
             {
-                most += part.geometry.numVertices;
-                _hasTriangles ||= part.geometry.numTriangles > 0;
+                most += part.numVertices;
+                _hasTriangles ||= part.numTriangles > 0;
             }
             _points = new PointTable(most);
+            vertices = _points.coordinates;
         }
 
         private function addSource(source:Object):void
         {
             if (source is ObjectContainer3D)
             {
-                addTree(ObjectContainer3D(source), new NodeTransform());
+                addTree(ObjectContainer3D(source), SWAP);
             }
             else if (source is Geometry)
             {
-                addGeometry(Geometry(source), new NodeTransform());
+                addGeometry(Geometry(source), SWAP);
             }
             else if (source is ISubGeometry)
             {
-                _parts.push(new GeometryPart(ISubGeometry(source), new NodeTransform()));
+                addPart(ISubGeometry(source), SWAP);
             }
             else if (source is Array || source is Vector.<*>)
             {
@@ -95,12 +91,12 @@ package starlogo.away3d
             }
             else
             {
-                throw error("expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
+                throw new ModelError(name, "", "expected an ObjectContainer3D, a Geometry, an ISubGeometry or a list of them, not "
                         + (source == null ? "null" : getQualifiedClassName(source).replace("::", ".")));
             }
         }
 
-        private function addTree(node:ObjectContainer3D, place:NodeTransform):void
+        private function addTree(node:ObjectContainer3D, place:AffineTransform):void
         {
             if (node is Mesh)
             {
@@ -109,16 +105,22 @@ package starlogo.away3d
             for (var i:int = 0; i < node.numChildren; i++)
             {
                 var child:ObjectContainer3D = node.getChildAt(i);
-                addTree(child, place.ofChild(child));
+                addTree(child, place.after(NodeTransform.of(child)));
             }
         }
 
-        private function addGeometry(geometry:Geometry, place:NodeTransform):void
+        private function addGeometry(geometry:Geometry, place:AffineTransform):void
         {
             for each (var part:ISubGeometry in geometry == null ? null : geometry.subGeometries)
             {
-                _parts.push(new GeometryPart(part, place));
+                addPart(part, place);
             }
+        }
+
+        private function addPart(part:ISubGeometry, place:AffineTransform):void
+        {
+            _parts.push(part);
+            _places.push(place);
         }
 
         /** A step through the parts; whether there is more of them. */
@@ -128,24 +130,27 @@ package starlogo.away3d
             {
                 return false;
             }
-            var part:GeometryPart = _parts[_part];
-            if (_data == null)
+            if (_geometry == null)
             {
-                open(part.geometry);
+                _geometry = _parts[_part];
+                open(_geometry);
             }
-            var end:int = Math.min(_next + INDICES_PER_STEP, itemCount());
+            var end:int = Math.min(_next + INDICES_PER_STEP, itemCount);
             if (_hasTriangles)
             {
-                readTriangles(part, end);
+                readTriangles(end);
             }
             else
             {
-                readPoints(part, end);
+                for (var i:int = _next; i < end; i++)
+                {
+                    pointOf(i);
+                }
             }
             _next = end;
-            if (_next == itemCount())
+            if (_next == itemCount)
             {
-                _data = null;
+                _geometry = null;
                 _next = 0;
                 _part++;
             }
@@ -157,14 +162,10 @@ package starlogo.away3d
             var count:int = geometry.numVertices;
             _data = geometry.vertexData || new Vector.<Number>();
             _indices = geometry.indexData || new Vector.<uint>();
-            if (count > 0 && geometry.vertexOffset + (count - 1) * geometry.vertexStride + 3 > _data.length)
-            {
-                throw error("a sub-geometry has " + count + " vertices, but only " + _data.length + " numbers for them");
-            }
-            if (_indices.length < 3 * geometry.numTriangles)
-            {
-                throw error("a sub-geometry has " + geometry.numTriangles + " triangles, but only " + _indices.length + " indices");
-            }
+            refuseIf(count > 0 && geometry.vertexOffset + (count - 1) * geometry.vertexStride + 3 > _data.length, name,
+                    "a sub-geometry has " + count + " vertices, but only " + _data.length + " numbers for them");
+            refuseIf(_indices.length < 3 * geometry.numTriangles, name,
+                    "a sub-geometry has " + geometry.numTriangles + " triangles, but only " + _indices.length + " indices");
             _pointOf = new Vector.<int>(count);
             for (var i:int = 0; i < count; i++)
             {
@@ -173,56 +174,43 @@ package starlogo.away3d
         }
 
         // With triangles, what they do not use is not drawn; without any, all vertices count.
-        private function itemCount():int
+        private function get itemCount():int
         {
-            var geometry:ISubGeometry = _parts[_part].geometry;
-            return _hasTriangles ? 3 * geometry.numTriangles : geometry.numVertices;
+            return _hasTriangles ? 3 * _geometry.numTriangles : _geometry.numVertices;
         }
 
-        // The swap of y and z is a mirror, so that each triangle is turned over; under a mirror in the tree it already is.
-        private function readTriangles(part:GeometryPart, end:int):void
+        private function readTriangles(end:int):void
         {
-            var isMirrored:Boolean = part.place.isMirrored;
+            var isMirror:Boolean = _places[_part].isMirror;
             var count:uint = _pointOf.length;
             for (var i:int = _next; i < end; i += 3)
             {
                 var a:uint = _indices[i];
-                var b:uint = _indices[i + (isMirrored ? 1 : 2)];
-                var c:uint = _indices[i + (isMirrored ? 2 : 1)];
+                var b:uint = _indices[i + (isMirror ? 2 : 1)];
+                var c:uint = _indices[i + (isMirror ? 1 : 2)];
                 if (Math.max(a, b, c) >= count)
                 {
-                    throw error("triangle " + i / 3 + " of a sub-geometry names vertex " + Math.max(a, b, c) + ", the last one is "
+                    throw new ModelError(name, "", "triangle " + i / 3 + " of a sub-geometry names vertex " + Math.max(a, b, c) + ", the last one is "
                             + (count - 1));
                 }
-                _triangles.push(pointOf(part, a), pointOf(part, b), pointOf(part, c));
+                triangles.push(pointOf(a), pointOf(b), pointOf(c));
             }
         }
 
-        private function readPoints(part:GeometryPart, end:int):void
-        {
-            for (var i:int = _next; i < end; i++)
-            {
-                pointOf(part, i);
-            }
-        }
-
-        private function pointOf(part:GeometryPart, vertex:int):int
+        private function pointOf(vertex:int):int
         {
             if (_pointOf[vertex] < 0)
             {
-                var at:int = part.geometry.vertexOffset + vertex * part.geometry.vertexStride;
-                var x:Number = _data[at];
-                var y:Number = _data[at + 1];
-                var z:Number = _data[at + 2];
-                var place:NodeTransform = part.place;
-                _pointOf[vertex] = _points.indexOf(place.coordinate(0, x, y, z), place.coordinate(2, x, y, z), place.coordinate(1, x, y, z));
+                var at:int = _geometry.vertexOffset + vertex * _geometry.vertexStride;
+                var point:Vector.<Number> = _point;
+                for (var i:int = 0; i < 3; i++)
+                {
+                    point[i] = _data[at + i];
+                }
+                _places[_part].place(point, 0, 1, point, 0);
+                _pointOf[vertex] = _points.indexOf(point[0], point[1], point[2]);
             }
             return _pointOf[vertex];
-        }
-
-        private function error(problem:String):ModelError
-        {
-            return new ModelError(_name || "", "", problem);
         }
     }
 }

@@ -1,5 +1,7 @@
 package starlogo.models
 {
+    import starlogo.geometry.Placement;
+
     /**
      * Where a node of a scene is: x' = m00 x + m01 y + m02 z + m03 and so on, in doubles on every player.
      *
@@ -7,21 +9,31 @@ package starlogo.models
      */
     public final class AffineTransform
     {
-        private var _m:Vector.<Number>;
+        /** Three rows of four numbers, the last of each the translation. */
+        public var rows:Vector.<Number>;
 
         /**
          * @param rows three rows of four numbers, the last of each the translation; null for no change
          */
         public function AffineTransform(rows:Vector.<Number> = null)
         {
-            _m = rows == null ? new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : rows;
+            this.rows = rows == null ? new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0] : rows;
+        }
+
+        /** A scale, after it a turn, after it a translation. @param turn its rotation */
+        public static function of(turn:Placement, scaleX:Number = 1, scaleY:Number = 1, scaleZ:Number = 1, x:Number = 0, y:Number = 0, z:Number = 0):AffineTransform
+        {
+            return new AffineTransform(new <Number>[
+                        turn.r00 * scaleX, turn.r01 * scaleY, turn.r02 * scaleZ, x,
+                        turn.r10 * scaleX, turn.r11 * scaleY, turn.r12 * scaleZ, y,
+                        turn.r20 * scaleX, turn.r21 * scaleY, turn.r22 * scaleZ, z]);
         }
 
         /** First another transform, then this one. */
         public function after(first:AffineTransform):AffineTransform
         {
-            var a:Vector.<Number> = _m;
-            var b:Vector.<Number> = first._m;
+            var a:Vector.<Number> = rows;
+            var b:Vector.<Number> = first.rows;
             var product:Vector.<Number> = new Vector.<Number>(12);
             for (var row:int = 0; row < 12; row += 4)
             {
@@ -37,8 +49,8 @@ package starlogo.models
         /** Whether it turns left turns into right ones. */
         public function get isMirror():Boolean
         {
-            return _m[0] * (_m[5] * _m[10] - _m[6] * _m[9]) - _m[1] * (_m[4] * _m[10] - _m[6] * _m[8]) +
-                _m[2] * (_m[4] * _m[9] - _m[5] * _m[8]) < 0;
+            var m:Vector.<Number> = rows;
+            return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]) < 0;
         }
 
         /**
@@ -47,24 +59,25 @@ package starlogo.models
          * @param points x, y, z each
          * @param first the first of them
          * @param end the one behind the last
-         * @param out where they go; long enough
+         * @param out where they go; long enough; may be the same points
          * @param to where in it the first one goes
          * @return whether all their coordinates are finite
          */
         public function place(points:Vector.<Number>, first:int, end:int, out:Vector.<Number>, to:int):Boolean
         {
-            var m00:Number = _m[0];
-            var m01:Number = _m[1];
-            var m02:Number = _m[2];
-            var m03:Number = _m[3];
-            var m10:Number = _m[4];
-            var m11:Number = _m[5];
-            var m12:Number = _m[6];
-            var m13:Number = _m[7];
-            var m20:Number = _m[8];
-            var m21:Number = _m[9];
-            var m22:Number = _m[10];
-            var m23:Number = _m[11];
+            var m:Vector.<Number> = rows;
+            var m00:Number = m[0];
+            var m01:Number = m[1];
+            var m02:Number = m[2];
+            var m03:Number = m[3];
+            var m10:Number = m[4];
+            var m11:Number = m[5];
+            var m12:Number = m[6];
+            var m13:Number = m[7];
+            var m20:Number = m[8];
+            var m21:Number = m[9];
+            var m22:Number = m[10];
+            var m23:Number = m[11];
             var at:int = 3 * to;
             var differences:Number = 0;
             var last:int = 3 * end;

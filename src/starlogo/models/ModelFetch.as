@@ -13,6 +13,8 @@ package starlogo.models
     /** A model's file that is being fetched. */
     internal final class ModelFetch
     {
+        private static const EVENTS:Array = [Event.COMPLETE, ProgressEvent.PROGRESS, IOErrorEvent.IO_ERROR, SecurityErrorEvent.SECURITY_ERROR];
+
         /** Whether the file is still being fetched: neither complete, nor failed, nor cancelled. */
         public var isUnderWay:Boolean = true;
 
@@ -37,10 +39,10 @@ package starlogo.models
         {
             _loader = loader;
             _loader.dataFormat = URLLoaderDataFormat.BINARY;
-            _loader.addEventListener(Event.COMPLETE, onComplete);
-            _loader.addEventListener(ProgressEvent.PROGRESS, onProgress);
-            _loader.addEventListener(IOErrorEvent.IO_ERROR, onError);
-            _loader.addEventListener(SecurityErrorEvent.SECURITY_ERROR, onError);
+            for each (var type:String in EVENTS)
+            {
+                _loader.addEventListener(type, onEvent);
+            }
             try
             {
                 _loader.load(new URLRequest(url));
@@ -61,21 +63,23 @@ package starlogo.models
             }
         }
 
-        private function onProgress(event:ProgressEvent):void
+        private function onEvent(event:Event):void
         {
-            progress = event.bytesTotal > 0 ? Math.min(1, event.bytesLoaded / event.bytesTotal) : 0;
-        }
-
-        private function onComplete(event:Event):void
-        {
-            bytes = _loader.data;
-            progress = 1;
-            end();
-        }
-
-        private function onError(event:ErrorEvent):void
-        {
-            fail(event.text);
+            var passing:ProgressEvent = event as ProgressEvent;
+            if (passing != null)
+            {
+                progress = passing.bytesTotal > 0 ? Math.min(1, passing.bytesLoaded / passing.bytesTotal) : 0;
+            }
+            else if (event is ErrorEvent)
+            {
+                fail(ErrorEvent(event).text);
+            }
+            else
+            {
+                bytes = _loader.data;
+                progress = 1;
+                end();
+            }
         }
 
         private function fail(reason:String):void
@@ -88,10 +92,10 @@ package starlogo.models
         private function end():void
         {
             isUnderWay = false;
-            _loader.removeEventListener(Event.COMPLETE, onComplete);
-            _loader.removeEventListener(ProgressEvent.PROGRESS, onProgress);
-            _loader.removeEventListener(IOErrorEvent.IO_ERROR, onError);
-            _loader.removeEventListener(SecurityErrorEvent.SECURITY_ERROR, onError);
+            for each (var type:String in EVENTS)
+            {
+                _loader.removeEventListener(type, onEvent);
+            }
         }
     }
 }

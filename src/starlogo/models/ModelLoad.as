@@ -40,8 +40,12 @@ package starlogo.models
         private var _scaling:String;
         private var _receiver:ModelReceiver;
         private var _url:String = null;
+
+        // the file, that of its transform, and all that may be under way: in the end those of the buffers
         private var _fetch:ModelFetch = null;
-        private var _transformFetch:ModelFetch = null;
+        private var _transform:ModelFetch = null;
+        private var _fetches:Vector.<ModelFetch> = new Vector.<ModelFetch>();
+
         private var _manifest:ModelManifest = null;
         private var _usesTransforms:Boolean = false;
         private var _cooked:CookedLoad = null;
@@ -49,7 +53,6 @@ package starlogo.models
         private var _document:ArchivedDocument = null;
         private var _newLoader:Function;
         private var _gltf:GltfFile = null;
-        private var _bufferFetches:Vector.<ModelFetch> = new Vector.<ModelFetch>();
         private var _text:String = null;
         private var _format:String = null;
         private var _reader:ModelReader = null;
@@ -75,8 +78,7 @@ package starlogo.models
         /** Whether the file that is needed next is fetched, or cannot be. */
         public function get isReady():Boolean
         {
-            return !isUnderWay(_fetch) && !isUnderWay(_transformFetch) && !_bufferFetches.some(isBufferUnderWay)
-                && (_manifest == null || !_manifest.isUnderWay);
+            return !_fetches.some(isUnderWay) && (_manifest == null || !_manifest.isUnderWay);
         }
 
         /** How far along it is, from 0 to 1. */
@@ -136,20 +138,24 @@ package starlogo.models
         /** Stops fetching. */
         public function cancel():void
         {
-            for each (var each:ModelFetch in _bufferFetches.concat(new <ModelFetch>[_fetch, _transformFetch]))
+            for each (var each:ModelFetch in _fetches)
             {
-                if (each != null)
-                {
-                    each.cancel();
-                }
+                each.cancel();
             }
+        }
+
+        private function fetching(url:String):ModelFetch
+        {
+            var added:ModelFetch = new ModelFetch(url, _newLoader());
+            _fetches.push(added);
+            return added;
         }
 
         private function askManifest():void
         {
             var address:String = _manifest.addressFor(_url);
             _manifest = null;
-            _fetch = address == null ? null : new ModelFetch(address, _newLoader());
+            _fetch = address == null ? null : fetching(address);
         }
 
         private function tryingCooked():Steps
@@ -180,11 +186,11 @@ package starlogo.models
 
         private function fetchSource():void
         {
-            _fetch = _url == "" ? null : new ModelFetch(_url, _newLoader());
+            _fetch = _url == "" ? null : fetching(_url);
             if (_usesTransforms && FILE.test(_url))
             {
                 var path:String = _url.replace(FILE, "$1").replace(EXTENSION, "");
-                _transformFetch = new ModelFetch(path + ".slb" + _url.replace(FILE, "$2"), _newLoader());
+                _transform = fetching(path + ".slb" + _url.replace(FILE, "$2"));
             }
             call(checkFetched);
             setFile(null, null);
@@ -193,18 +199,10 @@ package starlogo.models
         private function checkFetched():void
         {
             var problem:String = _fetch == null ? "there is no address to fetch its file from" : _fetch.problem;
-            if (problem != null)
-            {
-                throw new ModelError(name, "", problem);
-            }
+            refuseIf(problem != null, name, problem);
             _bytes = _fetch.bytes;
-            takeTransform();
-        }
-
-        // A file that is not there, or says nothing, leaves the axis that was asked for.
-        private function takeTransform():void
-        {
-            var bytes:ByteArray = _transformFetch == null ? null : _transformFetch.bytes;
+            // a transform file that is not there, or says nothing, leaves the axis that was asked for
+            var bytes:ByteArray = _transform == null ? null : _transform.bytes;
             if (bytes != null)
             {
                 bytes.position = 0;
@@ -215,23 +213,19 @@ package starlogo.models
 
         private function unpacking():Steps
         {
-            if (_bytes == null)
-            {
-                _text = _text == null ? ModelFile.text(name, _bytes) : _text;
-            }
-            else if (CookedFile.isCooked(_bytes))
+            if (_bytes != null && CookedFile.isCooked(_bytes))
             {
                 _cooked = new CookedLoad(name, _bytes);
                 return _cooked;
             }
-            else if (ZipArchive.isArchive(_bytes))
+            if (_bytes != null && ZipArchive.isArchive(_bytes))
             {
                 _document = new ArchivedDocument(name, _bytes);
                 _bytes = null;
             }
-            else if (!GltfFile.isBinary(_bytes) && !StlReader.isBinary(_bytes))
+            else if (_bytes == null || !GltfFile.isBinary(_bytes) && !StlReader.isBinary(_bytes))
             {
-                _text = ModelFile.text(name, _bytes);
+                _text = _text == null ? ModelFile.text(name, _bytes) : _text;
                 _bytes = null;
             }
             return _document;
@@ -260,13 +254,14 @@ package starlogo.models
         private function fetchBuffers():void
         {
             var folder:String = /^[^?#]*\//.test(_url || "") ? _url.match(/^[^?#]*\//)[0] : "";
+            _fetches.length = 0;
             for each (var uri:String in _gltf == null ? null : _gltf.missing)
             {
                 if (_url == null || !FILE.test(_url))
                 {
                     _gltf.setBuffer(uri, null, "it is beside the file, whose address is not known: load() fetches it");
                 }
-                _bufferFetches.push(new ModelFetch(folder + uri, _newLoader()));
+                fetching(folder + uri);
             }
         }
 
@@ -284,9 +279,9 @@ package starlogo.models
             switch (_format)
             {
                 case ModelFormat.GLTF:
-                    for (var i:int = 0; i < _bufferFetches.length; i++)
+                    for (var i:int = 0; i < _fetches.length; i++)
                     {
-                        _gltf.setBuffer(_gltf.missing[i], _bufferFetches[i].bytes, _bufferFetches[i].problem);
+                        _gltf.setBuffer(_gltf.missing[i], _fetches[i].bytes, _fetches[i].problem);
                     }
                     return new GltfReader(name, _gltf, _upAxis as ModelTransform);
                 case ModelFormat.STL:
@@ -310,7 +305,7 @@ package starlogo.models
             _shape = null;
             _reader = null;
             _gltf = null;
-            _bufferFetches.length = 0;
+            _fetches.length = 0;
         }
 
         private function keepModel():void
@@ -324,12 +319,7 @@ package starlogo.models
             return _receiver.receive(model);
         }
 
-        private static function isUnderWay(fetch:ModelFetch):Boolean
-        {
-            return fetch != null && fetch.isUnderWay;
-        }
-
-        private static function isBufferUnderWay(fetch:ModelFetch, index:int, all:Vector.<ModelFetch>):Boolean
+        private static function isUnderWay(fetch:ModelFetch, index:int, all:Vector.<ModelFetch>):Boolean
         {
             return fetch.isUnderWay;
         }

@@ -1,6 +1,7 @@
 package starlogo.models
 {
     import starlogo.steps.StepSequence;
+    import starlogo.steps.Steps;
     import starlogo.steps.finish;
 
     /**
@@ -10,6 +11,8 @@ package starlogo.models
      */
     public class ModelReader extends StepSequence
     {
+        private static const VERTICES_PER_STEP:int = 4000;
+
         /** When all is read: x, y, z, ... as placed in the file, turned to z up. */
         public var vertices:Vector.<Number> = new Vector.<Number>();
 
@@ -19,12 +22,20 @@ package starlogo.models
         /** The model's name. */
         public var name:String;
 
+        /** Points without a surface. They are the model's vertices if there are no others. */
+        protected var loosePoints:Vector.<Number> = new Vector.<Number>();
+
+        /** The axis that points up in the file; null if the file says it. */
+        protected var upAxis:String;
+
         /**
          * @param name the model's name
+         * @param upAxis the axis that points up in the file; null if the file says it
          */
-        public function ModelReader(name:String)
+        public function ModelReader(name:String, upAxis:String = null)
         {
             this.name = name;
+            this.upAxis = upAxis;
         }
 
         /** Does all steps; what is read, turned and scaled. */
@@ -40,6 +51,23 @@ package starlogo.models
         public function get progress():Number
         {
             return 0;
+        }
+
+        /** Takes the loose points if there are no vertices. @param expected what the file has to have, for the error if there are none either */
+        protected final function takeVertices(expected:String):void
+        {
+            vertices = vertices.length == 0 ? loosePoints : vertices;
+            refuseIf(vertices.length == 0, name, "no vertices: expected " + expected);
+        }
+
+        /** The work that turns the vertices to z up. */
+        protected final function turningUp():Steps
+        {
+            var turn:AffineTransform = UpAxis.transform(upAxis);
+            return new StepSequence().slices(upAxis == UpAxis.Z ? 0 : vertices.length / 3, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    turn.place(vertices, first, end, vertices, first);
+                });
         }
     }
 }

@@ -114,17 +114,13 @@ package starlogo.models
         /**
          * The rotation as a matrix.
          *
-         * @return nine numbers, row by row
-         *
          * @private
          */
-        internal function rotationRows():Vector.<Number>
+        internal function rotationMatrix():AffineTransform
         {
-            var rows:Vector.<Number> = new Vector.<Number>(9);
             var turned:Placement = new Placement();
             turned.setRotation(_rotation.z, _rotation.y, _rotation.x);
-            turned.writeRotation(rows, 0);
-            return rows;
+            return AffineTransform.of(turned);
         }
 
         private static function isFinitePoint(point:Vector3D):Boolean

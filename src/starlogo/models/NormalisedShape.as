@@ -36,9 +36,6 @@ package starlogo.models
         private var _translation:Vector3D;
         private var _bounds:VertexBounds;
 
-        // what turn() multiplies by
-        private var _rows:Vector.<Number>;
-
         // what place() takes off, what it adds, and what it divides by
         private var _low:Vector3D = new Vector3D();
         private var _half:Vector3D = new Vector3D();
@@ -74,7 +71,7 @@ package starlogo.models
                     turnAll().scaleAll().call(findFootprint).slices(_count, VERTICES_PER_STEP, place);
                     break;
                 case Model.VOLUME:
-                    centreAll().turnAll().centreAll().scaleAll().call(findGround).slices(_count, VERTICES_PER_STEP, place);
+                    centreAll().turnAll().centreAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
                     break;
                 case Model.AS_GIVEN:
                     turnAll().scaleAll().call(findTranslation).slices(_count, VERTICES_PER_STEP, place);
@@ -100,7 +97,7 @@ package starlogo.models
 
         private function measureAll():NormalisedShape
         {
-            call(forget).slices(_count, VERTICES_PER_STEP, measure);
+            slices(_count, VERTICES_PER_STEP, measure);
             return this;
         }
 
@@ -112,63 +109,34 @@ package starlogo.models
 
         private function turnAll():NormalisedShape
         {
-            if (_transform != null && _transform.rotation.lengthSquared > 0)
-            {
-                call(findRotation).slices(_count, VERTICES_PER_STEP, turn);
-                measureAll();
-            }
-            return this;
+            return _transform == null || _transform.rotation.lengthSquared == 0 ? this : turnBy(_transform.rotationMatrix(), 1);
         }
 
         private function scaleAll():NormalisedShape
         {
-            if (_factors.x != 1 || _factors.y != 1 || _factors.z != 1)
-            {
-                call(findScale).slices(_count, VERTICES_PER_STEP, turn);
-                measureAll();
-            }
-            return this;
+            var f:Vector3D = _factors;
+            return f.x == 1 && f.y == 1 && f.z == 1 ? this : turnBy(new AffineTransform(new <Number>[f.x, 0, 0, 0, 0, f.y, 0, 0, 0, 0, f.z, 0]),
+                    cubeRoot(Math.abs(f.x)) * cubeRoot(Math.abs(f.y)) * cubeRoot(Math.abs(f.z)));
         }
 
-        private function forget():void
+        // Also scales; the factor says how much larger that makes the model.
+        private function turnBy(turn:AffineTransform, factor:Number):NormalisedShape
         {
-            _bounds = new VertexBounds();
+            call(function():void
+                {
+                    frame.turn(turn, factor);
+                }).slices(_count, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    turn.place(vertices, first, end, vertices, first);
+                });
+            return measureAll();
         }
 
         private function measure(first:int, end:int):void
         {
+            _bounds = first == 0 ? new VertexBounds() : _bounds;
             _bounds.add(vertices, first, end);
             check(_bounds.areFinite ? null : VertexData.vertexProblem(vertices));
-        }
-
-        private function findRotation():void
-        {
-            _rows = _transform.rotationRows();
-            frame.turn(_rows);
-        }
-
-        private function findScale():void
-        {
-            _rows = new <Number>[_factors.x, 0, 0, 0, _factors.y, 0, 0, 0, _factors.z];
-            frame.scale(_factors);
-        }
-
-        private function turn(first:int, end:int):void
-        {
-            var turned:Vector.<Number> = vertices;
-            var rows:Vector.<Number> = _rows;
-            var last:int = 3 * end;
-            for (var i:int = 3 * first; i < last; i += 3)
-            {
-                var j:int = i + 1;
-                var k:int = i + 2;
-                var x:Number = turned[i];
-                var y:Number = turned[j];
-                var z:Number = turned[k];
-                turned[i] = rows[0] * x + rows[1] * y + rows[2] * z;
-                turned[j] = rows[3] * x + rows[4] * y + rows[5] * z;
-                turned[k] = rows[6] * x + rows[7] * y + rows[8] * z;
-            }
         }
 
         private function findFootprint():void
@@ -193,14 +161,10 @@ package starlogo.models
                     rootOf(extentZ));
         }
 
-        private function findGround():void
-        {
-            setPlace(0, 0, _bounds.minZ, -_translation.x, -_translation.y, -_translation.z, 1);
-        }
-
+        // A volume stands on the ground.
         private function findTranslation():void
         {
-            setPlace(0, 0, 0, -_translation.x, -_translation.y, -_translation.z, 1);
+            setPlace(0, 0, frame.scaling == Model.VOLUME ? _bounds.minZ : 0, -_translation.x, -_translation.y, -_translation.z, 1);
         }
 
         private function setPlace(lowX:Number, lowY:Number, lowZ:Number, halfX:Number, halfY:Number, halfZ:Number, divisor:Number):void

@@ -5,7 +5,6 @@ package starlogo.models
     import flash.utils.ByteArray;
     import starlogo.engine;
     import starlogo.geometry.VertexData;
-    import starlogo.geometry.cubeRoot;
 
     use namespace engine;
 
@@ -30,7 +29,7 @@ package starlogo.models
          */
         engine var transform:ModelTransform = null;
 
-        // Nine row by row, x, y and z: a point p of the source is at rows * (p - (x, y, z)) in the model. And the unit.
+        // A matrix, column by column, and x, y and z: a point p of the source is at matrix * (p - (x, y, z)) in the model. And the unit.
         private var _numbers:Vector.<Number> = new <Number>[1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
 
         /** The frame of a model that is its source, unchanged. Frames come from <code>Model.source</code>. */
@@ -53,15 +52,11 @@ package starlogo.models
         /** The matrix that takes points of the source to where the model has them. */
         public function get matrix():Matrix3D
         {
-            var rows:Vector.<Number> = _numbers;
-            var columns:Vector.<Number> = new Vector.<Number>();
-            for (var i:int = 0; i < 3; i++)
+            var n:Vector.<Number> = _numbers;
+            var columns:Vector.<Number> = new <Number>[n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, n[6], n[7], n[8], 0];
+            for (var row:int = 0; row < 3; row++)
             {
-                columns.push(rows[i], rows[i + 3], rows[i + 6], 0);
-            }
-            for (i = 0; i < 9; i += 3)
-            {
-                columns.push(-rows[i] * rows[9] - rows[i + 1] * rows[10] - rows[i + 2] * rows[11]);
+                columns.push(-n[row] * n[9] - n[row + 3] * n[10] - n[row + 6] * n[11]);
             }
             columns.push(1);
             return new Matrix3D(columns);
@@ -74,24 +69,17 @@ package starlogo.models
          */
         engine function pointsOf(points:Vector.<Number>):Vector.<Number>
         {
-            var all:Vector.<Number> = new Vector.<Number>();
-            var rows:Vector.<Number> = _numbers;
-            var inverse:Vector.<Number> = new Vector.<Number>(9);
-            for (var i:int = 0; i < 9; i++)
+            var back:Vector.<Number> = new Vector.<Number>();
+            for (var k:int = 0; k < 3; k++)
             {
-                var row:int = i - i % 3;
-                inverse[i] = rows[i] / (rows[row] * rows[row] + rows[row + 1] * rows[row + 1] + rows[row + 2] * rows[row + 2]);
-            }
-            for (i = 0; i < points.length; i += 3)
-            {
-                var x:Number = points[i];
-                var y:Number = points[i + 1];
-                var z:Number = points[i + 2];
-                for (var k:int = 0; k < 3; k++)
+                for (var row:int = 0; row < 3; row++)
                 {
-                    all.push(rows[9 + k] + inverse[k] * x + inverse[k + 3] * y + inverse[k + 6] * z);
+                    back.push(_numbers[3 * k + row] / squareOf(row));
                 }
+                back.push(_numbers[9 + k]);
             }
+            var all:Vector.<Number> = new Vector.<Number>(points.length);
+            new AffineTransform(back).place(points, 0, points.length / 3, all, 0);
             return all;
         }
 
@@ -112,9 +100,9 @@ package starlogo.models
          */
         engine function writeTo(bytes:ByteArray):void
         {
-            for each (var number:Number in _numbers)
+            for (var i:int = 0; i < 13; i++)
             {
-                bytes.writeDouble(number);
+                bytes.writeDouble(_numbers[written(i)]);
             }
         }
 
@@ -133,8 +121,9 @@ package starlogo.models
             var sum:Number = 0;
             for (var i:int = 0; i < 13; i++)
             {
-                frame._numbers[i] = bytes.readDouble();
-                sum += frame._numbers[i] - frame._numbers[i];
+                var number:Number = bytes.readDouble();
+                frame._numbers[written(i)] = number;
+                sum += number - number;
             }
             frame.scaling = scaling;
             return sum == 0 && frame.unit > 0 ? frame : null;
@@ -148,52 +137,42 @@ package starlogo.models
         internal function place(x:Number, y:Number, z:Number, divisor:Number):void
         {
             // the inverse of a turn with factors along the axes that it ends in
-            for (var row:int = 0; row < 9; row += 3)
+            for (var row:int = 0; row < 3; row++)
             {
-                var rowX:Number = _numbers[row];
-                var rowY:Number = _numbers[row + 1];
-                var rowZ:Number = _numbers[row + 2];
-                var along:Number = row == 0 ? x : (row == 3 ? y : z);
-                var share:Number = along / (rowX * rowX + rowY * rowY + rowZ * rowZ);
+                var share:Number = (row == 0 ? x : (row == 1 ? y : z)) / squareOf(row);
                 for (var k:int = 0; k < 3; k++)
                 {
-                    _numbers[9 + k] += _numbers[row + k] * share;
-                    _numbers[row + k] /= divisor;
+                    _numbers[9 + k] += _numbers[3 * k + row] * share;
+                    _numbers[3 * k + row] /= divisor;
                 }
             }
             _numbers[12] *= divisor;
         }
 
         /**
-         * Takes in a turn, about the origin, of what has no uneven scale yet.
+         * Takes in a turn about the origin, or factors along the axes. A turn comes first, before any uneven scale.
+         *
+         * @param by what turns or scales the model
+         * @param factor how much larger that makes it
          *
          * @private
          */
-        internal function turn(rows:Vector.<Number>):void
+        internal function turn(by:AffineTransform, factor:Number = 1):void
         {
-            var before:Vector.<Number> = _numbers.slice();
-            for (var i:int = 0; i < 9; i++)
-            {
-                var row:int = i - i % 3;
-                var column:int = i % 3;
-                _numbers[i] = rows[row] * before[column] + rows[row + 1] * before[column + 3] + rows[row + 2] * before[column + 6];
-            }
+            by.place(_numbers, 0, 3, _numbers, 0);
+            _numbers[12] /= factor;
         }
 
-        /**
-         * Takes in factors along the axes.
-         *
-         * @private
-         */
-        internal function scale(factors:Vector3D):void
+        // Of a row of the matrix, the square of its length.
+        private function squareOf(row:int):Number
         {
-            for (var i:int = 0; i < 3; i++)
-            {
-                _numbers[i] *= factors.x;
-                _numbers[i + 3] *= factors.y;
-                _numbers[i + 6] *= factors.z;
-            }
-            _numbers[12] /= cubeRoot(Math.abs(factors.x)) * cubeRoot(Math.abs(factors.y)) * cubeRoot(Math.abs(factors.z));
+            return _numbers[row] * _numbers[row] + _numbers[row + 3] * _numbers[row + 3] + _numbers[row + 6] * _numbers[row + 6];
+        }
+
+        // A file has the matrix row by row.
+        private static function written(i:int):int
+        {
+            return i < 9 ? i % 3 * 3 + i / 3 : i;
         }
     }
 }

@@ -46,7 +46,7 @@ package starlogo.models
             if (_isUsed.indexOf(0) >= 0)
             {
                 _newIndices = new Vector.<uint>(_isUsed.length);
-                slices(_isUsed.length, VERTICES_PER_STEP, moveVertices).call(cutOff).slices(_triangles.length, CORNERS_PER_STEP, renumber);
+                slices(_isUsed.length, VERTICES_PER_STEP, moveVertices).slices(_triangles.length, CORNERS_PER_STEP, renumber);
             }
         }
 
@@ -67,14 +67,10 @@ package starlogo.models
             }
         }
 
-        private function cutOff():void
-        {
-            _vertices.length = 3 * _count;
-        }
-
         private function renumber(first:int, end:int):void
         {
             var triangles:Vector.<uint> = _triangles;
+            _vertices.length = 3 * _count;
             for (var i:int = first; i < end; i++)
             {
                 triangles[i] = _newIndices[triangles[i]];

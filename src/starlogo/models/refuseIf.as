@@ -6,16 +6,16 @@ package starlogo.models
      * @param isWrong whether it is
      * @param name the model's name
      * @param problem what is wrong
-     * @param place where, as ModelError has it
+     * @param place where, as ModelError has it, or what is there
      * @throws ModelError if it is wrong
      *
      * @private
      */
-    public function refuseIf(isWrong:Boolean, name:String, problem:String, place:String = ""):void
+    public function refuseIf(isWrong:Boolean, name:String, problem:String, place:Object = ""):void
     {
         if (isWrong)
         {
-            throw new ModelError(name, place, problem);
+            throw new ModelError(name, String(place), problem);
         }
     }
 }

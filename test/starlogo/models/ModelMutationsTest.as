@@ -73,7 +73,7 @@ package starlogo.models
         [Test]
         public function archives():void
         {
-            mutate("archive", 2500, 301, archiveOf);
+            mutate("archive", Effort.choose(2500, 10000), 301, archiveOf);
         }
 
         [Test]

@@ -3,7 +3,7 @@ package starlogo.models.collada
     import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.polygons.WorkLimit;
+    import starlogo.models.refuseIf;
 
     /** A COLLADA document: its elements found by id, their numbers read, and their places named in errors. */
     internal final class ColladaDocument
@@ -13,31 +13,38 @@ package starlogo.models.collada
         /** The element COLLADA. */
         public var root:ColladaElement;
 
-        /** How much may be spent on cutting all the document's polygons. */
-        public var triangulation:WorkLimit = new WorkLimit(Triangulator.MAX_WORK);
+        /** Cuts all the document's polygons. */
+        public var triangulator:Triangulator = new Triangulator();
+
+        /** The model's name. */
+        public var modelName:String;
 
         private var _pointsRead:int = 0;
-        private var _name:String;
-        private var _elementsById:Object = null;
+        private var _elementsById:Object = {};
 
         /**
-         * @param name the model's name
-         * @param source the document's text
+         * @param modelName the model's name
+         * @param xml has read the document's text
          * @throws ModelError if it is no COLLADA document
          */
-        public function ColladaDocument(name:String, source:String)
+        public function ColladaDocument(modelName:String, xml:XmlReader)
         {
-            _name = name;
-            refuseIf(source == null, null, "there is no text to read");
-            root = parse(source);
-            refuseIf(root.name != "COLLADA", null, "expected a COLLADA document, but its root element is <" + root.name + ">");
+            this.modelName = modelName;
+            root = xml.root;
+            refuseIf(root == null, modelName, "this is not XML: expected a COLLADA document");
+            refuseIf(root.name != "COLLADA", modelName, "expected a COLLADA document, but its root element is <" + root.name + ">");
+            for each (var element:ColladaElement in xml.identified)
+            {
+                var key:String = element.name + "#" + element.id; // never the name of a property that each Object has
+                _elementsById[key] = _elementsById[key] || element;
+            }
         }
 
         /** The first element of a name within an element, which has to be there. */
         public function requiredChild(element:ColladaElement, name:String):ColladaElement
         {
             var found:ColladaElement = element.child(name);
-            refuseIf(found == null, element, "expected a <" + name + "> in it");
+            refuseIf(found == null, modelName, "expected a <" + name + "> in it", element);
             return found;
         }
 
@@ -65,22 +72,18 @@ package starlogo.models.collada
         public function target(element:ColladaElement, attribute:String, names:Array, scope:ColladaElement = null):ColladaElement
         {
             var url:String = element.attribute(attribute);
-            if (url.charAt(0) != "#")
-            {
-                throw error(element, "expected a " + attribute +
-                        " like \"#id\", of an element in this file, but found \"" +
-                        TextTokens.shorten(url) + "\"");
-            }
+            refuseIf(url.charAt(0) != "#", modelName, "expected a " + attribute + " like \"#id\", of an element in this file, but found \"" +
+                    TextTokens.shorten(url) + "\"", element);
             var id:String = url.substr(1);
             for each (var name:String in names)
             {
-                var found:ColladaElement = (scope == null ? null : childWithId(scope, name, id)) || elementWithId(name, id);
+                var found:ColladaElement = (scope == null ? null : childWithId(scope, name, id)) || _elementsById[name + url];
                 if (found != null)
                 {
                     return found;
                 }
             }
-            throw error(element, "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
+            throw new ModelError(modelName, String(element), "there is no <" + names[0] + "> with the id \"" + TextTokens.shorten(id) + "\"");
         }
 
         /**
@@ -92,10 +95,7 @@ package starlogo.models.collada
         {
             var all:Array = element.words;
             var length:int = all.length;
-            if (length != count)
-            {
-                throw error(element, "expected " + count + " numbers, but found " + length);
-            }
+            refuseIf(length != count, modelName, "expected " + count + " numbers, but found " + length, element);
             var result:Vector.<Number> = new Vector.<Number>(length);
             for (var i:int = 0; i < length; i++)
             {
@@ -110,7 +110,7 @@ package starlogo.models.collada
             var number:Number = TextTokens.toNumber(word);
             if (number - number != 0)
             {
-                throw error(element, "expected finite numbers, but found \"" + TextTokens.shorten(word) + "\"");
+                throw new ModelError(modelName, String(element), "expected finite numbers, but found \"" + TextTokens.shorten(word) + "\"");
             }
             return number;
         }
@@ -124,16 +124,16 @@ package starlogo.models.collada
         {
             var text:String = element.attribute(attribute);
             var number:Number = text == "" ? missing : Number(text);
-            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Number.POSITIVE_INFINITY), element, "expected " +
-                    attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"");
+            refuseIf(!(number >= 0 && number == Math.floor(number) && number < Infinity), modelName, "expected " +
+                    attribute + " to be a whole number, not negative, but found \"" + TextTokens.shorten(text) + "\"", element);
             return number;
         }
 
         /** Checks an element's attribute <code>count</code>, if there is one, against what was counted. */
         public function checkCount(element:ColladaElement, counted:int, what:String):void
         {
-            refuseIf(integer(element, "count", counted) != counted, element, "its count is " +
-                    TextTokens.shorten(element.attribute("count")) + ", but it has " + counted + " " + what);
+            refuseIf(integer(element, "count", counted) != counted, modelName, "its count is " +
+                    TextTokens.shorten(element.attribute("count")) + ", but it has " + counted + " " + what, element);
         }
 
         /**
@@ -144,39 +144,8 @@ package starlogo.models.collada
         public function countPoints(element:ColladaElement, count:int):void
         {
             _pointsRead += count;
-            refuseIf(_pointsRead > MAX_POINTS_READ, element, "its geometries have more than " + MAX_POINTS_READ +
-                    " points, those of a source counted for each");
-        }
-
-        /** An error in an element, or null for the document. */
-        public function error(element:ColladaElement, problem:String):ModelError
-        {
-            return new ModelError(_name, element == null ? "" : element.path, problem);
-        }
-
-        /** Refuses the document if something is wrong in an element: see starlogo.models.refuseIf. */
-        public function refuseIf(isWrong:Boolean, element:ColladaElement, problem:String):void
-        {
-            if (isWrong)
-            {
-                throw error(element, problem);
-            }
-        }
-
-        private function parse(source:String):ColladaElement
-        {
-            var parsed:ColladaElement = null;
-            try
-            {
-                // a byte-order mark is no XML to every player
-                parsed = source.indexOf("<") < 0 ? null : ColladaElement.parse(source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source);
-            }
-            catch (failure:TypeError)
-            {
-                throw error(null, "this is not well-formed XML, or cut off: " + failure.message);
-            }
-            refuseIf(parsed == null, null, "this is not XML: expected a COLLADA document");
-            return parsed;
+            refuseIf(_pointsRead > MAX_POINTS_READ, modelName, "its geometries have more than " + MAX_POINTS_READ +
+                    " points, those of a source counted for each", element);
         }
 
         private static function childWithId(element:ColladaElement, name:String, id:String):ColladaElement
@@ -189,26 +158,6 @@ package starlogo.models.collada
                 }
             }
             return null;
-        }
-
-        private function elementWithId(name:String, id:String):ColladaElement
-        {
-            if (_elementsById == null)
-            {
-                _elementsById = {};
-                for each (var element:ColladaElement in root.identified)
-                {
-                    var key:String = keyOf(element.name, element.id);
-                    _elementsById[key] = _elementsById[key] || element;
-                }
-            }
-            return _elementsById[keyOf(name, id)];
-        }
-
-        /** Never the name of a property that each Object has. */
-        private static function keyOf(name:String, id:String):String
-        {
-            return name + "#" + id;
         }
     }
 }

@@ -2,41 +2,36 @@ package starlogo.models.collada
 {
     import starlogo.models.TextTokens;
 
-    /**
-     * An element of a COLLADA document, known by its name in any namespace. All use of E4X is in this class.
-     *
-     * <p>Names are compared as texts: players differ in what a QName of no namespace finds.</p>
-     */
+    /** An element of a COLLADA document. Its name and those of its attributes are without the prefix of a namespace. */
     internal final class ColladaElement
     {
-        private var _xml:XML;
-        private var _name:String;
-        private var _children:Vector.<ColladaElement> = null;
+        /** Its name. */
+        public var name:String;
+
+        /** The element that it is in; null for the root. */
+        public var parent:ColladaElement;
+
+        /** The elements in it. */
+        public var children:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+
+        /** The pieces of its own text, which comments and elements may divide. */
+        public var texts:Array = [];
+
+        // by "@" and the name, which is never the name of a property that each Object has
+        private var _attributes:Object = {};
 
         /**
-         * @param xml the element
+         * @param name its name
+         * @param parent the element that it is in, which gets it as a child; null for the root
          */
-        public function ColladaElement(xml:XML)
+        public function ColladaElement(name:String, parent:ColladaElement)
         {
-            _xml = xml;
-            _name = xml.localName();
-        }
-
-        /**
-         * The root element of a document; null if there is none.
-         *
-         * @throws TypeError if it is not well-formed
-         */
-        internal static function parse(source:String):ColladaElement
-        {
-            var xml:XML = new XML(source);
-            return xml.nodeKind() == "element" ? new ColladaElement(xml) : null;
-        }
-
-        /** Its name, without that of a namespace. */
-        public function get name():String
-        {
-            return _name;
+            this.name = name;
+            this.parent = parent;
+            if (parent != null)
+            {
+                parent.children.push(this);
+            }
         }
 
         /** Its id; "" if it has none. */
@@ -48,21 +43,13 @@ package starlogo.models.collada
         /** The value of an attribute; "" if it is not there. */
         public function attribute(name:String):String
         {
-            return _xml.attribute(name).toString();
+            return _attributes["@" + name] || "";
         }
 
-        /** The elements in it. */
-        public function get children():Vector.<ColladaElement>
+        /** Gives it an attribute. */
+        public function setAttribute(name:String, value:String):void
         {
-            if (_children == null)
-            {
-                _children = new Vector.<ColladaElement>();
-                for each (var xml:XML in _xml.elements())
-                {
-                    _children.push(new ColladaElement(xml));
-                }
-            }
-            return _children;
+            _attributes["@" + name] = value;
         }
 
         /** The elements of a name in it. */
@@ -71,7 +58,7 @@ package starlogo.models.collada
             var found:Vector.<ColladaElement> = new Vector.<ColladaElement>();
             for each (var candidate:ColladaElement in children)
             {
-                if (candidate._name == name)
+                if (candidate.name == name)
                 {
                     found.push(candidate);
                 }
@@ -89,69 +76,24 @@ package starlogo.models.collada
         /** The words of its own text. ColladaWords does the same in steps, for long texts. */
         public function get words():Array
         {
-            return TextTokens.of(text);
+            return TextTokens.of(texts.join(" "));
         }
 
-        /** Its own text, which comments and elements may divide. */
-        public function get text():String
-        {
-            var texts:Array = [];
-            for each (var part:XML in _xml.text())
-            {
-                texts.push(part.toString());
-            }
-            return texts.join(" ");
-        }
-
-        /** The elements with ids anywhere in it, in the document's order. */
-        public function get identified():Vector.<ColladaElement>
-        {
-            var found:Vector.<ColladaElement> = new Vector.<ColladaElement>();
-            for each (var xml:XML in _xml.descendants())
-            {
-                if (xml.nodeKind() == "element" && xml.@id.toString() != "")
-                {
-                    found.push(new ColladaElement(xml));
-                }
-            }
-            return found;
-        }
-
-        /** Its path from the root: names, with ids or, among several without, with numbers from 1. */
-        public function get path():String
+        /** The way to it from the root: names, with ids or, among several without, with numbers from 1. */
+        public function toString():String
         {
             var places:Array = [];
-            var xml:XML = _xml;
-            for (var parent:XML = xml.parent(); parent != null; parent = xml.parent())
+            for (var element:ColladaElement = this; element.parent != null; element = element.parent)
             {
-                places.unshift(placeOf(xml, parent));
-                xml = parent;
+                places.unshift(element.place);
             }
-            return places.length > 0 ? places.join("/") : _name;
+            return places.length > 0 ? places.join("/") : name;
         }
 
-        private static function placeOf(xml:XML, parent:XML):String
+        private function get place():String
         {
-            var ownName:String = xml.localName();
-            var ownId:String = xml.@id.toString();
-            if (ownId != "")
-            {
-                return ownName + "#" + TextTokens.shorten(ownId);
-            }
-            var count:int = 0;
-            var place:int = 0;
-            var ownIndex:int = xml.childIndex();
-            var index:int = 0;
-            for each (var sibling:XML in parent.children())
-            {
-                if (sibling.localName() == ownName)
-                {
-                    count++;
-                    place = index == ownIndex ? count : place;
-                }
-                index++;
-            }
-            return count == 1 ? ownName : ownName + "[" + place + "]";
+            var alike:Vector.<ColladaElement> = parent.childrenNamed(name);
+            return name + (id != "" ? "#" + TextTokens.shorten(id) : (alike.length == 1 ? "" : "[" + (alike.indexOf(this) + 1) + "]"));
         }
     }
 }

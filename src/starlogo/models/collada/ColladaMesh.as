@@ -1,7 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.VertexFilter;
-    import starlogo.models.polygons.Triangulator;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -23,7 +23,6 @@ package starlogo.models.collada
         private var _sources:Object = {}; // of positions, by the address that an input has; "#" is in front
         private var _points:Object = {};
         private var _isUsed:Vector.<uint> = new Vector.<uint>();
-        private var _triangulator:Triangulator;
 
         /**
          * @param document the document
@@ -33,7 +32,7 @@ package starlogo.models.collada
         {
             _document = document;
             _mesh = geometry.child("mesh") || geometry.child("convex_mesh");
-            _triangulator = new Triangulator(vertices, triangles, document.triangulation);
+            document.triangulator.setTarget(vertices, triangles);
             for each (var element:ColladaElement in _mesh == null ? new Vector.<ColladaElement>() : _mesh.children)
             {
                 if (ColladaPrimitive.isSurface(element))
@@ -57,7 +56,7 @@ package starlogo.models.collada
             var points:ColladaSource = pointsOf(positionSource(ColladaPrimitive.positionInput(_document, element)), work);
             return work.begin(function():Steps
                 {
-                    return new ColladaPrimitive(_document, element, points, _isUsed, triangles, _triangulator);
+                    return new ColladaPrimitive(_document, element, points, _isUsed, triangles);
                 });
         }
 
@@ -88,7 +87,7 @@ package starlogo.models.collada
         private function sourceOfVertices(vertices:ColladaElement):ColladaElement
         {
             var input:ColladaElement = _document.input(vertices, "POSITION");
-            _document.refuseIf(input == null, vertices, "expected an <input> with the semantic POSITION");
+            refuseIf(input == null, _document.modelName, "expected an <input> with the semantic POSITION", vertices);
             return _document.target(input, "source", ["source"], _mesh);
         }
 

@@ -2,7 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
 
-    /** A node of a COLLADA scene as it is visited: one element may be visited often, through instance_node. */
+    /** A node of a COLLADA scene as it is visited, or a geometry that it places. One element may be visited often, through instance_node. */
     internal final class ColladaNode
     {
         /** The element. */
@@ -14,8 +14,8 @@ package starlogo.models.collada
         /** Where its parent is in the scene, then where it is itself. */
         public var transform:AffineTransform;
 
-        /** The element's id. */
-        public var id:String;
+        /** The geometry that it places; null for a node. */
+        public var geometry:ColladaElement;
 
         /** How many nodes it is in. */
         public var depth:int;
@@ -23,22 +23,24 @@ package starlogo.models.collada
         /**
          * @param element the element
          * @param parent what it is in, or null
+         * @param transform where that is in the scene
+         * @param geometry the geometry that it places; null for a node
          */
-        public function ColladaNode(element:ColladaElement, parent:ColladaNode)
+        public function ColladaNode(element:ColladaElement, parent:ColladaNode, transform:AffineTransform, geometry:ColladaElement = null)
         {
+            this.geometry = geometry;
             this.element = element;
             this.parent = parent;
-            id = element.id;
-            transform = parent == null ? new AffineTransform() : parent.transform;
+            this.transform = transform;
             depth = parent == null ? 0 : parent.depth + 1;
         }
 
-        /** Whether it is, or is in, a node of an id. */
-        public function isWithin(id:String):Boolean
+        /** Whether it is, or is in, a node of an element. */
+        public function isWithin(element:ColladaElement):Boolean
         {
             for (var node:ColladaNode = this; node != null; node = node.parent)
             {
-                if (node.id == id)
+                if (node.element == element)
                 {
                     return true;
                 }

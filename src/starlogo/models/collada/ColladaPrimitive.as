@@ -1,8 +1,9 @@
 package starlogo.models.collada
 {
+    import starlogo.models.ModelError;
     import starlogo.models.TextTokens;
     import starlogo.models.polygons.Triangulator;
-    import starlogo.models.polygons.addTriangle;
+    import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -48,17 +49,16 @@ package starlogo.models.collada
          * @param positions its points, which are read
          * @param isUsed a number for each point of the mesh; set to 1 where a corner is
          * @param triangles where the triangles go
-         * @param triangulator cuts the polygons, into the same triangles
          */
         public function ColladaPrimitive(document:ColladaDocument, element:ColladaElement, positions:ColladaSource,
-                isUsed:Vector.<uint>, triangles:Vector.<uint>, triangulator:Triangulator)
+                isUsed:Vector.<uint>, triangles:Vector.<uint>)
         {
             _document = document;
             _element = element;
             _positions = positions;
             _isUsed = isUsed;
             _triangles = triangles;
-            _triangulator = triangulator;
+            _triangulator = document.triangulator;
             _lists = element.childrenNamed("p");
             readInputs();
             addParts();
@@ -78,7 +78,7 @@ package starlogo.models.collada
         internal static function positionInput(document:ColladaDocument, element:ColladaElement):ColladaElement
         {
             var input:ColladaElement = document.input(element, "VERTEX") || document.input(element, "POSITION");
-            document.refuseIf(input == null, element, "expected an <input> with the semantic VERTEX");
+            refuseIf(input == null, document.modelName, "expected an <input> with the semantic VERTEX", element);
             return input;
         }
 
@@ -87,7 +87,7 @@ package starlogo.models.collada
             for each (var input:ColladaElement in _element.childrenNamed("input"))
             {
                 var offset:Number = _document.integer(input, "offset", 0);
-                _document.refuseIf(offset > MAX_OFFSET, input, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset);
+                refuseIf(offset > MAX_OFFSET, _document.modelName, "expected an offset of at most " + MAX_OFFSET + ", but found " + offset, input);
                 _stride = Math.max(_stride, offset + 1);
             }
             _offset = _document.integer(positionInput(_document, _element), "offset", 0);
@@ -104,7 +104,7 @@ package starlogo.models.collada
                 case "polylist":
                     _text = new ColladaWords(_lists);
                     _sizeText = new ColladaWords(_element.childrenNamed("vcount").slice(0, 1));
-                    add(_text).add(_sizeText).begin(checkingSizes).call(checkSum).repeat(_triangulator.cuttingBetween(readPolylist));
+                    add(_text).add(_sizeText).begin(checkingSizes).repeat(_triangulator.cuttingBetween(readPolylist));
                     break;
                 case "polygons":
                     _lists = _lists.concat(_element.childrenNamed("ph"));
@@ -121,7 +121,7 @@ package starlogo.models.collada
         private function checkTriangles():void
         {
             _words = _text.words;
-            _document.refuseIf(cornerCount % 3 != 0, _element, "expected three corners for each triangle, but found " + cornerCount);
+            refuseIf(cornerCount % 3 != 0, _document.modelName, "expected three corners for each triangle, but found " + cornerCount, _element);
             _document.checkCount(_element, cornerCount / 3, "triangles");
         }
 
@@ -152,17 +152,13 @@ package starlogo.models.collada
                 var size:Number = Number(_sizes[i]);
                 if (!(size >= 0 && size <= _words.length && size == int(size)))
                 {
-                    throw _document.error(_element.child("vcount"), "expected how many corners a polygon has, but found \"" +
+                    throw new ModelError(_document.modelName, String(_element.child("vcount")), "expected how many corners a polygon has, but found \"" +
                             TextTokens.shorten(_sizes[i]) + "\"");
                 }
                 _sum += size;
             }
-        }
-
-        private function checkSum():void
-        {
-            _document.refuseIf(_sum != cornerCount, _element, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
-                    cornerCount);
+            refuseIf(end == _sizes.length && _sum != cornerCount, _document.modelName, "its <vcount> adds up to " + _sum + " corners, but <p> has " +
+                    cornerCount, _element);
         }
 
         private function readPolylist():Boolean
@@ -213,7 +209,7 @@ package starlogo.models.collada
                 {
                     var first:int = isFan ? 0 : i - 2 + (i & 1);
                     var second:int = isFan ? i - 1 : i - 1 - (i & 1);
-                    addTriangle(_triangles, strip[first], strip[second], strip[i]);
+                    _triangulator.addTriangle(strip[first], strip[second], strip[i]);
                 }
                 read += 10 + strip.length;
             }
@@ -244,7 +240,7 @@ package starlogo.models.collada
         {
             if (_words.length % _stride != 0)
             {
-                throw _document.error(_element, "expected " + _stride + " indices for each corner, but found " +
+                throw new ModelError(_document.modelName, String(_element), "expected " + _stride + " indices for each corner, but found " +
                         _words.length + " in all");
             }
             return _words.length / _stride;
@@ -257,7 +253,7 @@ package starlogo.models.collada
             var index:int = int(value);
             if (index != value || index < 0 || index >= _positions.count)
             {
-                throw _document.error(_element, "expected a position's index, 0 to " + (_positions.count - 1) +
+                throw new ModelError(_document.modelName, String(_element), "expected a position's index, 0 to " + (_positions.count - 1) +
                         ", but found \"" + TextTokens.shorten(_words[word + _offset]) + "\"");
             }
             index += _positions.first;

@@ -1,9 +1,11 @@
 package starlogo.models.collada
 {
+    import starlogo.models.ModelLimits;
     import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
     import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
+    import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
     /**
@@ -13,8 +15,10 @@ package starlogo.models.collada
      */
     public final class ColladaReader extends ModelReader
     {
-        private var _source:String;
-        private var _upAxis:String;
+        private static const VERTICES_PER_STEP:int = 3000;
+        private static const TRIANGLES_PER_STEP:int = 5000;
+
+        private var _xml:XmlReader;
         private var _document:ColladaDocument = null;
         private var _scene:ColladaScene = null;
         private var _instance:int = 0;
@@ -24,9 +28,6 @@ package starlogo.models.collada
         private var _mesh:ColladaMesh = null;
         private var _reading:Steps = null;
 
-        // the points of geometries without surfaces: of use only where no geometry has any
-        private var _loosePoints:Vector.<Number> = new Vector.<Number>();
-
         /**
          * @param name the model's name
          * @param source the document's text
@@ -34,10 +35,10 @@ package starlogo.models.collada
          */
         public function ColladaReader(name:String, source:String, upAxis:Object)
         {
-            super(name);
-            _source = source;
-            _upAxis = upAxis == null ? null : UpAxis.of(upAxis, name);
-            begin(measuring).call(parse).begin(walking).repeat(readInstances).begin(turningUp);
+            super(name, upAxis == null ? null : UpAxis.of(upAxis, name));
+            refuseIf(source == null, name, "there is no text to read");
+            _xml = new XmlReader(name, source);
+            add(_xml).begin(walking).repeat(readInstances);
         }
 
         /** @inheritDoc */
@@ -46,20 +47,12 @@ package starlogo.models.collada
             return _instance == 0 ? 0 : 0.9 * _instance / _scene.instances.length;
         }
 
-        private function measuring():Steps
-        {
-            return _source == null ? null : new XmlMeter(name, _source);
-        }
-
-        private function parse():void
-        {
-            _document = new ColladaDocument(name, _source);
-            _source = null;
-        }
-
         private function walking():Steps
         {
-            _scene = new ColladaScene(_document);
+            _document = new ColladaDocument(name, _xml);
+            _xml = null;
+            upAxis ||= upAxisOfDocument();
+            _scene = new ColladaScene(_document, UpAxis.transform(upAxis));
             return _scene;
         }
 
@@ -77,9 +70,10 @@ package starlogo.models.collada
         {
             if (_instance == _scene.instances.length)
             {
+                takeVertices("a scene or a library with a geometry in it");
                 return null;
             }
-            var instance:ColladaInstance = _scene.instances[_instance];
+            var instance:ColladaNode = _scene.instances[_instance];
             var mesh:ColladaMesh = _mesh;
             if (mesh == null)
             {
@@ -88,7 +82,42 @@ package starlogo.models.collada
             }
             _mesh = null;
             _instance++;
-            return new ColladaPlacing(_document, mesh, instance, mesh.hasSurfaces ? vertices : _loosePoints, triangles);
+            return placing(mesh, instance, mesh.hasSurfaces ? vertices : loosePoints);
+        }
+
+        /** The work that adds a mesh where an instance has it. The instance's transform decides which way round triangles are. */
+        private function placing(mesh:ColladaMesh, instance:ColladaNode, out:Vector.<Number>):Steps
+        {
+            var firstVertex:int = out.length / 3;
+            var firstCorner:int = triangles.length;
+            var vertexCount:int = mesh.vertices.length / 3;
+            var triangleCount:int = mesh.triangles.length / 3;
+            refuseIf(ModelLimits.areExceeded(firstVertex + vertexCount, firstCorner / 3 + triangleCount), name, ModelLimits.PROBLEM, instance.element);
+            out.length += 3 * vertexCount;
+            triangles.length += 3 * triangleCount;
+            return new StepSequence().slices(vertexCount, VERTICES_PER_STEP, function(first:int, end:int):void
+                {
+                    var areFinite:Boolean = instance.transform.place(mesh.vertices, first, end, out, firstVertex + first);
+                    refuseIf(!areFinite, name, "its transformed coordinates are too large to be finite numbers", instance.element);
+                }).slices(triangleCount, TRIANGLES_PER_STEP, function(first:int, end:int):void
+                {
+                    addTriangles(mesh.triangles, 3 * first, 3 * end, firstVertex, firstCorner, instance.transform.isMirror);
+                });
+        }
+
+        private function addTriangles(from:Vector.<uint>, first:int, last:int, firstVertex:int, firstCorner:int, isMirror:Boolean):void
+        {
+            var to:Vector.<uint> = triangles;
+            var at:int = firstCorner + first;
+            var second:int = isMirror ? 2 : 1;
+            var third:int = 3 - second;
+            for (var i:int = first; i < last; i += 3)
+            {
+                to[at] = from[i] + firstVertex;
+                to[int(at + second)] = from[int(i + 1)] + firstVertex;
+                to[int(at + third)] = from[int(i + 2)] + firstVertex;
+                at += 3;
+            }
         }
 
         /** A geometry is read once, however often it is in the scene. */
@@ -102,16 +131,6 @@ package starlogo.models.collada
             return _meshes[key];
         }
 
-        private function turningUp():Steps
-        {
-            if (vertices.length == 0)
-            {
-                vertices = _loosePoints;
-            }
-            refuseIf(vertices.length == 0, name, "no vertices: expected a scene or a library with a geometry in it");
-            return UpAxis.turning(vertices, _upAxis || upAxisOfDocument());
-        }
-
         private function upAxisOfDocument():String
         {
             var asset:ColladaElement = _document.root.child("asset");
@@ -121,8 +140,8 @@ package starlogo.models.collada
                 return UpAxis.Y;
             }
             var text:String = element.words.join(" ");
-            _document.refuseIf(!/^[XYZ]_UP$/.test(text), element, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
-                    "\"");
+            refuseIf(!/^[XYZ]_UP$/.test(text), _document.modelName, "expected X_UP, Y_UP or Z_UP, but found \"" + TextTokens.shorten(text) +
+                    "\"", element);
             return text.charAt(0).toLowerCase();
         }
     }

@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.AffineTransform;
+    import starlogo.models.refuseIf;
     import starlogo.models.TextTokens;
     import starlogo.steps.StepSequence;
 
@@ -21,7 +22,7 @@ package starlogo.models.collada
         internal static const MAX_PARTS:int = 250000;
 
         /** When no step is left: the geometries, in the document's order. */
-        public var instances:Vector.<ColladaInstance> = new Vector.<ColladaInstance>();
+        public var instances:Vector.<ColladaNode> = new Vector.<ColladaNode>();
 
         private var _document:ColladaDocument;
         private var _pending:Vector.<ColladaNode> = new Vector.<ColladaNode>();
@@ -36,19 +37,19 @@ package starlogo.models.collada
         /**
          * @param document the document
          */
-        public function ColladaScene(document:ColladaDocument)
+        public function ColladaScene(document:ColladaDocument, up:AffineTransform)
         {
             _document = document;
             var scene:ColladaElement = document.root.child("scene");
             var instance:ColladaElement = scene == null ? null : scene.child("instance_visual_scene");
             if (instance != null)
             {
-                _pending.push(new ColladaNode(document.target(instance, "url", ["visual_scene"]), null));
+                _pending.push(new ColladaNode(document.target(instance, "url", ["visual_scene"]), null, up));
                 repeat(walk);
             }
             else
             {
-                addLibrary();
+                addLibrary(up);
             }
         }
 
@@ -72,28 +73,22 @@ package starlogo.models.collada
             return _node != null || _pending.length > 0;
         }
 
-        private function addLibrary():void
+        private function addLibrary(up:AffineTransform):void
         {
             for each (var library:ColladaElement in _document.root.childrenNamed("library_geometries"))
             {
                 for each (var geometry:ColladaElement in library.childrenNamed("geometry"))
                 {
-                    instances.push(new ColladaInstance(geometry, new AffineTransform(), geometry));
+                    instances.push(new ColladaNode(geometry, null, up, geometry));
                 }
             }
         }
 
         private function enter(node:ColladaNode):void
         {
-            if (++_visited > MAX_NODES)
-            {
-                throw _document.error(node.element, "the scene has more than " + MAX_NODES +
-                        " nodes, those of each instance_node counted");
-            }
-            if (node.depth > MAX_DEPTH)
-            {
-                throw _document.error(node.element, "its nodes are nested more than " + MAX_DEPTH + " deep");
-            }
+            refuseIf(++_visited > MAX_NODES, _document.modelName, "the scene has more than " + MAX_NODES +
+                    " nodes, those of each instance_node counted", node.element);
+            refuseIf(node.depth > MAX_DEPTH, _document.modelName, "its nodes are nested more than " + MAX_DEPTH + " deep", node.element);
             countParts(node.element, 1 + node.element.children.length);
             _node = node;
             _child = 0;
@@ -104,16 +99,16 @@ package starlogo.models.collada
             switch (element.name)
             {
                 case "instance_geometry":
-                    addGeometry(element, _node.transform);
+                    instances.push(new ColladaNode(element, null, _node.transform, _document.target(element, "url", ["geometry"])));
                     break;
                 case "instance_controller":
                     addController(element, _node.transform);
                     break;
                 case "instance_node":
-                    _nodes.push(new ColladaNode(instanced(element, _node), _node));
+                    _nodes.push(new ColladaNode(instanced(element, _node), _node, _node.transform));
                     break;
                 case "node":
-                    _nodes.push(new ColladaNode(element, _node));
+                    _nodes.push(new ColladaNode(element, _node, _node.transform));
                     break;
                 default:
                     var local:AffineTransform = ColladaTransform.of(_document, element);
@@ -134,27 +129,16 @@ package starlogo.models.collada
         private function countParts(element:ColladaElement, count:int):void
         {
             _parts += count;
-            if (_parts > MAX_PARTS)
-            {
-                throw _document.error(element, "the scene has more than " + MAX_PARTS + " nodes, transforms and instances, each counted " +
-                        "as often as it is placed");
-            }
+            refuseIf(_parts > MAX_PARTS, _document.modelName, "the scene has more than " + MAX_PARTS +
+                    " nodes, transforms and instances, each counted as often as it is placed", element);
         }
 
         private function instanced(element:ColladaElement, node:ColladaNode):ColladaElement
         {
             var target:ColladaElement = _document.target(element, "url", ["node"]);
-            if (node.isWithin(target.id))
-            {
-                throw _document.error(element, "recursive instance_node: it places the node \"" + TextTokens.shorten(target.id) +
-                        "\" within itself");
-            }
+            refuseIf(node.isWithin(target), _document.modelName, "recursive instance_node: it places the node \"" +
+                    TextTokens.shorten(target.id) + "\" within itself", element);
             return target;
-        }
-
-        private function addGeometry(element:ColladaElement, transform:AffineTransform):void
-        {
-            instances.push(new ColladaInstance(_document.target(element, "url", ["geometry"]), transform, element));
         }
 
         /** A skin at rest, where its bind shape is, and a morph as its base: what they deform, down to the geometry. */
@@ -169,10 +153,10 @@ package starlogo.models.collada
                 var shape:ColladaElement = skin == null ? null : skin.child("bind_shape_matrix");
                 transform = shape == null ? transform : transform.after(ColladaTransform.matrix(_document, shape));
                 target = _document.target(deformer, "source", ["geometry", "controller"]);
-                _document.refuseIf(i > MAX_CONTROLLERS, element, "more than " + MAX_CONTROLLERS +
-                        " controllers deform each other, or they do in a circle");
+                refuseIf(i > MAX_CONTROLLERS, _document.modelName, "more than " + MAX_CONTROLLERS +
+                        " controllers deform each other, or they do in a circle", element);
             }
-            instances.push(new ColladaInstance(target, transform, element));
+            instances.push(new ColladaNode(element, null, transform, target));
         }
     }
 }

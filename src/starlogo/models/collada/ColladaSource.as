@@ -1,6 +1,7 @@
 package starlogo.models.collada
 {
     import starlogo.models.Decimal;
+    import starlogo.models.refuseIf;
     import starlogo.steps.Slices;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -38,7 +39,7 @@ package starlogo.models.collada
             _accessor = document.requiredChild(document.requiredChild(source, "technique_common"), "accessor");
             _array = document.target(_accessor, "source", ["float_array", "int_array"], source);
             _text = new ColladaWords(new <ColladaElement>[_array]);
-            add(_text).begin(readingPoints).call(letGo);
+            add(_text).begin(readingPoints);
         }
 
         private function readingPoints():Steps
@@ -67,12 +68,6 @@ package starlogo.models.collada
             }
         }
 
-        private function letGo():void
-        {
-            _words = null;
-            _text = null;
-        }
-
         private function numberAt(word:int):Number
         {
             var number:Number = Decimal.of(_words[word]);
@@ -87,8 +82,8 @@ package starlogo.models.collada
             _columns = columnsOf(_accessor, stride);
             var wanted:Number = _document.integer(_accessor, "count", Math.max(0, Math.floor((length - offset) / stride)));
             var last:Number = offset + stride * (wanted - 1) + Math.max(_columns[0], _columns[1], _columns[2]);
-            _document.refuseIf(wanted > 0 && last >= length, _accessor, "its count of " + wanted + " with a stride of " + stride +
-                    " reaches beyond the " + length + " numbers of its array");
+            refuseIf(wanted > 0 && last >= length, _document.modelName, "its count of " + wanted + " with a stride of " + stride +
+                    " reaches beyond the " + length + " numbers of its array", _accessor);
             _stride = stride;
             _word = offset;
             count = wanted;
@@ -107,8 +102,8 @@ package starlogo.models.collada
             {
                 columns = new <int>[0, 1, 2];
             }
-            _document.refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
-                    accessor, "expected the parameters X, Y and Z of points, within its stride of " + stride);
+            refuseIf(names.length < 3 && names.length > 0 || Math.max(columns[0], columns[1], columns[2]) >= stride,
+                    _document.modelName, "expected the parameters X, Y and Z of points, within its stride of " + stride, accessor);
             return columns;
         }
     }

@@ -2,6 +2,7 @@ package starlogo.models.collada
 {
     import starlogo.geometry.Trigonometry;
     import starlogo.models.AffineTransform;
+    import starlogo.models.refuseIf;
 
     /**
      * The elements of a COLLADA scene that say where a node is. They are those of the COLLADA 1.4 and 1.5 specifications; a skew is
@@ -47,10 +48,8 @@ package starlogo.models.collada
         internal static function matrix(document:ColladaDocument, element:ColladaElement):AffineTransform
         {
             var m:Vector.<Number> = document.numbers(element, 16);
-            if (m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1)
-            {
-                throw document.error(element, "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "));
-            }
+            refuseIf(m[12] != 0 || m[13] != 0 || m[14] != 0 || m[15] != 1, document.modelName,
+                    "expected a last row of 0 0 0 1, but found " + m.slice(12).join(" "), element);
             return new AffineTransform(m.slice(0, 12));
         }
 
@@ -83,8 +82,8 @@ package starlogo.models.collada
             var back:Vector.<Number> = normalise(new <Number>[v[0] - v[3], v[1] - v[4], v[2] - v[5]]);
             var right:Vector.<Number> = normalise(cross(v.slice(6), back));
             var up:Vector.<Number> = cross(back, right);
-            document.refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0), element,
-                    "expected two points apart and a direction up that is not along their line");
+            refuseIf(!(dot(back, back) > 0 && dot(right, right) > 0), document.modelName,
+                    "expected two points apart and a direction up that is not along their line", element);
             return new AffineTransform(new <Number>[
                         right[0], up[0], back[0], v[0],
                         right[1], up[1], back[1], v[1],
@@ -106,8 +105,8 @@ package starlogo.models.collada
             // the turned axis, in the plane of the two: across, and along the shift
             var turnedHeight:Number = height * Trigonometry.cosine(angle) - along * Trigonometry.sine(angle);
             var turnedAlong:Number = height * Trigonometry.sine(angle) + along * Trigonometry.cosine(angle);
-            document.refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), element,
-                    "expected two axes apart and an angle that leaves the first on its side of the second");
+            refuseIf(!(height > 1e-9 && turnedHeight > 1e-9), document.modelName,
+                    "expected two axes apart and an angle that leaves the first on its side of the second", element);
             var amount:Number = turnedAlong / turnedHeight - along / height;
             var rows:Vector.<Number> = new Vector.<Number>(12);
             for (var row:int = 0; row < 3; row++)

@@ -12,11 +12,9 @@ package starlogo.models.collada
         /** The words, when no step is left. */
         public var words:Array = [];
 
-        private var _elements:Vector.<ColladaElement>;
-        private var _element:int = 0;
-        // the text that is being read, where its next piece begins, and where words end in it
-        private var _text:String = null;
-        private var _start:int;
+        // the text, where its next piece begins, and where words end in it
+        private var _text:String;
+        private var _start:int = 0;
         private var _ends:NextOfTwo;
 
         /**
@@ -24,51 +22,27 @@ package starlogo.models.collada
          */
         public function ColladaWords(elements:Vector.<ColladaElement>)
         {
-            _elements = elements;
+            var texts:Array = [];
+            for each (var element:ColladaElement in elements)
+            {
+                texts.push(element.texts.join(" "));
+            }
+            _text = texts.join(" ");
+            _ends = new NextOfTwo(_text, " ", "\n");
         }
 
-        /** @inheritDoc */
+        /** @inheritDoc A piece of the text, in which words stay whole. */
         public function step():Boolean
         {
-            for (var read:int = 0; read < CHARACTERS_PER_STEP && _element < _elements.length; read += 100)
-            {
-                if (_text == null)
-                {
-                    _text = _elements[_element].text;
-                    _start = 0;
-                    _ends = new NextOfTwo(_text, " ", "\n");
-                }
-                read += readPiece();
-            }
-            return _element < _elements.length;
-        }
-
-        // Words stay whole; returns how many characters it had.
-        private function readPiece():int
-        {
             var end:int = _text.length - _start > CHARACTERS_PER_STEP ? _ends.after(_start + CHARACTERS_PER_STEP) : _text.length;
-            add(TextTokens.of(_text.substring(_start, end)));
-            var count:int = end - _start;
+            var more:Array = TextTokens.of(_text.substring(_start, end));
+            for (var i:int = 0; i < more.length && _start > 0; i++)
+            {
+                words.push(more[i]);
+            }
+            words = _start == 0 ? more : words;
             _start = end;
-            if (end == _text.length)
-            {
-                _text = null;
-                _element++;
-            }
-            return count;
-        }
-
-        private function add(more:Array):void
-        {
-            if (words.length == 0)
-            {
-                words = more;
-                return;
-            }
-            for each (var word:String in more)
-            {
-                words.push(word);
-            }
+            return _start < _text.length;
         }
     }
 }

@@ -42,33 +42,27 @@ package starlogo.models.gltf
             slices(end - start, CHARACTERS_PER_STEP, decode);
         }
 
-        // A step begins with a group of four digits, as their number is one of fours.
+        // A step begins with a group of four digits, which are three bytes, as their number is one of fours.
         private function decode(first:int, end:int):void
         {
             var values:Vector.<int> = sValues;
             var out:ByteArray = bytes;
             var at:int = first * 3 >> 2;
             var wrong:int = 0;
-            for (var i:int = first; i < end; i += 4)
+            var bits:int = 0;
+            var bitCount:int = 0;
+            for (var i:int = first; i < end; i++)
             {
-                var group:int = 0;
-                for (var k:int = 0; k < 4; k++)
+                var code:int = _text.charCodeAt(_start + i);
+                var value:int = code < 128 ? values[code] : -1;
+                wrong |= value;
+                bits = bits << 6 | value;
+                bitCount += 6;
+                if (bitCount >= 8)
                 {
-                    var code:int = i + k < end ? _text.charCodeAt(_start + i + k) : 0x41;
-                    var value:int = code < 128 ? values[code] : -1;
-                    wrong |= value;
-                    group = group << 6 | value;
+                    bitCount -= 8;
+                    out[at++] = bits >> bitCount & 255;
                 }
-                out[at] = group >> 16 & 255;
-                if (i + 2 < end)
-                {
-                    out[int(at + 1)] = group >> 8 & 255;
-                }
-                if (i + 3 < end)
-                {
-                    out[int(at + 2)] = group & 255;
-                }
-                at += 3;
             }
             refuseIf(wrong < 0, _name, "expected base64, but found other characters", _place);
         }

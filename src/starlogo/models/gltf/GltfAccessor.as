@@ -1,6 +1,8 @@
 package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /**
@@ -61,7 +63,7 @@ package starlogo.models.gltf
             place = "accessors[" + index + "]";
             _file = file;
             _accessor = json.entry("accessors", index);
-            json.refuseIf(_accessor.type !== type, place + ".type", "expected \"" + type + "\", but found \"" + _accessor.type + "\"");
+            refuseIf(_accessor.type !== type, json.name, "expected \"" + type + "\", but found \"" + _accessor.type + "\"", place + ".type");
             count = json.whole(_accessor, "count", place, most, -1);
             _width = WIDTHS[type];
             _kind = kindOf(_accessor, place);
@@ -73,8 +75,9 @@ package starlogo.models.gltf
             {
                 var size:int = SIZES[_kind] * _width;
                 _stride = json.whole(json.entry("bufferViews", _view), "byteStride", "bufferViews[" + _view + "]", 252, size);
-                json.refuseIf(_stride < size, "bufferViews[" + _view + "].byteStride", "expected at least " + size + ", but found " + _stride);
-                rows(_offset, count, _stride);
+                refuseIf(_stride < size, json.name, "expected at least " + size + ", but found " + _stride, "bufferViews[" + _view + "].byteStride");
+                file.openView(_view, _offset, count == 0 ? 0 : Number(count - 1) * _stride + size, place);
+                slices(count, NUMBERS_PER_STEP / _width, readRows);
             }
             _sparse = json.objectIn(_accessor, "sparse", place);
             if (_sparse != null)
@@ -92,15 +95,8 @@ package starlogo.models.gltf
         private function kindOf(owner:Object, where:String):int
         {
             var kind:int = _file.json.whole(owner, "componentType", where, int.MAX_VALUE, -1);
-            _file.json.refuseIf(!SIZES.hasOwnProperty(kind), where + ".componentType", "expected 5120 to 5123, 5125 or 5126, but found " + kind);
+            refuseIf(!SIZES.hasOwnProperty(kind), _file.json.name, "expected 5120 to 5123, 5125 or 5126, but found " + kind, where + ".componentType");
             return kind;
-        }
-
-        // Checks that the rows are there, and reads them.
-        private function rows(offset:int, rowCount:int, stride:int):void
-        {
-            _file.openView(_view, offset, rowCount == 0 ? 0 : Number(rowCount - 1) * stride + SIZES[_kind] * _width, place);
-            slices(rowCount, NUMBERS_PER_STEP / _width, readRows);
         }
 
         private function readRows(first:int, end:int):void
@@ -117,11 +113,11 @@ package starlogo.models.gltf
             var sparseCount:int = json.whole(_sparse, "count", where, count, -1);
             var indices:Object = json.objectIn(_sparse, "indices", where);
             var values:Object = json.objectIn(_sparse, "values", where);
-            json.refuseIf(indices == null || values == null, where, "expected indices and values");
+            refuseIf(indices == null || values == null, json.name, "expected indices and values", where);
             var indexKind:int = kindOf(indices, where + ".indices");
             var indexView:int = json.reference(indices, "bufferView", where + ".indices", "bufferViews");
             var valueView:int = json.reference(values, "bufferView", where + ".values", "bufferViews");
-            json.refuseIf(indexView < 0 || valueView < 0, where, "expected indices and values in bufferViews");
+            refuseIf(indexView < 0 || valueView < 0, json.name, "expected indices and values in bufferViews", where);
             var indexOffset:int = json.whole(indices, "byteOffset", where + ".indices", int.MAX_VALUE, 0);
             var valueOffset:int = json.whole(values, "byteOffset", where + ".values", int.MAX_VALUE, 0);
             var size:int = SIZES[_kind] * _width;
@@ -147,7 +143,7 @@ package starlogo.models.gltf
                 var index:Number = _replaced[i];
                 if (!(index >= 0 && index < count && int(index) == index))
                 {
-                    throw _file.json.error(place + ".sparse.indices", "element " + i + " is " + index + ": there are " + count + " to be replaced");
+                    throw new ModelError(_file.json.name, place + ".sparse.indices", "element " + i + " is " + index + ": there are " + count + " to be replaced");
                 }
                 for (var k:int = 0; k < _width; k++)
                 {
@@ -180,43 +176,38 @@ package starlogo.models.gltf
 
         private static function readRow(bytes:ByteArray, kind:int, out:Vector.<Number>, at:int, last:int):void
         {
-            switch (kind)
+            // the bit that tells negative numbers, of those that have some
+            var sign:int = kind == SHORT ? 0x8000 : (kind == BYTE ? 0x80 : 0);
+            var number:int;
+            if (kind == FLOAT)
             {
-                case FLOAT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readFloat();
-                    }
-                    break;
-                case UNSIGNED_INT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readUnsignedInt();
-                    }
-                    break;
-                case UNSIGNED_SHORT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readUnsignedShort();
-                    }
-                    break;
-                case SHORT:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readUnsignedShort() << 16 >> 16;
-                    }
-                    break;
-                case UNSIGNED_BYTE:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readUnsignedByte();
-                    }
-                    break;
-                case BYTE:
-                    while (at < last)
-                    {
-                        out[at++] = bytes.readByte();
-                    }
+                while (at < last)
+                {
+                    out[at++] = bytes.readFloat();
+                }
+            }
+            else if (kind == UNSIGNED_INT)
+            {
+                while (at < last)
+                {
+                    out[at++] = bytes.readUnsignedInt();
+                }
+            }
+            else if (SIZES[kind] == 2)
+            {
+                while (at < last)
+                {
+                    number = bytes.readUnsignedShort();
+                    out[at++] = number - ((number & sign) << 1);
+                }
+            }
+            else
+            {
+                while (at < last)
+                {
+                    number = bytes.readUnsignedByte();
+                    out[at++] = number - ((number & sign) << 1);
+                }
             }
         }
 

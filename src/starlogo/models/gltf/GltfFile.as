@@ -2,12 +2,12 @@ package starlogo.models.gltf
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
+    import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
     import starlogo.models.ModelLimits;
     import starlogo.models.TextTokens;
     import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
-    import starlogo.steps.Steps;
 
     /**
      * A glTF 2.0 file, binary or not: its JSON, and the buffers that are in it, in steps. Those beside it have to be given.
@@ -16,11 +16,12 @@ package starlogo.models.gltf
      */
     public final class GltfFile extends StepSequence
     {
-        private static const MAGIC:uint = 0x46546C67;
         private static const JSON_CHUNK:uint = 0x4E4F534A;
         private static const BINARY_CHUNK:uint = 0x004E4942;
         private static const HEADER_LENGTH:int = 12;
         private static const CHUNK_HEADER_LENGTH:int = 8;
+
+        private static const BUFFERS_PER_STEP:int = 100;
 
         /** How many buffers may be beside a file: each is fetched. */
         private static const MAX_MISSING:int = 100;
@@ -29,6 +30,10 @@ package starlogo.models.gltf
         private static const HARMLESS:RegExp = /^(KHR_mesh_quantization|KHR_(materials|techniques?|texture|lights|xmp|node)_|EXT_(texture|lights)_|MSFT_texture_|KHR_animation_pointer)/;
         private static const DRACO:String = "KHR_draco_mesh_compression";
         private static const MESHOPT:RegExp = /^(EXT|KHR)_meshopt_compression$/;
+        private static const DRACO_PROBLEM:String = "compressed with Draco (" + DRACO +
+            "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")";
+        private static const MESHOPT_PROBLEM:String = "compressed with meshopt, which is not read: " +
+            "save the model without compression (gltfpack without -c, or \"gltf-transform copy\")";
 
         /** The addresses of the buffers beside the file, as it has them, when no step is left. */
         public var missing:Vector.<String> = new Vector.<String>();
@@ -41,29 +46,24 @@ package starlogo.models.gltf
         private var _text:String;
         private var _meter:JsonMeter;
 
-        // of each buffer its bytes, null for what is not there, and where in them it starts
+        // the bytes of each buffer, null for what is not there; and the chunk of a binary file
         private var _buffers:Vector.<ByteArray> = new Vector.<ByteArray>();
-        private var _starts:Vector.<int> = new Vector.<int>();
-        private var _lengths:Vector.<int> = new Vector.<int>();
-
-        // the chunk of a binary file
-        private var _chunkStart:int = -1;
-        private var _chunkLength:int = 0;
-
-        private var _next:int = 0;
-        private var _decoding:Base64 = null;
+        private var _chunk:ByteArray = null;
 
         /**
          * @param name the model's name
          * @param bytes a binary file, or text; its endianness is set; null if there is only text
          * @param text the text; null for that of the bytes
+         * @throws ModelError if there is no JSON
          */
         public function GltfFile(name:String, bytes:ByteArray, text:String)
         {
             _name = name;
             _bytes = bytes;
             _text = text;
-            call(open).begin(measuring).call(parse).repeat(readBuffers);
+            open();
+            _meter = new JsonMeter(name, _text);
+            add(_meter).call(parse);
         }
 
         /** Whether bytes begin like a binary glTF file. */
@@ -91,8 +91,8 @@ package starlogo.models.gltf
             {
                 if (_buffers[i] == null && json.entry("buffers", i).uri === uri)
                 {
-                    json.refuseIf(bytes == null, "buffers[" + i + "].uri", problem);
-                    keep(i, bytes, 0, bytes.length);
+                    refuseIf(bytes == null, _name, problem, "buffers[" + i + "].uri");
+                    keep(i, bytes);
                 }
             }
         }
@@ -103,19 +103,19 @@ package starlogo.models.gltf
             var view:Object = json.entry("bufferViews", index);
             var viewPlace:String = "bufferViews[" + index + "]";
             var buffer:int = json.reference(view, "buffer", viewPlace, "buffers");
-            json.refuseIf(buffer < 0, viewPlace, "it names no buffer");
+            refuseIf(buffer < 0, _name, "it names no buffer", viewPlace);
             var start:int = json.whole(view, "byteOffset", viewPlace, int.MAX_VALUE, 0);
             var size:int = json.whole(view, "byteLength", viewPlace, int.MAX_VALUE, -1);
-            json.refuseIf(offset + length > size, place, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size);
+            refuseIf(offset + length > size, _name, "it needs " + (offset + length) + " bytes of " + viewPlace + ", which has " + size, place);
             if (_buffers[buffer] == null)
             {
-                json.refuseIf(isCompressed(view, viewPlace), viewPlace, "its data are compressed with meshopt, which is not read: save the model " +
-                        "without compression (gltfpack without -c, or \"gltf-transform copy\")");
-                throw json.error("buffers[" + buffer + "]", "its data are not there");
+                refuseIf(json.hasExtension(view, "EXT_meshopt_compression", viewPlace) || json.hasExtension(view, "KHR_meshopt_compression", viewPlace),
+                        _name, "its data are " + MESHOPT_PROBLEM, viewPlace);
+                throw new ModelError(_name, "buffers[" + buffer + "]", "its data are not there");
             }
-            json.refuseIf(Number(start) + size > _lengths[buffer], viewPlace, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
-                    "], which has " + _lengths[buffer]);
-            _buffers[buffer].position = _starts[buffer] + start + offset;
+            refuseIf(Number(start) + size > _buffers[buffer].length, _name, "it ends at byte " + (Number(start) + size) + " of buffers[" + buffer +
+                    "], which has " + _buffers[buffer].length, viewPlace);
+            _buffers[buffer].position = start + offset;
             return _buffers[buffer];
         }
 
@@ -158,10 +158,13 @@ package starlogo.models.gltf
                     _bytes.position = start;
                     _text = _bytes.readUTFBytes(chunkLength);
                 }
-                else if (kind == BINARY_CHUNK && _chunkStart < 0)
+                else if (kind == BINARY_CHUNK && _chunk == null)
                 {
-                    _chunkStart = start;
-                    _chunkLength = chunkLength;
+                    _chunk = new ByteArray();
+                    if (chunkLength > 0)
+                    {
+                        _chunk.writeBytes(_bytes, start, chunkLength);
+                    }
                 }
             }
             refuseIf(_text == null, _name, "there is no JSON in it");
@@ -171,12 +174,6 @@ package starlogo.models.gltf
         {
             _bytes.position = place;
             return _bytes.readUnsignedInt();
-        }
-
-        private function measuring():Steps
-        {
-            _meter = new JsonMeter(_name, _text);
-            return _meter;
         }
 
         private function parse():void
@@ -194,96 +191,77 @@ package starlogo.models.gltf
             json = new GltfJson(_name, root);
             var asset:Object = json.objectIn(root, "asset", "");
             var version:String = asset == null ? "none" : String(asset.minVersion || asset.version);
-            json.refuseIf(!/^2\.0/.test(version), "asset.version", "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
-                    "\": save the model as 2.0");
+            refuseIf(!/^2\.0/.test(version), _name, "expected glTF 2.0, but found \"" + TextTokens.shorten(version) +
+                    "\": save the model as 2.0", "asset.version");
             for each (var extension:* in json.listIn(root, "extensionsRequired", ""))
             {
                 checkExtension(String(extension));
             }
+            slices(json.count("buffers"), BUFFERS_PER_STEP, readBuffers);
         }
 
         private function checkExtension(extension:String):void
         {
-            json.refuseIf(extension == DRACO, "extensionsRequired", "its meshes are compressed with Draco (" + DRACO +
-                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")");
-            json.refuseIf(MESHOPT.test(extension), "extensionsRequired", "its data are compressed with meshopt (" + extension +
-                    "), which is not read: save the model without compression (gltfpack without -c, or \"gltf-transform copy\")");
-            json.refuseIf(!HARMLESS.test(extension), "extensionsRequired", "it needs the extension \"" + TextTokens.shorten(extension) +
-                    "\", which is not known: save the model without it");
+            refuseIf(extension == DRACO, _name, "its meshes are " + DRACO_PROBLEM, "extensionsRequired");
+            refuseIf(MESHOPT.test(extension), _name, "its data are " + MESHOPT_PROBLEM, "extensionsRequired");
+            refuseIf(!HARMLESS.test(extension), _name, "it needs the extension \"" + TextTokens.shorten(extension) +
+                    "\", which is not known: save the model without it", "extensionsRequired");
         }
 
         /** Whether a primitive has its geometry in Draco's form alone. */
         internal function refuseDraco(primitive:Object, place:String):void
         {
-            json.refuseIf(json.hasExtension(primitive, DRACO, place), place, "it is compressed with Draco (" + DRACO +
-                    "), which is not read: save the model without compression, or decompress it (\"gltf-transform copy\")");
+            refuseIf(json.hasExtension(primitive, DRACO, place), _name, "it is " + DRACO_PROBLEM, place);
         }
 
-        private function isCompressed(view:Object, place:String):Boolean
+        private function readBuffers(first:int, end:int):void
         {
-            return json.hasExtension(view, "EXT_meshopt_compression", place) || json.hasExtension(view, "KHR_meshopt_compression", place);
-        }
-
-        // A buffer, or a step of one that is text.
-        private function readBuffers():Boolean
-        {
-            if (_decoding != null)
+            for (var i:int = first; i < end; i++)
             {
-                if (!_decoding.step())
-                {
-                    keep(_next++, _decoding.bytes, 0, _decoding.bytes.length);
-                    _decoding = null;
-                }
+                _buffers.push(null);
+                readBuffer(i, json.entry("buffers", i), "buffers[" + i + "]");
             }
-            else if (_next < json.count("buffers"))
-            {
-                readBuffer(json.entry("buffers", _next), "buffers[" + _next + "]");
-            }
-            return _decoding != null || _next < json.count("buffers");
         }
 
-        private function readBuffer(buffer:Object, place:String):void
+        private function readBuffer(index:int, buffer:Object, place:String):void
         {
-            _buffers.push(null);
-            _starts.push(0);
-            _lengths.push(0);
             json.whole(buffer, "byteLength", place, ModelLimits.BYTES, -1);
             var uri:* = buffer.uri;
-            json.refuseIf(uri !== undefined && !(uri is String), place + ".uri", "expected an address");
+            refuseIf(uri !== undefined && !(uri is String), _name, "expected an address", place + ".uri");
             if (uri === undefined)
             {
-                if (_next == 0 && _chunkStart >= 0)
+                if (index == 0 && _chunk != null)
                 {
-                    keep(0, _bytes, _chunkStart, _chunkLength);
+                    keep(0, _chunk);
                 }
-                _next++;
                 return;
             }
             if (uri.indexOf("data:") == 0)
             {
                 var comma:int = uri.indexOf(",");
-                json.refuseIf(uri.substring(0, comma).substr(-7) != ";base64", place + ".uri", "expected data in base64");
-                _decoding = new Base64(_name, uri, comma + 1, place + ".uri");
+                refuseIf(uri.substring(0, comma).substr(-7) != ";base64", _name, "expected data in base64", place + ".uri");
+                var decoding:Base64 = new Base64(_name, uri, comma + 1, place + ".uri");
+                add(decoding).call(function():void
+                    {
+                        keep(index, decoding.bytes);
+                    });
                 return;
             }
-            json.refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), place + ".uri", "expected data, or a path from the file's folder on, but found \"" +
-                    TextTokens.shorten(uri) + "\"");
+            refuseIf(uri == "" || /^([a-z][a-z0-9+.\-]*:|\/|\\)/i.test(uri), _name, "expected data, or a path from the file's folder on, but found \"" +
+                    TextTokens.shorten(uri) + "\"", place + ".uri");
             if (missing.indexOf(uri) < 0)
             {
-                json.refuseIf(missing.length == MAX_MISSING, place + ".uri", "more than " + MAX_MISSING + " files are beside this one");
+                refuseIf(missing.length == MAX_MISSING, _name, "more than " + MAX_MISSING + " files are beside this one", place + ".uri");
                 missing.push(uri);
             }
-            _next++;
         }
 
-        private function keep(index:int, bytes:ByteArray, start:int, length:int):void
+        private function keep(index:int, bytes:ByteArray):void
         {
             var wanted:int = json.entry("buffers", index).byteLength;
-            json.refuseIf(length < wanted, "buffers[" + index + "]", "it should have " + wanted + " bytes, but has " + length);
+            refuseIf(bytes.length < wanted, _name, "it should have " + wanted + " bytes, but has " + bytes.length, "buffers[" + index + "]");
             bytes.endian = Endian.LITTLE_ENDIAN;
             _buffers[index] = bytes;
-            _starts[index] = start;
-            _lengths[index] = length;
         }
     }
 }

@@ -1,6 +1,6 @@
 package starlogo.models.gltf
 {
-    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
     import starlogo.models.TextTokens;
 
     /** The JSON of a glTF file: what of it is read is checked, and an error says where it is. */
@@ -21,29 +21,14 @@ package starlogo.models.gltf
         {
             this.name = name;
             this.root = root;
-            refuseIf(!isObject(root), "", "its JSON is no object");
-        }
-
-        /** What is wrong somewhere. */
-        public function error(place:String, problem:String):ModelError
-        {
-            return new ModelError(name, place, problem);
-        }
-
-        /** Refuses the file if something is wrong: see starlogo.models.refuseIf. */
-        public function refuseIf(isWrong:Boolean, place:String, problem:String):void
-        {
-            if (isWrong)
-            {
-                throw error(place, problem);
-            }
+            refuseIf(!isObject(root), name, "its JSON is no object");
         }
 
         /** An object's list; one without elements if there is none. */
         public function listIn(owner:Object, key:String, place:String):Array
         {
             var found:* = owner[key];
-            refuseIf(found !== undefined && !(found is Array), placeIn(place, key), "expected a list, but found " + shown(found));
+            refuseIf(found !== undefined && !(found is Array), name, "expected a list, but found " + shown(found), placeIn(place, key));
             return found === undefined ? [] : found;
         }
 
@@ -51,7 +36,7 @@ package starlogo.models.gltf
         public function objectIn(owner:Object, key:String, place:String):Object
         {
             var found:* = owner[key];
-            refuseIf(found !== undefined && !isObject(found), placeIn(place, key), "expected an object, but found " + shown(found));
+            refuseIf(found !== undefined && !isObject(found), name, "expected an object, but found " + shown(found), placeIn(place, key));
             return found === undefined ? null : found;
         }
 
@@ -71,7 +56,7 @@ package starlogo.models.gltf
         public function elementOf(list:Array, index:int, place:String):Object
         {
             var found:* = list[index];
-            refuseIf(!isObject(found), place + "[" + index + "]", "expected an object, but found " + shown(found));
+            refuseIf(!isObject(found), name, "expected an object, but found " + shown(found), place + "[" + index + "]");
             return found;
         }
 
@@ -86,7 +71,7 @@ package starlogo.models.gltf
         {
             var most:int = count(kind);
             value = JsonMeter.numberOf(value);
-            refuseIf(!isWhole(value, most - 1), place, "expected the number of one of " + most + " " + kind + ", but found " + shown(value));
+            refuseIf(!isWhole(value, most - 1), name, "expected the number of one of " + most + " " + kind + ", but found " + shown(value), place);
             return value;
         }
 
@@ -98,7 +83,7 @@ package starlogo.models.gltf
             {
                 return preset;
             }
-            refuseIf(!isWhole(found, most), placeIn(place, key), "expected an integer from 0 to " + most + ", but found " + shown(found));
+            refuseIf(!isWhole(found, most), name, "expected an integer from 0 to " + most + ", but found " + shown(found), placeIn(place, key));
             return found;
         }
 
@@ -110,12 +95,12 @@ package starlogo.models.gltf
                 return preset;
             }
             var list:Array = listIn(owner, key, place);
-            refuseIf(length >= 0 && list.length != length, placeIn(place, key), "expected " + length + " numbers, but found " + list.length);
+            refuseIf(length >= 0 && list.length != length, name, "expected " + length + " numbers, but found " + list.length, placeIn(place, key));
             var all:Vector.<Number> = new Vector.<Number>();
             for (var i:int = 0; i < list.length; i++)
             {
                 var found:* = JsonMeter.numberOf(list[i]);
-                refuseIf(!(found is Number) || found - found != 0, placeIn(place, key) + "[" + i + "]", "expected a finite number, but found " + shown(found));
+                refuseIf(!(found is Number) || found - found != 0, name, "expected a finite number, but found " + shown(found), placeIn(place, key) + "[" + i + "]");
                 all.push(found);
             }
             return all;

@@ -1,6 +1,8 @@
 package starlogo.models.gltf
 {
+    import starlogo.models.ModelError;
     import starlogo.models.ModelLimits;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Adds the surface of a primitive to a model, where a node has it, in steps; its vertices are there already. */
@@ -8,7 +10,7 @@ package starlogo.models.gltf
     {
         private static const TRIANGLES_PER_STEP:int = 5000;
 
-        private static const TRIANGLES:int = 4;
+        internal static const TRIANGLES:int = 4;
         private static const STRIP:int = 5;
         private static const FAN:int = 6;
 
@@ -43,23 +45,18 @@ package starlogo.models.gltf
             if (index >= 0)
             {
                 _indices = new GltfAccessor(file, index, "SCALAR", 3 * ModelLimits.TRIANGLES);
-                _json.refuseIf(!_indices.areIndices, _indices.place + ".componentType", "indices must be 5121, 5123 or 5125, and not normalized");
+                refuseIf(!_indices.areIndices, _json.name, "indices must be 5121, 5123 or 5125, and not normalized", _indices.place + ".componentType");
                 add(_indices);
             }
             var cornerCount:int = _indices == null ? _vertexCount : _indices.count;
             var triangleCount:int = _mode == TRIANGLES ? cornerCount / 3 : Math.max(0, cornerCount - 2);
-            _json.refuseIf(ModelLimits.areExceeded(0, _firstCorner / 3 + triangleCount), place, ModelLimits.PROBLEM);
+            refuseIf(ModelLimits.areExceeded(0, _firstCorner / 3 + triangleCount), _json.name, ModelLimits.PROBLEM, place);
             triangles.length += 3 * triangleCount;
             slices(triangleCount, TRIANGLES_PER_STEP, _mode == TRIANGLES && !_isMirror && _indices != null ? copyTriangles : addTriangles);
         }
 
-        /** Whether a primitive has a surface: it may be points or lines. */
-        public static function hasSurface(json:GltfJson, primitive:Object, place:String):Boolean
-        {
-            return modeOf(json, primitive, place) >= TRIANGLES;
-        }
-
-        private static function modeOf(json:GltfJson, primitive:Object, place:String):int
+        /** What a primitive is made of: points or lines are below TRIANGLES. */
+        internal static function modeOf(json:GltfJson, primitive:Object, place:String):int
         {
             return json.whole(primitive, "mode", place, FAN, TRIANGLES);
         }
@@ -111,7 +108,7 @@ package starlogo.models.gltf
             var index:Number = _indices.numbers[corner];
             if (index >= _vertexCount)
             {
-                throw _json.error(_indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertexCount);
+                throw new ModelError(_json.name, _indices.place, "element " + corner + " names vertex " + index + ": " + _place + " has " + _vertexCount);
             }
             return _firstVertex + int(index);
         }

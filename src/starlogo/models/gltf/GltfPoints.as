@@ -1,7 +1,9 @@
 package starlogo.models.gltf
 {
     import starlogo.models.AffineTransform;
+    import starlogo.models.ModelError;
     import starlogo.models.ModelLimits;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
 
@@ -57,7 +59,7 @@ package starlogo.models.gltf
             }
             firstVertex = vertices.length / 3;
             count = source.count;
-            json.refuseIf(ModelLimits.areExceeded(firstVertex + count, 0), place, ModelLimits.PROBLEM);
+            refuseIf(ModelLimits.areExceeded(firstVertex + count, 0), json.name, ModelLimits.PROBLEM, place);
             vertices.length += 3 * count;
             addTargets(json, json.listIn(primitive, "targets", place), weights);
             begin(skinning).slices(count, VERTICES_PER_STEP, placeVertices);
@@ -95,7 +97,7 @@ package starlogo.models.gltf
 
         private function addTarget(json:GltfJson, target:GltfAccessor, weight:Number):void
         {
-            json.refuseIf(target.count != count, target.place, "it has " + target.count + " elements, but there are " + count + " vertices");
+            refuseIf(target.count != count, json.name, "it has " + target.count + " elements, but there are " + count + " vertices", target.place);
             add(target).call(copyPoints).slices(3 * count, 3 * VERTICES_PER_STEP, function(first:int, end:int):void
                 {
                     for (var i:int = first; i < end; i++)
@@ -131,7 +133,7 @@ package starlogo.models.gltf
         {
             if (!_world.place(_points, first, end, _vertices, firstVertex + first))
             {
-                throw _file.json.error("nodes[" + _node + "]", "its vertices are no finite numbers, or too large to be such in their place (" +
+                throw new ModelError(_file.json.name, "nodes[" + _node + "]", "its vertices are no finite numbers, or too large to be such in their place (" +
                         _source.place + ")");
             }
         }

@@ -18,7 +18,6 @@ package starlogo.models.gltf
         private static const MAX_POINTS:int = 4000000;
 
         private var _file:GltfFile;
-        private var _upAxis:String;
         private var _scene:GltfScene = null;
 
         // the node whose mesh is next, and the primitive of it
@@ -31,9 +30,6 @@ package starlogo.models.gltf
         private var _placed:Object = {};
         private var _pointCount:Number = 0;
 
-        // the vertices of points and lines: of use only where there are no surfaces
-        private var _loose:Vector.<Number> = new Vector.<Number>();
-
         /**
          * @param name the model's name
          * @param file the file, all steps of which are done, with all of its buffers
@@ -41,10 +37,9 @@ package starlogo.models.gltf
          */
         public function GltfReader(name:String, file:GltfFile, upAxis:Object)
         {
-            super(name);
+            super(name, upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name));
             _file = file;
-            _upAxis = upAxis == null ? UpAxis.Y : UpAxis.of(upAxis, name);
-            begin(walking).repeat(readParts).call(checkVertices).begin(droppingUnused);
+            begin(walking).repeat(readParts).begin(droppingUnused);
         }
 
         /** @inheritDoc */
@@ -55,7 +50,7 @@ package starlogo.models.gltf
 
         private function walking():Steps
         {
-            _scene = new GltfScene(_file.json, UpAxis.transform(_upAxis));
+            _scene = new GltfScene(_file.json, UpAxis.transform(upAxis));
             return _scene;
         }
 
@@ -119,7 +114,7 @@ package starlogo.models.gltf
             }
             var weights:Vector.<Number> = json.numbers(mesh, "weights", "meshes[" + meshIndex + "]", -1, new Vector.<Number>());
             weights = json.numbers(node, "weights", "nodes[" + _scene.nodes[_node] + "]", -1, weights);
-            var hasSurface:Boolean = GltfPart.hasSurface(json, primitive, where);
+            var hasSurface:Boolean = GltfPart.modeOf(json, primitive, where) >= GltfPart.TRIANGLES;
             var targets:Array = json.listIn(primitive, "targets", where);
             // primitives may share their vertices, and be different triangles of them
             var isPlain:Boolean = targets.length == 0 && attributes.JOINTS_0 === undefined;
@@ -128,7 +123,7 @@ package starlogo.models.gltf
             if (points == null)
             {
                 countPoints(source.count * (1 + GltfPoints.activeCount(targets, weights)), where);
-                points = new GltfPoints(_file, _scene, _scene.nodes[_node], primitive, where, weights, source, hasSurface ? vertices : _loose);
+                points = new GltfPoints(_file, _scene, _scene.nodes[_node], primitive, where, weights, source, hasSurface ? vertices : loosePoints);
                 _placed[key] = points;
                 _reading = points;
                 return true;
@@ -144,17 +139,9 @@ package starlogo.models.gltf
             refuseIf(_pointCount > MAX_POINTS, name, "all meshes up to here read more than " + MAX_POINTS + " points", where);
         }
 
-        private function checkVertices():void
-        {
-            if (vertices.length == 0)
-            {
-                vertices = _loose;
-            }
-            refuseIf(vertices.length == 0, name, "no vertices: expected a mesh in the scene");
-        }
-
         private function droppingUnused():Steps
         {
+            takeVertices("a mesh in the scene");
             return triangles.length == 0 ? null : new VertexFilter(vertices, triangles, new Vector.<uint>(vertices.length / 3));
         }
     }

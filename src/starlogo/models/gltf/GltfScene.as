@@ -2,6 +2,7 @@ package starlogo.models.gltf
 {
     import starlogo.geometry.Placement;
     import starlogo.models.AffineTransform;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /** Finds the nodes of a glTF file's scene that have meshes, and where they are, in steps. */
@@ -48,7 +49,7 @@ package starlogo.models.gltf
             var chain:Vector.<int> = new Vector.<int>();
             for (var i:int = node; i >= 0 && _worlds[i] == null; i = _parents[i])
             {
-                _json.refuseIf(chain.length > _worlds.length, "nodes[" + node + "]", "it is in itself");
+                refuseIf(chain.length > _worlds.length, _json.name, "it is in itself", "nodes[" + node + "]");
                 chain.push(i);
             }
             var world:AffineTransform = i < 0 ? _root : _worlds[i];
@@ -70,7 +71,7 @@ package starlogo.models.gltf
                 for (var k:int = 0; k < children.length; k++)
                 {
                     var child:int = _json.numberOf(children[k], where + "[" + k + "]", "nodes");
-                    _json.refuseIf(_parents[child] >= 0 || child == i, where + "[" + k + "]", "nodes[" + child + "] is in itself, or in two nodes");
+                    refuseIf(_parents[child] >= 0 || child == i, _json.name, "nodes[" + child + "] is in itself, or in two nodes", where + "[" + k + "]");
                     _parents[child] = i;
                 }
             }
@@ -133,13 +134,15 @@ package starlogo.models.gltf
             var m:Vector.<Number> = _json.numbers(node, "matrix", where, 16);
             if (m != null)
             {
-                _json.refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, where + ".matrix", "expected 0, 0, 0 and 1 as every fourth number");
+                refuseIf(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, _json.name, "expected 0, 0, 0 and 1 as every fourth number", where + ".matrix");
                 return ofColumns(m, 0);
             }
             var t:Vector.<Number> = _json.numbers(node, "translation", where, 3, new <Number>[0, 0, 0]);
             var r:Vector.<Number> = _json.numbers(node, "rotation", where, 4, new <Number>[0, 0, 0, 1]);
             var s:Vector.<Number> = _json.numbers(node, "scale", where, 3, new <Number>[1, 1, 1]);
-            return ofParts(t, r, s);
+            var turn:Placement = new Placement();
+            turn.setQuaternion(r[0], r[1], r[2], r[3]);
+            return AffineTransform.of(turn, s[0], s[1], s[2], t[0], t[1], t[2]);
         }
 
         /** The transform of 16 numbers in columns. */
@@ -149,17 +152,6 @@ package starlogo.models.gltf
                         m[at], m[at + 4], m[at + 8], m[at + 12],
                         m[at + 1], m[at + 5], m[at + 9], m[at + 13],
                         m[at + 2], m[at + 6], m[at + 10], m[at + 14]]);
-        }
-
-        // A scale, after it a turn by a unit quaternion x, y, z, w, after it a translation.
-        private static function ofParts(t:Vector.<Number>, r:Vector.<Number>, s:Vector.<Number>):AffineTransform
-        {
-            var turned:Placement = new Placement();
-            turned.setQuaternion(r[0], r[1], r[2], r[3]);
-            return new AffineTransform(new <Number>[
-                        turned.r00 * s[0], turned.r01 * s[1], turned.r02 * s[2], t[0],
-                        turned.r10 * s[0], turned.r11 * s[1], turned.r12 * s[2], t[1],
-                        turned.r20 * s[0], turned.r21 * s[1], turned.r22 * s[2], t[2]]);
         }
     }
 }

@@ -1,6 +1,8 @@
 package starlogo.models.gltf
 {
     import starlogo.models.AffineTransform;
+    import starlogo.models.ModelError;
+    import starlogo.models.refuseIf;
     import starlogo.steps.StepSequence;
 
     /**
@@ -59,9 +61,9 @@ package starlogo.models.gltf
 
         private function addSet(index:int, count:int):void
         {
-            _file.json.refuseIf(index < 0, _place, "a mesh has no weights for its joints");
+            refuseIf(index < 0, _file.json.name, "a mesh has no weights for its joints", _place);
             var accessor:GltfAccessor = new GltfAccessor(_file, index, "VEC4", count);
-            _file.json.refuseIf(accessor.count < count, accessor.place, "it has " + accessor.count + " elements, but there are " + count + " vertices");
+            refuseIf(accessor.count < count, _file.json.name, "it has " + accessor.count + " elements, but there are " + count + " vertices", accessor.place);
             _sets.push(accessor);
             add(accessor);
         }
@@ -70,9 +72,9 @@ package starlogo.models.gltf
         {
             var json:GltfJson = _file.json;
             var list:Array = json.listIn(_skin, "joints", _place);
-            json.refuseIf(list.length == 0 || list.length > MAX_JOINTS, _place + ".joints", "expected at least one joint, and at most " + MAX_JOINTS);
-            json.refuseIf(_matrices != null && _matrices.count < list.length, _matrices == null ? "" : _matrices.place, "there are " + list.length +
-                    " joints, but fewer matrices");
+            refuseIf(list.length == 0 || list.length > MAX_JOINTS, json.name, "expected at least one joint, and at most " + MAX_JOINTS, _place + ".joints");
+            refuseIf(_matrices != null && _matrices.count < list.length, json.name, "there are " + list.length +
+                    " joints, but fewer matrices", _matrices == null ? "" : _matrices.place);
             for (var i:int = 0; i < list.length; i++)
             {
                 var world:AffineTransform = _scene.worldOf(json.numberOf(list[i], _place + ".joints[" + i + "]", "nodes"));
@@ -125,7 +127,7 @@ package starlogo.models.gltf
             var joint:Number = numbers.numbers[at];
             if (!(joint >= 0 && joint < _joints.length && int(joint) == joint))
             {
-                throw _file.json.error(numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ": there are " + _joints.length);
+                throw new ModelError(_file.json.name, numbers.place, "vertex " + (at >> 2) + " names joint " + joint + ": there are " + _joints.length);
             }
             return _joints[int(joint)];
         }

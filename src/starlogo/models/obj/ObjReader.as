@@ -1,12 +1,9 @@
 package starlogo.models.obj
 {
     import starlogo.models.Decimal;
-    import starlogo.models.LineTokens;
+    import starlogo.models.LineReader;
     import starlogo.models.ModelError;
-    import starlogo.models.ModelLimits;
-    import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
-    import starlogo.models.UpAxis;
     import starlogo.models.VertexFilter;
     import starlogo.models.polygons.Triangulator;
     import starlogo.models.refuseIf;
@@ -17,15 +14,11 @@ package starlogo.models.obj
      *
      * @private
      */
-    public final class ObjReader extends ModelReader
+    public final class ObjReader extends LineReader
     {
-        private static const WORDS_PER_STEP:int = 1000;
         private static const POLYGONS_PER_STEP:int = 100;
         private static const CORNERS_PER_STEP:int = 1500;
 
-        private var _upAxis:String;
-        private var _tokens:LineTokens;
-        private var _vertexCount:int = 0;
         private var _isUsed:Vector.<uint> = null;
 
         // faces with more than three corners wait here until all vertices are known
@@ -45,130 +38,94 @@ package starlogo.models.obj
          */
         public function ObjReader(name:String, source:String, upAxis:Object)
         {
-            super(name);
-            _upAxis = UpAxis.of(upAxis, name);
+            super(name, upAxis);
             refuseIf(source == null, name, "there is no text to read");
             refuseIf(source.indexOf("\u0000") >= 0, name, "this is no OBJ text but some binary file");
-            _tokens = new LineTokens(source);
             _triangulator = new Triangulator(vertices, triangles);
-            repeat(readSome).call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
+            readLines(source);
+            call(checkIndices).repeat(_triangulator.cuttingBetween(cutPolygons)).begin(droppingUnused).begin(turningUp);
         }
 
         /** @inheritDoc */
-        override public function get progress():Number
+        override protected function get triangleCount():int
         {
-            return 0.9 * _tokens.progress;
+            return triangles.length / 3 + _polygonTriangles;
         }
 
-        /** A step through the words; whether there are more. */
-        private function readSome():Boolean
+        /** @inheritDoc */
+        override protected function readStatement(word:String):void
         {
-            if (_tokens.isPieceRead)
+            if (word == "v")
             {
-                if (!_tokens.readPiece())
-                {
-                    throw errorAt(_tokens.line + 1, "a line, with those that it is continued in, has more than " + LineTokens.MAX_PIECE +
-                            " characters");
-                }
-                return true;
+                readVertex();
             }
-            readWords();
-            if (ModelLimits.areExceeded(_vertexCount, triangles.length / 3 + _polygonTriangles))
+            else if (word == "f")
             {
-                throw errorAt(_tokens.line, ModelLimits.PROBLEM);
+                readFace();
             }
-            return !(_tokens.isPieceRead && _tokens.isLastPiece);
-        }
-
-        private function readWords():void
-        {
-            var tokens:LineTokens = _tokens;
-            var words:Array = tokens.words;
-            var end:int = Math.min(tokens.next + WORDS_PER_STEP, words.length - 1);
-            while (tokens.next < end)
+            else
             {
-                var word:String = words[tokens.next++];
-                if (word == "v")
-                {
-                    readVertex();
-                }
-                else if (word == "f")
-                {
-                    readFace();
-                }
-                else if (word == LineTokens.END || word == LineTokens.CONTINUED)
-                {
-                    tokens.line++;
-                }
-                else
-                {
-                    tokens.skipStatement();
-                }
+                skipStatement();
             }
         }
 
         private function readVertex():void
         {
-            var words:Array = _tokens.words;
-            var at:int = _tokens.next;
-            var x:Number = Decimal.of(words[at]);
-            var y:Number = Decimal.of(words[int(at + 1)]);
-            var z:Number = Decimal.of(words[int(at + 2)]);
+            var all:Array = words;
+            var at:int = next;
+            var x:Number = Decimal.of(all[at]);
+            var y:Number = Decimal.of(all[int(at + 1)]);
+            var z:Number = Decimal.of(all[int(at + 2)]);
             if (x - x + y - y + z - z != 0)
             {
                 readUnusualVertex();
                 return;
             }
             vertices.push(x, y, z);
-            _vertexCount++;
-            at += 3;
-            _tokens.next = at;
-            if (words[at] != LineTokens.END)
+            next = at + 3;
+            if (all[next] != END)
             {
-                _tokens.skipStatement();
+                skipStatement();
             }
         }
 
         private function readUnusualVertex():void
         {
-            var line:int = _tokens.line;
-            var words:Array = _tokens.restOfStatement();
+            var first:int = line;
+            var rest:Array = restOfStatement();
             for (var i:int = 0; i < 3; i++)
             {
-                var coordinate:Number = i < words.length ? TextTokens.toNumber(words[i]) : NaN;
+                var coordinate:Number = i < rest.length ? TextTokens.toNumber(rest[i]) : NaN;
                 if (coordinate - coordinate != 0)
                 {
-                    throw errorAt(line, "expected a vertex, three finite numbers, but found \"v " +
-                            TextTokens.shorten(words.join(" ")) + "\"");
+                    throw errorAt(first, "expected a vertex, three finite numbers, but found \"v " + TextTokens.shorten(rest.join(" ")) + "\"");
                 }
                 vertices.push(coordinate);
             }
-            _vertexCount++;
         }
 
         private function readFace():void
         {
-            var tokens:LineTokens = _tokens;
-            var words:Array = tokens.words;
+            var all:Array = words;
             var count:int = 0;
-            var word:String = words[tokens.next];
-            while (word != LineTokens.END)
+            var word:String = all[next];
+            while (word != END)
             {
-                var index:int = word == LineTokens.CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
+                var index:int = word == CONTINUED || word.charCodeAt(0) == 0x23 ? -1 : cornerOf(word);
                 if (index >= 0)
                 {
                     _corners[count++] = index;
                 }
-                else if (word == LineTokens.CONTINUED)
+                else if (word == CONTINUED)
                 {
-                    tokens.line++;
+                    line++;
                 }
                 else
                 {
-                    tokens.skipStatement();
+                    skipStatement();
                     break;
                 }
-                word = words[++tokens.next];
+                word = all[++next];
             }
             addFace(count);
         }
@@ -194,31 +151,29 @@ package starlogo.models.obj
             var index:int = int(value);
             if (index != value || index == 0)
             {
-                throw errorAt(_tokens.line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
+                throw errorAt(line, "expected a vertex's number in a face's corner (1, 1/2, 1//3 or 1/2/3; not 0), but found \"" +
                         TextTokens.shorten(word) + "\"");
             }
-            index = index > 0 ? index - 1 : _vertexCount + index;
+            index = index > 0 ? index - 1 : vertices.length / 3 + index;
             if (index < 0)
             {
-                throw errorAt(_tokens.line, "the corner \"" + TextTokens.shorten(word) +
-                        "\" counts back beyond the first vertex: there are " + _vertexCount + " before it");
+                throw errorAt(line, "the corner \"" + TextTokens.shorten(word) +
+                        "\" counts back beyond the first vertex: there are " + vertices.length / 3 + " before it");
             }
             if (index > _highestIndex)
             {
                 _highestIndex = index;
-                _highestLine = _tokens.line;
+                _highestLine = line;
             }
             return index;
         }
 
         private function checkIndices():void
         {
-            refuseIf(_vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
-            if (_highestIndex >= _vertexCount)
-            {
-                throw errorAt(_highestLine, "there is no vertex " + (_highestIndex + 1) + ": the file has " + _vertexCount);
-            }
-            _isUsed = new Vector.<uint>(_vertexCount);
+            var vertexCount:int = vertices.length / 3;
+            refuseIf(vertexCount == 0, name, "no vertices: expected lines such as \"v 1 2 3\"");
+            refuseIf(_highestIndex >= vertexCount, name, "there is no vertex " + (_highestIndex + 1) + ": the file has " + vertexCount, placeOf(_highestLine));
+            _isUsed = new Vector.<uint>(vertexCount);
         }
 
         /** Adds the triangles of some polygons; whether there are more. */
@@ -245,14 +200,9 @@ package starlogo.models.obj
             return _highestIndex < 0 ? null : new VertexFilter(vertices, triangles, _isUsed);
         }
 
-        private function turningUp():Steps
-        {
-            return UpAxis.turning(vertices, _upAxis);
-        }
-
         private function errorAt(line:int, problem:String):ModelError
         {
-            return new ModelError(name, "line " + line, problem);
+            return new ModelError(name, placeOf(line), problem);
         }
     }
 }

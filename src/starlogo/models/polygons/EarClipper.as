@@ -9,8 +9,6 @@ package starlogo.models.polygons
     internal final class EarClipper
     {
         private var _rings:PolygonRings;
-        private var _work:WorkLimit;
-        private var _triangles:Vector.<uint>;
 
         // where it is, how many corners are left, and how many it has passed since the last ear
         private var _node:int = 0;
@@ -19,14 +17,10 @@ package starlogo.models.polygons
 
         /**
          * @param rings where the ring is
-         * @param work counts the corners that are looked at; when it is used up, corners are cut off without a check
-         * @param triangles where the triangles go
          */
-        public function EarClipper(rings:PolygonRings, work:WorkLimit, triangles:Vector.<uint>)
+        public function EarClipper(rings:PolygonRings)
         {
             _rings = rings;
-            _work = work;
-            _triangles = triangles;
         }
 
         /** Sets the ring to that of a node; it turns left. */
@@ -56,18 +50,18 @@ package starlogo.models.polygons
             // an outline that crosses itself may have no ear left: after a round without one any left turn is cut,
             // after two any corner
             var misses:int = _misses;
-            var end:int = _work.done + most;
-            while (count > 2 && _work.done < end)
+            var end:int = _rings.work + most;
+            while (count > 2 && _rings.work < end)
             {
                 var before:int = previous[node];
                 var after:int = next[node];
                 var area:Number = _rings.turn(before, node, after);
-                var isCut:Boolean = area == 0 || misses > 2 * count || ++_work.done > _work.most;
+                var isCut:Boolean = area == 0 || misses > 2 * count || ++_rings.work > PolygonRings.MAX_WORK;
                 if (isCut || area > 0 && (misses > count || isEar(before, node, after)))
                 {
                     if (area > 0)
                     {
-                        addTriangle(_triangles, vertex[before], vertex[node], vertex[after]);
+                        _rings.addTriangle(vertex[before], vertex[node], vertex[after]);
                     }
                     _rings.remove(node);
                     count--;
@@ -119,7 +113,7 @@ package starlogo.models.polygons
                 }
                 isClear = !_rings.isInside(node, before, tip, after);
             }
-            _work.done += seen;
+            _rings.work += seen;
             return isClear;
         }
     }

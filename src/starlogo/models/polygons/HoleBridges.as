@@ -7,7 +7,6 @@ package starlogo.models.polygons
     internal final class HoleBridges
     {
         private var _rings:PolygonRings;
-        private var _work:WorkLimit;
         private var _outline:int;
 
         // the rightmost of each hole, the next one last
@@ -15,12 +14,10 @@ package starlogo.models.polygons
 
         /**
          * @param rings where the rings are
-         * @param work counts the corners that are looked at; when it is used up, further holes are filled
          */
-        public function HoleBridges(rings:PolygonRings, work:WorkLimit)
+        public function HoleBridges(rings:PolygonRings)
         {
             _rings = rings;
-            _work = work;
         }
 
         /**
@@ -48,8 +45,8 @@ package starlogo.models.polygons
          */
         internal function join(most:int):Boolean
         {
-            var end:int = _work.done + most;
-            while (_nodes.length > 0 && _work.done < end)
+            var end:int = _rings.work + most;
+            while (_nodes.length > 0 && _rings.work < end)
             {
                 addBridge(_nodes.pop());
             }
@@ -107,7 +104,7 @@ package starlogo.models.polygons
             var node:int = _outline;
             do
             {
-                if (++_work.done > _work.most)
+                if (++_rings.work > PolygonRings.MAX_WORK)
                 {
                     return -1;
                 }
@@ -147,7 +144,7 @@ package starlogo.models.polygons
             var node:int = _outline;
             do
             {
-                _work.done++;
+                _rings.work++;
                 if (xs[node] > x && node != corner && _rings.isInside(node, hole, second, third) && seesInside(node, hole))
                 {
                     var slope:Number = Math.abs(ys[node] - y) / (xs[node] - x);

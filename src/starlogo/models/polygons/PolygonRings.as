@@ -9,6 +9,9 @@ package starlogo.models.polygons
      */
     internal final class PolygonRings
     {
+        /** How many corners may be looked at, some seconds' worth. Beyond it corners are cut off unseen, and holes filled. */
+        internal static const MAX_WORK:int = 10000000;
+
         /** Where each node is, seen along the normal; scaled so that the outline is about 1 large. */
         internal var x:Vector.<Number> = new Vector.<Number>();
 
@@ -24,19 +27,41 @@ package starlogo.models.polygons
         /** The node before each in its ring. */
         internal var previous:Vector.<int> = new Vector.<int>();
 
+        /** How many corners were looked at, in all polygons. */
+        internal var work:int = 0;
+
         private var _vertices:Vector.<Number>;
+        private var _triangles:Vector.<uint>;
 
         // which coordinates the two seen ones are, and the scale that keeps their products in range
         private var _axisX:int;
         private var _axisY:int;
         private var _scale:Number;
 
+        /** No ring yet. */
+        public function PolygonRings()
+        {
+        }
+
         /**
+         * Sets what polygons are cut of from now on.
+         *
          * @param vertices x, y, z, ... that corners index
+         * @param triangles where the triangles go
          */
-        public function PolygonRings(vertices:Vector.<Number>)
+        internal function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
             _vertices = vertices;
+            _triangles = triangles;
+        }
+
+        /** Adds a triangle of three different vertices. */
+        internal function addTriangle(a:uint, b:uint, c:uint):void
+        {
+            if (a != b && b != c && c != a)
+            {
+                _triangles.push(a, b, c);
+            }
         }
 
         /**

@@ -7,22 +7,18 @@ package starlogo.models.polygons
      * are joined to the outline (HoleBridges) before ears are cut off (EarClipper). No outline is too odd: corners in a
      * straight line, and outlines that cross or cover themselves, leave no triangle without area behind.</p>
      *
-     * <p>Cost: linear for convex polygons, else up to quadratic in the corners. The whole work is bounded by
-     * <code>MAX_WORK</code>: beyond it corners are cut off unseen, and holes filled.</p>
+     * <p>Cost: linear for convex polygons, else up to quadratic in the corners. The whole work is bounded:
+     * beyond 10,000,000 looks at corners they are cut off unseen, and holes filled.</p>
      *
      * @private
      */
     public final class Triangulator
     {
-        /** How many corners one triangulator looks at in all, some seconds' worth. */
-        public static const MAX_WORK:int = 10000000;
-
         // how many corners it looks at in one call
         private static const WORK_PER_STEP:int = 10000;
 
         private var _vertices:Vector.<Number>;
-        private var _triangles:Vector.<uint>;
-        private var _rings:PolygonRings;
+        private var _rings:PolygonRings = new PolygonRings();
         private var _bridges:HoleBridges;
         private var _clipper:EarClipper;
 
@@ -32,18 +28,26 @@ package starlogo.models.polygons
         private var _isCutting:Boolean = false;
 
         /**
+         * @param vertices as setTarget's
+         * @param triangles as setTarget's
+         */
+        public function Triangulator(vertices:Vector.<Number> = null, triangles:Vector.<uint> = null)
+        {
+            setTarget(vertices, triangles);
+            _bridges = new HoleBridges(_rings);
+            _clipper = new EarClipper(_rings);
+        }
+
+        /**
+         * Sets what polygons are cut of from now on. The limit of work is for all together.
+         *
          * @param vertices x, y, z, ... that the polygons' corners index
          * @param triangles where the triangles go, three indices each, turning as their polygon turns
-         * @param work how much it may do, with others that have the same; MAX_WORK alone if null
          */
-        public function Triangulator(vertices:Vector.<Number>, triangles:Vector.<uint>, work:WorkLimit = null)
+        public function setTarget(vertices:Vector.<Number>, triangles:Vector.<uint>):void
         {
-            work = work || new WorkLimit(MAX_WORK);
             _vertices = vertices;
-            _triangles = triangles;
-            _rings = new PolygonRings(vertices);
-            _bridges = new HoleBridges(_rings, work);
-            _clipper = new EarClipper(_rings, work, triangles);
+            _rings.setTarget(vertices, triangles);
         }
 
         /**
@@ -77,6 +81,12 @@ package starlogo.models.polygons
             _isCutting = true;
             _bridges.setPolygon(start, nodes);
             cutSome();
+        }
+
+        /** Adds a triangle of three different corners. */
+        public function addTriangle(a:uint, b:uint, c:uint):void
+        {
+            _rings.addTriangle(a, b, c);
         }
 
         /** Whether the last polygon is so large that there is more of it to cut, by <code>cutSome()</code>, before the next one. */
@@ -131,7 +141,7 @@ package starlogo.models.polygons
             var c:uint = outline[2];
             if (outline.length == 3)
             {
-                addTriangle(_triangles, a, b, c);
+                _rings.addTriangle(a, b, c);
                 return true;
             }
             if (outline.length > 4)
@@ -141,13 +151,13 @@ package starlogo.models.polygons
             var d:uint = outline[3];
             if (!isDiagonal(a, b, c, d) && isDiagonal(b, c, d, a))
             {
-                addTriangle(_triangles, a, b, d);
-                addTriangle(_triangles, b, c, d);
+                _rings.addTriangle(a, b, d);
+                _rings.addTriangle(b, c, d);
             }
             else
             {
-                addTriangle(_triangles, a, b, c);
-                addTriangle(_triangles, a, c, d);
+                _rings.addTriangle(a, b, c);
+                _rings.addTriangle(a, c, d);
             }
             return true;
         }
@@ -188,7 +198,7 @@ package starlogo.models.polygons
             var vertex:Vector.<uint> = _rings.vertex;
             for (i = 2; i < count; i++)
             {
-                addTriangle(_triangles, vertex[0], vertex[int(i - 1)], vertex[i]);
+                _rings.addTriangle(vertex[0], vertex[int(i - 1)], vertex[i]);
             }
             return true;
         }

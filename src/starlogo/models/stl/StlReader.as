@@ -4,30 +4,25 @@ package starlogo.models.stl
     import flash.utils.Endian;
     import starlogo.geometry.PointTable;
     import starlogo.models.Decimal;
-    import starlogo.models.LineTokens;
+    import starlogo.models.LineReader;
     import starlogo.models.ModelError;
     import starlogo.models.ModelLimits;
-    import starlogo.models.ModelReader;
     import starlogo.models.TextTokens;
-    import starlogo.models.UpAxis;
     import starlogo.models.refuseIf;
-    import starlogo.steps.Steps;
 
     /**
      * Reads an STL file, binary or text; StlModel says what of it.
      *
      * @private
      */
-    public final class StlReader extends ModelReader
+    public final class StlReader extends LineReader
     {
         private static const HEADER_LENGTH:int = 84;
         private static const COUNT_PLACE:int = 80;
         private static const FACET_LENGTH:int = 50;
         private static const NORMAL_LENGTH:int = 12;
         private static const FACETS_PER_STEP:int = 300;
-        private static const WORDS_PER_STEP:int = 1000;
 
-        private var _upAxis:String;
         private var _points:PointTable;
 
         // a binary file
@@ -35,8 +30,7 @@ package starlogo.models.stl
         private var _count:int;
         private var _facet:int = 0;
 
-        // text, and how many corners the present facet has so far
-        private var _tokens:LineTokens = null;
+        // of text: how many corners the present facet has so far
         private var _corners:int = 0;
 
         /**
@@ -47,8 +41,7 @@ package starlogo.models.stl
          */
         public function StlReader(name:String, bytes:ByteArray, text:String, upAxis:Object)
         {
-            super(name);
-            _upAxis = UpAxis.of(upAxis, name);
+            super(name, upAxis);
             _bytes = bytes;
             if (bytes != null)
             {
@@ -61,10 +54,10 @@ package starlogo.models.stl
             else
             {
                 _points = new PointTable(Math.min(text.length / 20, ModelLimits.VERTICES));
-                _tokens = new LineTokens(text);
-                repeat(readSome).call(checkEnd);
+                readLines(text);
             }
-            call(takePoints).begin(turningUp);
+            vertices = _points.coordinates;
+            call(checkEnd).begin(turningUp);
         }
 
         /**
@@ -85,7 +78,7 @@ package starlogo.models.stl
         /** @inheritDoc */
         override public function get progress():Number
         {
-            return 0.9 * (_tokens == null ? _facet / Math.max(1, _count) : _tokens.progress);
+            return _bytes == null ? super.progress : 0.9 * _facet / Math.max(1, _count);
         }
 
         private static function countIn(bytes:ByteArray):uint
@@ -117,89 +110,46 @@ package starlogo.models.stl
             checkLimits("triangle " + end);
         }
 
-        /** A step through the words; whether there are more. */
-        private function readSome():Boolean
+        /** @inheritDoc */
+        override protected function readStatement(word:String):void
         {
-            var tokens:LineTokens = _tokens;
-            if (tokens.isPieceRead)
-            {
-                if (!tokens.readPiece())
-                {
-                    throw new ModelError(name, "line " + (tokens.line + 1), "the line has more than " + LineTokens.MAX_PIECE + " characters");
-                }
-                return true;
-            }
-            var words:Array = tokens.words;
-            var end:int = Math.min(tokens.next + WORDS_PER_STEP, words.length - 1);
-            while (tokens.next < end)
-            {
-                readStatement(words[tokens.next++]);
-            }
-            checkLimits("line " + tokens.line);
-            return !(tokens.isPieceRead && tokens.isLastPiece);
-        }
-
-        private function readStatement(word:String):void
-        {
-            var tokens:LineTokens = _tokens;
-            if (word == LineTokens.END || word == LineTokens.CONTINUED)
-            {
-                tokens.line++;
-                return;
-            }
             switch (word.toLowerCase().replace("endsolid", "solid"))
             {
                 case "solid":
-                    tokens.skipStatement();
+                    skipStatement();
                     break;
                 case "vertex":
                     readVertex();
                     break;
                 case "endloop":
-                    refuseIf(_corners != 3, name, "expected a facet of three vertices, but found " + _corners, "line " + tokens.line);
+                    refuseIf(_corners != 3, name, "expected a facet of three vertices, but found " + _corners, placeOf(line));
                     _corners = 0;
                     break;
                 case "outer":
-                    refuseIf(_corners != 0, name, "a loop begins before the last one has ended", "line " + tokens.line);
+                    refuseIf(_corners != 0, name, "a loop begins before the last one has ended", placeOf(line));
             }
         }
 
         private function readVertex():void
         {
-            var words:Array = _tokens.words;
-            var at:int = _tokens.next;
+            var at:int = next;
             var x:Number = Decimal.of(words[at]);
             var y:Number = Decimal.of(words[int(at + 1)]);
             var z:Number = Decimal.of(words[int(at + 2)]);
             if (x - x + y - y + z - z != 0 || _corners == 3)
             {
-                throw new ModelError(name, "line " + _tokens.line, _corners == 3 ? "a facet has more than three vertices"
-                        : "expected a vertex, three finite numbers, but found \"" + TextTokens.shorten(_tokens.restOfStatement().join(" ")) + "\"");
+                throw new ModelError(name, placeOf(line), _corners == 3 ? "a facet has more than three vertices"
+                        : "expected a vertex, three finite numbers, but found \"" + TextTokens.shorten(restOfStatement().join(" ")) + "\"");
             }
             triangles.push(_points.indexOf(x, y, z));
-            _tokens.next = at + 3;
+            next = at + 3;
             _corners++;
         }
 
         private function checkEnd():void
         {
-            refuseIf(_corners != 0, name, "the file is cut off: a facet has no end", "line " + _tokens.line);
-        }
-
-        private function checkLimits(place:String):void
-        {
-            refuseIf(ModelLimits.areExceeded(_points.coordinates.length / 3, triangles.length / 3), name, ModelLimits.PROBLEM, place);
-        }
-
-        private function takePoints():void
-        {
-            vertices = _points.coordinates;
-            refuseIf(vertices.length == 0, name, "no vertices: expected facets");
-        }
-
-        private function turningUp():Steps
-        {
-            return UpAxis.turning(vertices, _upAxis);
+            refuseIf(_corners != 0, name, "the file is cut off: a facet has no end", placeOf(line));
+            takeVertices("facets");
         }
     }
 }

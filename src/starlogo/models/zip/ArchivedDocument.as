@@ -3,6 +3,7 @@ package starlogo.models.zip
     import flash.utils.ByteArray;
     import starlogo.models.ModelError;
     import starlogo.models.ModelFile;
+    import starlogo.models.ModelLimits;
     import starlogo.models.TextTokens;
     import starlogo.steps.StepSequence;
     import starlogo.steps.Steps;
@@ -21,36 +22,31 @@ package starlogo.models.zip
         public var text:String = null;
 
         private var _name:String;
-        private var _bytes:ByteArray;
-        private var _archive:ZipArchive = null;
-        private var _manifest:ZipEntry = null;
-        private var _document:ZipEntry = null;
+        private var _archive:ZipArchive;
+        private var _manifest:Inflater = null;
+        private var _document:Inflater = null;
 
         /**
          * @param name the model's name
-         * @param bytes the archive
+         * @param bytes the archive; its endianness is set
+         * @throws ModelError if it is damaged
          */
         public function ArchivedDocument(name:String, bytes:ByteArray)
         {
             _name = name;
-            _bytes = bytes;
-            call(open).begin(unpackingManifest).begin(unpackingDocument).call(decode);
-        }
-
-        private function open():void
-        {
-            _archive = new ZipArchive(_name, _bytes);
+            _archive = new ZipArchive(name, bytes);
+            begin(unpackingManifest).begin(unpackingDocument).call(decode);
         }
 
         private function unpackingManifest():Steps
         {
-            _manifest = _archive.has(MANIFEST) ? _archive.unpack(MANIFEST) : null;
+            _manifest = _archive.has(MANIFEST) ? _archive.unpack(MANIFEST, MAX_MANIFEST) : null;
             return _manifest;
         }
 
         private function unpackingDocument():Steps
         {
-            _document = _archive.unpack(documentPath());
+            _document = _archive.unpack(documentPath(), ModelLimits.BYTES);
             return _document;
         }
 
@@ -62,8 +58,6 @@ package starlogo.models.zip
         /** The document that the manifest names, or else the first one. */
         private function documentPath():String
         {
-            ZipArchive.refuseIf(_manifest != null && _manifest.content.length > MAX_MANIFEST, _name, MANIFEST + " has more than " +
-                    MAX_MANIFEST + " bytes");
             var manifest:String = _manifest == null ? "" : ModelFile.text(_name, _manifest.content);
             // no regular expressions: they may take the square of the time
             for each (var piece:String in manifest.split("<"))

@@ -2,8 +2,7 @@ package starlogo.models.zip
 {
     import flash.utils.ByteArray;
     import flash.utils.Endian;
-    import starlogo.models.ModelError;
-    import starlogo.models.ModelLimits;
+    import starlogo.models.refuseIf;
 
     /**
      * The files in a zip archive (PKWARE, APPNOTE.TXT), stored or deflated. Encrypted and split archives, and those
@@ -25,6 +24,9 @@ package starlogo.models.zip
         private static const LOCAL_LENGTH:int = 30;
         private static const STORED:int = 0;
         private static const DEFLATED:int = 8;
+
+        /** How errors begin. */
+        internal static const PROBLEM:String = "the zip archive can't be read: ";
 
         /** The paths of the files. */
         public var files:Array = [];
@@ -61,9 +63,11 @@ package starlogo.models.zip
         /**
          * Begins to unpack a file that there is.
          *
+         * @param path the file
+         * @param most how many bytes it may have unpacked
          * @throws ModelError if it is not where the archive says, too large, or packed by an unknown method
          */
-        public function unpack(path:String):ZipEntry
+        public function unpack(path:String, most:int):Inflater
         {
             var header:int = _headers[PREFIX + path];
             var isEncrypted:Boolean = (shortAt(header + 8) & 1) == 1;
@@ -71,47 +75,30 @@ package starlogo.models.zip
             var packedSize:uint = wordAt(header + 20);
             var size:uint = wordAt(header + 24);
             var local:uint = wordAt(header + 42);
-            refuseIf(isEncrypted || method != STORED && method != DEFLATED, _name, path +
-                    " is encrypted or packed in a way other than \"deflate\"");
-            refuseIf(size > ModelLimits.BYTES, _name, path + " has " + size + " bytes unpacked: expected at most " + ModelLimits.BYTES);
-            refuseIf(!isWithin(local, LOCAL_LENGTH) || wordAt(local) != LOCAL_HEADER, _name, path + " is not where the archive says");
+            refuse(isEncrypted || method != STORED && method != DEFLATED, path + " is encrypted or packed in a way other than \"deflate\"");
+            refuse(size > most, path + " has " + size + " bytes unpacked: expected at most " + most);
+            refuse(!isWithin(local, LOCAL_LENGTH) || wordAt(local) != LOCAL_HEADER, path + " is not where the archive says");
             var start:Number = local + LOCAL_LENGTH + shortAt(local + 26) + shortAt(local + 28);
-            refuseIf(!isWithin(start, packedSize), _name, path + " is cut off");
+            refuse(!isWithin(start, packedSize), path + " is cut off");
             var packed:ByteArray = new ByteArray();
             if (packedSize > 0)
             {
                 packed.writeBytes(_bytes, start, packedSize);
             }
-            return new ZipEntry(_name, path, packed, method == DEFLATED, size);
-        }
-
-        /** What is wrong with a model's archive. */
-        public static function error(name:String, problem:String):ModelError
-        {
-            return new ModelError(name, "", "the zip archive can't be read: " + problem);
-        }
-
-        /** Refuses a model's archive if something is wrong with it: see starlogo.models.refuseIf. */
-        internal static function refuseIf(isWrong:Boolean, name:String, problem:String):void
-        {
-            if (isWrong)
-            {
-                throw error(name, problem);
-            }
+            return new Inflater(_name, path, packed, method == DEFLATED, size);
         }
 
         /** Where the record is that ends the archive: before a comment, so it is searched for backwards. */
         private function findDirectory():int
         {
             var last:int = _bytes.length - END_LENGTH;
-            for (var i:int = last; i >= 0 && i >= last - LONGEST_COMMENT; i--)
+            var first:int = Math.max(0, last - LONGEST_COMMENT);
+            while (last >= first && !(_bytes[last] == 0x50 && wordAt(last) == END_OF_DIRECTORY))
             {
-                if (_bytes[i] == 0x50 && wordAt(i) == END_OF_DIRECTORY)
-                {
-                    return i;
-                }
+                last--;
             }
-            throw error(_name, "it is cut off: its directory is missing");
+            refuse(last < first, "it is cut off: its directory is missing");
+            return last;
         }
 
         private function readDirectory(end:int):void
@@ -120,22 +107,22 @@ package starlogo.models.zip
             var header:Number = wordAt(end + 16);
             for (var i:int = 0; i < count; i++)
             {
-                if (!isWithin(header, CENTRAL_LENGTH) || wordAt(header) != CENTRAL_HEADER)
-                {
-                    throw error(_name, "its directory is damaged at file " + (i + 1) + " of " + count);
-                }
+                var which:String = " at file " + (i + 1) + " of " + count;
+                refuse(!isWithin(header, CENTRAL_LENGTH) || wordAt(header) != CENTRAL_HEADER, "its directory is damaged" + which);
                 var pathLength:int = shortAt(header + 28);
                 var length:int = CENTRAL_LENGTH + pathLength + shortAt(header + 30) + shortAt(header + 32);
-                if (!isWithin(header, length))
-                {
-                    throw error(_name, "its directory is cut off at file " + (i + 1) + " of " + count);
-                }
+                refuse(!isWithin(header, length), "its directory is cut off" + which);
                 _bytes.position = header + CENTRAL_LENGTH;
                 var path:String = _bytes.readUTFBytes(pathLength);
                 files.push(path);
                 _headers[PREFIX + path] = int(header);
                 header += length;
             }
+        }
+
+        private function refuse(isWrong:Boolean, problem:String):void
+        {
+            refuseIf(isWrong, _name, PROBLEM + problem);
         }
 
         private function isWithin(start:Number, length:Number):Boolean

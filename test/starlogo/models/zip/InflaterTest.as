@@ -4,13 +4,15 @@ package starlogo.models.zip
     import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
+    import org.flexunit.asserts.fail;
+    import starlogo.models.ModelError;
     import starlogo.steps.finish;
     import support.assertThrows;
 
-    public class DeflateMeterTest
+    public class InflaterTest
     {
         [Test]
-        public function countsWhatInflateMakes():void
+        public function unpacksWhatWasPacked():void
         {
             var random:SeededRandom = new SeededRandom(11);
             var ratios:Object = {few: 0, some: 0, many: 0};
@@ -18,15 +20,15 @@ package starlogo.models.zip
             {
                 var content:ByteArray = contentOf(random, int(random.logBetween(1, 60000)));
                 var packed:ByteArray = deflated(content);
-                assertEquals("content " + i, content.length, measure(packed));
                 var ratio:Number = content.length / packed.length;
+                assertSame("content " + i, content, unpacked(packed, content.length));
                 ratios[ratio < 1.1 ? "few" : ratio < 5 ? "some" : "many"]++;
             }
             assertTrue("of every kind", ratios.few > 20 && ratios.some > 20 && ratios.many > 20);
         }
 
         [Test]
-        public function countsManyBlocks():void
+        public function unpacksManyBlocks():void
         {
             var random:SeededRandom = new SeededRandom(12);
             var all:ByteArray = new ByteArray();
@@ -34,27 +36,36 @@ package starlogo.models.zip
             {
                 all.writeBytes(contentOf(random, 50000));
             }
-            assertEquals(all.length, measure(deflated(all)));
+            assertSame("all", all, unpacked(deflated(all), all.length));
         }
 
         [Test]
-        public function countsBlocksOfEveryKind():void
+        public function unpacksBlocksOfEveryKind():void
         {
-            assertEquals("stored", 3, measure(bytes(0x01, 3, 0, 0xFC, 0xFF, 7, 8, 9)));
-            assertEquals("two stored", 3, measure(bytes(0x00, 1, 0, 0xFE, 0xFF, 7, 0x01, 2, 0, 0xFD, 0xFF, 8, 9)));
-            assertEquals("stored, empty", 0, measure(bytes(0x01, 0, 0, 0xFF, 0xFF)));
-            assertEquals("fixed, empty", 0, measure(bytes(0x03, 0)));
-            assertEquals("fixed, a byte", 1, measure(bytes(0x4B, 0x04, 0)));
+            assertSame("stored", bytes(7, 8, 9), unpacked(bytes(0x01, 3, 0, 0xFC, 0xFF, 7, 8, 9), 3));
+            assertSame("two stored", bytes(7, 8, 9), unpacked(bytes(0x00, 1, 0, 0xFE, 0xFF, 7, 0x01, 2, 0, 0xFD, 0xFF, 8, 9), 3));
+            assertSame("stored, empty", bytes(), unpacked(bytes(0x01, 0, 0, 0xFF, 0xFF), 0));
+            assertSame("fixed, empty", bytes(), unpacked(bytes(0x03, 0), 0));
+            assertSame("fixed, a byte", bytes(0x61), unpacked(bytes(0x4B, 0x04, 0), 1));
         }
 
         [Test]
-        public function stopsAtItsLimit():void
+        public function whatIsNotPackedIsTakenAsItIs():void
+        {
+            assertSame("bytes", bytes(7, 8, 9), unpacked(bytes(7, 8, 9), 3, false));
+            fails(/2 bytes unpacked, but has more/, bytes(7, 8, 9), 2, false);
+            fails(/4 bytes unpacked, but has fewer/, bytes(7, 8, 9), 4, false);
+        }
+
+        [Test]
+        public function stopsAtItsSize():void
         {
             var zeros:ByteArray = new ByteArray();
             zeros.length = 5000000;
-            var meter:DeflateMeter = new DeflateMeter(deflated(zeros), 1000);
-            finish(meter);
-            assertTrue(meter.size > 1000 && meter.size < 1000 + 259);
+            fails(/1000 bytes unpacked, but has more/, deflated(zeros), 1000);
+            fails(/5000001 bytes unpacked, but has fewer/, deflated(zeros), 5000001);
+            fails(/fewer/, deflated(zeros), 60000000);
+            fails(/2 bytes unpacked, but has more/, bytes(0x01, 3, 0, 0xFC, 0xFF, 7, 8, 9), 2);
         }
 
         [Test]
@@ -64,62 +75,48 @@ package starlogo.models.zip
             fails(/cut off/, bytes(0x4B, 0x04));
             fails(/uncertain length/, bytes(0x01, 3, 0, 0xFD, 0xFF, 7, 8, 9));
             fails(/unknown kind/, bytes(0x07, 0, 0, 0));
+            fails(/repeats bytes that are not there/, bytes(0x03, 0x02, 0, 0));
         }
 
-        /** The player goes easy on some damages: it gives what it could unpack. */
         [Test]
-        public function neverCountsFewerThanInflateMakes():void
+        public function whatIsDamagedIsRefusedOrOfItsSize():void
         {
             var random:SeededRandom = new SeededRandom(13);
             var refused:int = 0;
-            var equal:int = 0;
             for (var i:int = 0; i < 1500; i++)
             {
-                var packed:ByteArray = deflated(contentOf(random, int(random.logBetween(10, 3000))));
+                var content:ByteArray = contentOf(random, int(random.logBetween(10, 3000)));
+                var packed:ByteArray = deflated(content);
                 packed[random.integer(0, packed.length - 1)] = random.integer(0, 255);
-                var size:Number = sizeOf(packed);
-                var inflated:Number = inflatedSize(packed);
-                assertTrue("damage " + i + ": " + size + ", " + inflated, size < 0 || size >= inflated);
-                refused += size < 0 ? 1 : 0;
-                equal += size == inflated ? 1 : 0;
+                try
+                {
+                    assertEquals("damage " + i, content.length, unpacked(packed, content.length).length);
+                }
+                catch (error:ModelError)
+                {
+                    refused++;
+                }
             }
-            assertTrue("some refused: " + refused, refused > 100);
-            assertTrue("some sound: " + equal, equal > 100);
+            assertTrue("some refused: " + refused, refused > 100 && refused < 1400);
         }
 
-        private static function sizeOf(packed:ByteArray):Number
+        private static function unpacked(packed:ByteArray, size:int, isDeflated:Boolean = true):ByteArray
         {
-            try
-            {
-                return measure(packed);
-            }
-            catch (error:ArgumentError)
-            {
-                return -1;
-            }
-            return -1;
+            var work:Inflater = new Inflater("a", "b.dae", packed, isDeflated, size);
+            finish(work);
+            return work.content;
         }
 
-        private static function inflatedSize(packed:ByteArray):Number
+        private static function assertSame(what:String, expected:ByteArray, found:ByteArray):void
         {
-            var copy:ByteArray = new ByteArray();
-            copy.writeBytes(packed);
-            try
+            assertEquals(what, expected.length, found.length);
+            for (var i:int = 0; i < expected.length; i++)
             {
-                copy.inflate();
+                if (expected[i] != found[i])
+                {
+                    fail(what + ": byte " + i + " is " + found[i] + ", not " + expected[i]);
+                }
             }
-            catch (error:Error)
-            {
-                return -1;
-            }
-            return copy.length;
-        }
-
-        private static function measure(packed:ByteArray):Number
-        {
-            var meter:DeflateMeter = new DeflateMeter(packed, 1e9);
-            finish(meter);
-            return meter.size;
         }
 
         /** From noise to the same byte again and again. */
@@ -162,9 +159,9 @@ package starlogo.models.zip
             return result;
         }
 
-        private static function fails(message:RegExp, packed:ByteArray):void
+        private static function fails(message:RegExp, packed:ByteArray, size:int = 3, isDeflated:Boolean = true):void
         {
-            assertThrows(ArgumentError, message, measure, packed);
+            assertThrows(ModelError, message, unpacked, packed, size, isDeflated);
         }
     }
 }

@@ -1,0 +1,164 @@
+package starlogo.models
+{
+    /**
+     * Reads text that has a statement in each line, some lines at a time. A format overrides <code>readStatement()</code>, whose own loops go
+     * through <code>words</code>: that is what makes it fast.
+     *
+     * @private
+     */
+    public class LineReader extends ModelReader
+    {
+        // the marks are words of characters that no text uses
+
+        /** Marks a line's end.  */
+        protected static const END:String = "\uE000";
+
+        /** Marks a line's end after which the next line continues the statement. */
+        protected static const CONTINUED:String = "\uE001";
+
+        // a line is taken in one step, with those that it is continued in
+        private static const MAX_PIECE:int = 1000000;
+
+        private static const CHARACTERS_PER_PIECE:int = 30000;
+        private static const WORDS_PER_STEP:int = 1000;
+
+        /** The words of the present piece. The first and the last are empty. */
+        protected var words:Array = [""];
+
+        /** Where in <code>words</code> the next one is. */
+        protected var next:int = 0;
+
+        /** The number of the next word's line, from 1. Whoever passes a mark counts it. */
+        protected var line:int = 0;
+
+        private var _source:String = "";
+
+        // the piece is the text from _start up to _end
+        private var _start:int = 0;
+        private var _end:int = 0;
+
+        /**
+         * @param name the model's name
+         * @param upAxis "x", "y" or "z", or a ModelTransform
+         */
+        public function LineReader(name:String, upAxis:Object)
+        {
+            super(name, UpAxis.of(upAxis, name));
+        }
+
+        /** @inheritDoc */
+        override public function get progress():Number
+        {
+            return 0.9 * (_start + (_end - _start) * next / words.length) / Math.max(1, _source.length);
+        }
+
+        /** The place of a line, for errors. */
+        protected static function placeOf(line:int):String
+        {
+            return "line " + line;
+        }
+
+        /** Adds the steps that read a text. @param source the text; a byte-order mark is left out */
+        protected final function readLines(source:String):void
+        {
+            _source = source.charCodeAt(0) == 0xFEFF ? source.substr(1) : source;
+            repeat(readSome);
+        }
+
+        /** Reads a statement, or as much of it as matters. A format that does not say how passes over all. @param word its first word; the next one is <code>words[next]</code> */
+        protected function readStatement(word:String):void
+        {
+            skipStatement();
+        }
+
+        /** How many triangles there are so far. */
+        protected function get triangleCount():int
+        {
+            return triangles.length / 3;
+        }
+
+        /** Refuses what has too many vertices or triangles so far. */
+        protected final function checkLimits(place:String):void
+        {
+            refuseIf(ModelLimits.areExceeded(vertices.length / 3, triangleCount), name, ModelLimits.PROBLEM, place);
+        }
+
+        /** Goes to the end of the line. */
+        protected final function skipStatement():void
+        {
+            var word:String = words[next];
+            while (word != END && word != CONTINUED)
+            {
+                word = words[++next];
+            }
+        }
+
+        /** The words up to the end of the statement or to a comment, without marks; goes to that end. */
+        protected final function restOfStatement():Array
+        {
+            var rest:Array = [];
+            for (var word:String = words[next]; word != END; word = words[++next])
+            {
+                if (word == CONTINUED)
+                {
+                    line++;
+                }
+                else if (word.charAt(0) == "#")
+                {
+                    skipStatement();
+                    break;
+                }
+                else
+                {
+                    rest.push(word);
+                }
+            }
+            return rest;
+        }
+
+        private function readSome():Boolean
+        {
+            if (next == words.length - 1)
+            {
+                readPiece();
+                return true;
+            }
+            var end:int = Math.min(next + WORDS_PER_STEP, words.length - 1);
+            while (next < end)
+            {
+                var word:String = words[next++];
+                if (word == END || word == CONTINUED)
+                {
+                    line++;
+                }
+                else
+                {
+                    readStatement(word);
+                }
+            }
+            checkLimits(placeOf(line));
+            return next < words.length - 1 || _end < _source.length;
+        }
+
+        // Lines that are continued stay in one piece.
+        private function readPiece():void
+        {
+            _start = _end;
+            _end = _source.indexOf("\n", _start + CHARACTERS_PER_PIECE) + 1;
+            while (_end > 0 && _source.charAt(_end - (_source.charCodeAt(_end - 2) == 0x0D ? 3 : 2)) == "\\")
+            {
+                _end = _source.indexOf("\n", _end) + 1;
+            }
+            _end = _end == 0 ? _source.length : _end;
+            refuseIf(_end - _start > MAX_PIECE, name, "a line, with those that it is continued in, has more than " + MAX_PIECE + " characters", placeOf(line + 1));
+            var text:String = (_start == 0 ? "\n" : "") + _source.substring(_start, _end) + (_end == _source.length ? "\n" : "");
+            text = TextTokens.replaceAll(text, "\r\n", "\n");
+            text = TextTokens.replaceAll(text, "\r", "\n");
+            text = TextTokens.replaceAll(text, "\t", " ");
+            text = TextTokens.replaceAll(text, "\\\n", " " + CONTINUED + " ");
+            text = TextTokens.replaceAll(text, "\n", " " + END + " ");
+            words = TextTokens.split(TextTokens.singleSpaced(" " + text + " "));
+            next = 1;
+        }
+    }
+}

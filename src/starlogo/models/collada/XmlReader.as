@@ -1,0 +1,189 @@
+package starlogo.models.collada
+{
+    import starlogo.models.NextOfTwo;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.Steps;
+
+    /**
+     * Reads XML, in steps: elements, attributes, texts and CDATA. Comments, processing instructions and declarations are passed over. It knows
+     * XML's own entities and numbers of characters, and expands no others.
+     */
+    internal final class XmlReader implements Steps
+    {
+        /** How deep elements may be nested. */
+        internal static const MAX_DEPTH:int = 1000;
+
+        /** How many attributes an element may have. */
+        internal static const MAX_ATTRIBUTES:int = 100;
+
+        /** How many elements there may be. */
+        internal static const MAX_ELEMENTS:int = 500000;
+
+        private static const TAGS_PER_STEP:int = 100;
+        private static const QUESTION:int = 0x3F;
+        private static const EXCLAMATION:int = 0x21;
+        private static const SLASH:int = 0x2F;
+        private static const NAME_END:RegExp = /[\s\/]/;
+        private static const ATTRIBUTE:RegExp = /^\s+([^\s=]+)\s*=\s*$/;
+        private static const TAG_END:RegExp = /^\s*\/?$/;
+        private static const ENTITY:RegExp = /&(#x[\da-fA-F]+|#\d+|lt|gt|amp|quot|apos);/g;
+        private static const ENTITIES:Object = {lt: "<", gt: ">", amp: "&", quot: "\"", apos: "'"};
+
+        /** The root element, when no step is left; null if there is none. */
+        public var root:ColladaElement = null;
+
+        /** The elements with ids, in the document's order. */
+        public var identified:Vector.<ColladaElement> = new Vector.<ColladaElement>();
+
+        private var _name:String;
+        private var _source:String;
+        private var _at:int = 0;
+        private var _quotes:NextOfTwo;
+        private var _elements:int = 0;
+
+        // the elements that are not closed yet, as they are written
+        private var _names:Array = [];
+        private var _open:ColladaElement = null;
+
+        /**
+         * @param name the model's name
+         * @param source the text
+         */
+        public function XmlReader(name:String, source:String)
+        {
+            _name = name;
+            _source = source;
+            _quotes = new NextOfTwo(source, "\"", "'");
+        }
+
+        /**
+         * @inheritDoc
+         *
+         * @throws ModelError if it is not well-formed, or there is too much of something
+         */
+        public function step():Boolean
+        {
+            for (var i:int = 0; i < TAGS_PER_STEP && _at < _source.length; i++)
+            {
+                var tag:int = _source.indexOf("<", _at);
+                addText(_at, tag < 0 ? _source.length : tag);
+                _at = tag < 0 ? _source.length : tag + 1;
+                if (tag >= 0)
+                {
+                    readTag();
+                }
+            }
+            refuseIf(_elements > MAX_ELEMENTS, _name, "the document has more than " + MAX_ELEMENTS + " elements");
+            refuse(_at == _source.length && _open != null);
+            return _at < _source.length;
+        }
+
+        private function readTag():void
+        {
+            switch (_source.charCodeAt(_at))
+            {
+                case EXCLAMATION:
+                    readDeclaration();
+                    break;
+                case QUESTION:
+                    _at = endOf("?>");
+                    break;
+                case SLASH:
+                    closeElement();
+                    break;
+                default:
+                    openElement();
+            }
+        }
+
+        private function readDeclaration():void
+        {
+            var isData:Boolean = _source.substr(_at, 8) == "![CDATA[";
+            var start:int = _at + 8;
+            _at = endOf(isData ? "]]>" : (_source.substr(_at, 3) == "!--" ? "-->" : ">"));
+            if (isData && _open != null)
+            {
+                _open.texts.push(_source.substring(start, _at - 3));
+            }
+        }
+
+        private function closeElement():void
+        {
+            var start:int = _at + 1;
+            _at = endOf(">");
+            refuse(_open == null || _source.substring(start, _at - 1).split(NAME_END, 1)[0] != _names.pop());
+            _open = _open.parent;
+        }
+
+        private function openElement():void
+        {
+            var end:int = endOf(">") - 1;
+            var quote:int = _quotes.after(_at);
+            var name:String = _source.substring(_at, Math.min(quote, end)).split(NAME_END, 1)[0];
+            refuse(name == "" || root != null && _open == null);
+            _elements++;
+            var element:ColladaElement = new ColladaElement(localName(name), _open);
+            root ||= element;
+            _at += name.length;
+            for (var count:int = 0; quote < end && count < MAX_ATTRIBUTES; count++)
+            {
+                var words:Array = ATTRIBUTE.exec(_source.substring(_at, quote));
+                var close:int = _source.indexOf(_source.charAt(quote), quote + 1);
+                refuse(words == null || close < 0);
+                element.setAttribute(localName(words[1]), decoded(_source.substring(quote + 1, close)));
+                _at = close + 1;
+                end = end < close ? endOf(">") - 1 : end;
+                quote = _quotes.after(_at);
+            }
+            refuseIf(quote < end, _name, "the document has an element of more than " + MAX_ATTRIBUTES + " attributes");
+            refuse(!TAG_END.test(_source.substring(_at, end)));
+            if (element.id != "")
+            {
+                identified.push(element);
+            }
+            if (_source.charCodeAt(end - 1) != SLASH)
+            {
+                _names.push(name);
+                _open = element;
+            }
+            refuseIf(_names.length > MAX_DEPTH, _name, "the document has elements that are nested more than " + MAX_DEPTH + " deep");
+            _at = end + 1;
+        }
+
+        private function addText(start:int, end:int):void
+        {
+            if (_open != null && start < end)
+            {
+                _open.texts.push(decoded(_source.substring(start, end)));
+            }
+        }
+
+        /** The place behind the next occurrence of something, which has to be there. */
+        private function endOf(piece:String):int
+        {
+            var place:int = _source.indexOf(piece, _at);
+            refuse(place < 0);
+            return place + piece.length;
+        }
+
+        private function refuse(isWrong:Boolean):void
+        {
+            refuseIf(isWrong, _name, "this is not well-formed XML, or cut off");
+        }
+
+        private static function localName(name:String):String
+        {
+            return name.substr(name.indexOf(":") + 1);
+        }
+
+        private static function decoded(text:String):String
+        {
+            return text.indexOf("&") < 0 ? text : text.replace(ENTITY, characterOf);
+        }
+
+        private static function characterOf(entity:String, name:String, ...rest):String
+        {
+            return name.charAt(0) == "#" ? String.fromCharCode(Number("0" + name.substr(1))) : ENTITIES[name];
+        }
+    }
+}

@@ -1,0 +1,333 @@
+package starlogo.models.zip
+{
+    import flash.utils.ByteArray;
+    import flash.utils.Endian;
+    import starlogo.models.refuseIf;
+    import starlogo.steps.Steps;
+
+    /**
+     * Unpacks a file of a zip archive (RFC 1951), in steps. The archive says how long the file is; a file that turns out longer is refused
+     * before it takes more memory than that.
+     */
+    internal final class Inflater implements Steps
+    {
+        // no byte of packed data stands for more than this many
+        private static const MAX_RATIO:int = 1032;
+        private static const LONGEST_MATCH:int = 258;
+        private static const BYTES_PER_STEP:int = 6000;
+
+        // from so many bytes on the player copies them faster than a loop
+        private static const WORTH_A_CALL:int = 32;
+
+        private static const SHORT_MASK:int = (1 << HuffmanCode.SHORT_LENGTH) - 1;
+        private static const END_OF_BLOCK:int = 256;
+        private static const LENGTH_CODES:int = 29;
+        private static const DISTANCE_CODES:int = 30;
+
+        // bits are read two bytes at a time, before it is known that they are needed
+        private static const PADDING:int = 8;
+
+        // the lengths of the codes of codes' lengths come in this order
+        private static const ORDER:Vector.<int> = new <int>[16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
+
+        private static var sFixedSymbols:HuffmanCode = null;
+        private static var sFixedDistances:HuffmanCode = null;
+
+        /** The file, when no step is left. */
+        public var content:ByteArray = new ByteArray();
+
+        private var _name:String;
+        private var _path:String;
+        private var _size:int;
+        private var _written:int = 0;
+
+        // what is packed, and the bits of it that are read and not used yet
+        private var _packed:ByteArray = new ByteArray();
+        private var _bits:int = 0;
+        private var _bitCount:int = 0;
+
+        private var _isInBlock:Boolean = false;
+        private var _isLastBlock:Boolean = false;
+        private var _symbols:HuffmanCode;
+        private var _distances:HuffmanCode;
+
+        /**
+         * @param name the model's name
+         * @param path what the file is called, for errors
+         * @param packed what the archive has of it; changed
+         * @param isDeflated whether that is packed at all
+         * @param size how many bytes there have to be unpacked
+         * @throws ModelError if there can't be as many
+         */
+        public function Inflater(name:String, path:String, packed:ByteArray, isDeflated:Boolean, size:uint)
+        {
+            _name = name;
+            _path = path;
+            _size = size;
+            refuseSize(size > MAX_RATIO * Number(packed.length), "fewer");
+            if (isDeflated)
+            {
+                _packed = packed;
+                content.length = size + LONGEST_MATCH;
+            }
+            else
+            {
+                content = packed;
+                _written = packed.length;
+                _isLastBlock = true;
+            }
+            _packed.endian = Endian.LITTLE_ENDIAN;
+            _packed.length += PADDING;
+            _packed.position = 0;
+        }
+
+        /** @inheritDoc */
+        public function step():Boolean
+        {
+            try
+            {
+                if (_isInBlock)
+                {
+                    unpackSome();
+                }
+                else if (!_isLastBlock)
+                {
+                    beginBlock();
+                }
+                refuse(_packed.position - (_bitCount >> 3) > _packed.length - PADDING, "it is cut off");
+            }
+            catch (failure:ArgumentError)
+            {
+                refuseIf(true, _name, ZipArchive.PROBLEM + _path + " can't be unpacked: " + failure.message);
+            }
+            refuseSize(_written > _size, "more");
+            if (_isInBlock || !_isLastBlock)
+            {
+                return true;
+            }
+            refuseSize(_written < _size, "fewer");
+            content.length = _size;
+            content.position = 0;
+            return false;
+        }
+
+        private function refuseSize(isWrong:Boolean, amount:String):void
+        {
+            refuseIf(isWrong, _name, ZipArchive.PROBLEM + _path + " should have " + _size + " bytes unpacked, but has " + amount);
+        }
+
+        private static function refuse(isWrong:Boolean, problem:String):void
+        {
+            if (isWrong)
+            {
+                throw new ArgumentError(problem);
+            }
+        }
+
+        private function beginBlock():void
+        {
+            _isLastBlock = readBits(1) == 1;
+            var kind:int = readBits(2);
+            refuse(kind == 3, "it has a block of an unknown kind");
+            if (kind == 0)
+            {
+                copyStored();
+                return;
+            }
+            _isInBlock = true;
+            if (kind == 1)
+            {
+                useFixedCodes();
+            }
+            else
+            {
+                readCodes();
+            }
+        }
+
+        private function copyStored():void
+        {
+            _packed.position -= _bitCount >> 3;
+            _bits = 0;
+            _bitCount = 0;
+            var length:int = readBits(16);
+            refuse(readBits(16) != (length ^ 0xFFFF), "it has a block of an uncertain length");
+            refuse(length > _packed.bytesAvailable, "it is cut off");
+            refuseSize(_written + length > _size, "more");
+            content.position = _written;
+            if (length > 0)
+            {
+                content.writeBytes(_packed, _packed.position, length);
+            }
+            _packed.position += length;
+            _written += length;
+        }
+
+        private function useFixedCodes():void
+        {
+            if (sFixedSymbols == null)
+            {
+                var lengths:Vector.<int> = new Vector.<int>(288);
+                var distances:Vector.<int> = new Vector.<int>(32);
+                for (var i:int = 0; i < 288; i++)
+                {
+                    lengths[i] = i < 144 || i > 279 ? 8 : i < 256 ? 9 : 7;
+                    distances[i & 31] = 5;
+                }
+                sFixedSymbols = new HuffmanCode(lengths);
+                sFixedDistances = new HuffmanCode(distances);
+            }
+            _symbols = sFixedSymbols;
+            _distances = sFixedDistances;
+        }
+
+        private function readCodes():void
+        {
+            var symbolCount:int = readBits(5) + 257;
+            var distanceCount:int = readBits(5) + 1;
+            var count:int = readBits(4) + 4;
+            var lengths:Vector.<int> = new Vector.<int>(ORDER.length);
+            for (var i:int = 0; i < count; i++)
+            {
+                lengths[ORDER[i]] = readBits(3);
+            }
+            lengths = readLengths(new HuffmanCode(lengths), symbolCount + distanceCount);
+            _symbols = new HuffmanCode(lengths.slice(0, symbolCount));
+            _distances = new HuffmanCode(lengths.slice(symbolCount));
+        }
+
+        private function readLengths(code:HuffmanCode, count:int):Vector.<int>
+        {
+            var lengths:Vector.<int> = new Vector.<int>();
+            while (lengths.length < count)
+            {
+                var symbol:int = readSymbol(code);
+                refuse(symbol == 16 && lengths.length == 0, "it repeats a length that is not there");
+                var length:int = symbol < 16 ? symbol : (symbol == 16 ? lengths[lengths.length - 1] : 0);
+                var times:int = symbol < 16 ? 1 : (symbol == 18 ? 11 + readBits(7) : 3 + readBits(symbol - 14));
+                for (var i:int = 0; i < times; i++)
+                {
+                    lengths.push(length);
+                }
+            }
+            refuse(lengths.length > count, "it has more lengths of codes than codes");
+            return lengths;
+        }
+
+        private function readSymbol(code:HuffmanCode):int
+        {
+            refill();
+            var entry:int = code.entries[_bits & SHORT_MASK] || code.longEntry(_bits);
+            readBits(entry & 15);
+            return entry >> 4;
+        }
+
+        private function readBits(count:int):int
+        {
+            refill();
+            var value:int = _bits & (1 << count) - 1;
+            _bits >>= count;
+            _bitCount -= count;
+            return value;
+        }
+
+        // Of what is read 31 bits fit: so many that the largest number of bits can be taken off.
+        private function refill():void
+        {
+            if (_bitCount < 16)
+            {
+                _bits |= nextShort() << _bitCount;
+                _bitCount += 16;
+            }
+        }
+
+        private function nextShort():int
+        {
+            refuse(_packed.bytesAvailable < 2, "it is cut off");
+            return _packed.readUnsignedShort();
+        }
+
+        // readSymbol() is written out for bytes that stand for themselves: that is what takes the time.
+        private function unpackSome():void
+        {
+            var out:ByteArray = content;
+            var code:HuffmanCode = _symbols;
+            var entries:Vector.<int> = code.entries;
+            var bits:int = _bits;
+            var bitCount:int = _bitCount;
+            var written:int = _written;
+            var end:int = Math.min(_written + BYTES_PER_STEP, _size + 1);
+            while (written < end)
+            {
+                if (bitCount < 16)
+                {
+                    bits |= nextShort() << bitCount;
+                    bitCount += 16;
+                }
+                var entry:int = entries[bits & SHORT_MASK];
+                if (entry == 0)
+                {
+                    entry = code.longEntry(bits);
+                }
+                bits >>= entry & 15;
+                bitCount -= entry & 15;
+                var symbol:int = entry >> 4;
+                if (symbol < END_OF_BLOCK)
+                {
+                    out[written++] = symbol;
+                    continue;
+                }
+                _bits = bits;
+                _bitCount = bitCount;
+                _isInBlock = symbol != END_OF_BLOCK;
+                if (!_isInBlock)
+                {
+                    break;
+                }
+                written = repeat(symbol - END_OF_BLOCK - 1, written);
+                bits = _bits;
+                bitCount = _bitCount;
+            }
+            _bits = bits;
+            _bitCount = bitCount;
+            _written = written;
+        }
+
+        // Copies bytes from before; returns where they end.
+        private function repeat(code:int, written:int):int
+        {
+            var out:ByteArray = content;
+            refuse(code >= LENGTH_CODES, "it has a length of an unknown kind");
+            var end:int = written + (code == LENGTH_CODES - 1 ? LONGEST_MATCH : valueOf(code, 2, 3));
+            code = readSymbol(_distances);
+            refuse(code >= DISTANCE_CODES, "it has a distance of an unknown kind");
+            var from:int = written - valueOf(code, 1, 1);
+            refuse(from < 0, "it repeats bytes that are not there");
+            while (written < end)
+            {
+                // what repeats itself is twice as long each time
+                var count:int = Math.min(end - written, written - from);
+                if (count >= WORTH_A_CALL)
+                {
+                    out.position = written;
+                    out.writeBytes(out, from, count);
+                    written += count;
+                    continue;
+                }
+                for (var last:int = from + count; from < last; from++)
+                {
+                    out[written++] = out[from];
+                }
+                from -= count;
+            }
+            return written;
+        }
+
+        /** The number of a code. @param shift the codes have that many binary digits of it below the first one @param least the number of the first code */
+        private function valueOf(code:int, shift:int, least:int):int
+        {
+            var extra:int = (code >> shift) - 1;
+            return extra < 1 ? code + least : ((1 << shift | code & (1 << shift) - 1) << extra) + least + readBits(extra);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+package starlogo.models.collada
+{
+    import org.flexunit.asserts.assertEquals;
+    import org.flexunit.asserts.assertNull;
+    import starlogo.models.ModelError;
+    import starlogo.steps.finish;
+    import support.assertThrows;
+
+    public class XmlReaderTest
+    {
+        [Test]
+        public function readsElementsAttributesAndTexts():void
+        {
+            var root:ColladaElement = read("\uFEFF<?xml version='1.0'?><!DOCTYPE a [<!ENTITY x \"y\">]>\n<a b=\"1\" c = '>\"2'>one<d/>two<d id=\"e\"> </d ></a>\n<!-- end -->");
+            assertEquals("a", root.name);
+            assertEquals("1", root.attribute("b"));
+            assertEquals(">\"2", root.attribute("c"));
+            assertEquals("", root.attribute("toString"));
+            assertEquals("one,two", root.words.join());
+            assertEquals(2, root.childrenNamed("d").length);
+            assertEquals("d#e", String(root.children[1]));
+            assertEquals("d[1]", String(read("<a><d/><d/></a>").children[0]));
+        }
+
+        [Test]
+        public function namesHaveNoPrefix():void
+        {
+            var root:ColladaElement = read("<c:a x:b='1'><c:d/></c:a>");
+            assertEquals("a", root.name);
+            assertEquals("1", root.attribute("b"));
+            assertEquals("d", root.children[0].name);
+        }
+
+        [Test]
+        public function knowsItsOwnEntitiesAndNoOthers():void
+        {
+            var root:ColladaElement = read("<a b='&lt;&#65;&#x42;&gt;'>&amp;&quot;&apos;&other;&LT;</a>");
+            assertEquals("<AB>", root.attribute("b"));
+            assertEquals("&\"'&other;&LT;", root.texts.join(""));
+        }
+
+        [Test]
+        public function passesOverComments():void
+        {
+            assertEquals("1,2,<b>,3", read("<a>1<!-- <b> -- > -->2<![CDATA[ <b> ]]>3<?d <e> ?></a>").words.join());
+        }
+
+        [Test]
+        public function thereMayBeNoElement():void
+        {
+            assertNull(read(""));
+            assertNull(read("text, <!-- and a comment -->"));
+        }
+
+        [Test]
+        public function refusesWhatIsNotWellFormed():void
+        {
+            for each (var source:String in ["<a", "<a>", "<a></b>", "</a>", "<a/><b/>", "<a b></a>", "<a b=1/>", "<a b='1/>", "<a b='1'c/>", "<a 'b'/>", "<a><!-- ></a>",
+                        "<a><![CDATA[</a>", "<a><b></a></b>", "< a/>", "<?a", "<a b='1' c></a>", "<a b='1'c='2'/>"])
+            {
+                assertThrows(ModelError, /not well-formed/, read, source);
+            }
+        }
+
+        private static function read(source:String):ColladaElement
+        {
+            var work:XmlReader = new XmlReader("a", source);
+            finish(work);
+            return work.root;
+        }
+    }
+}

@@ -15,7 +15,7 @@ const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
 const ADDRESSES = { play: 'play/paintball' };
 /** What else a view shows, by what is there then. */
 const MORE = { play: { '.gallery [data-drawn], .gallery[data-drawn]': 'play/all', '.lesson:visible': 'play/lesson-wing' }, teach: { '[data-drawn]': 'teach/see' } };
-const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
+const axe = readFileSync(path.join(root, 'js/playground/node_modules/axe-core/axe.min.js'), 'utf8');
 const counts = JSON.parse(readFileSync(path.join(root, 'test/fixtures/playground/scattered.json'), 'utf8'));
 
 let site;

@@ -2,11 +2,11 @@
 /**
  * Draws the picture of README.md: what the collision systems see of a bear, as the package itself computes it.
  *
- *   node module/picture.mjs      after ./antw module
+ *   node js/module/picture.mjs      after ./antw module
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } from "../bin/module/starlogo-collision.js";
+import { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } from "../../bin/module/starlogo-collision.js";
 import { ROOT } from "./names.mjs";
 
 const WIDTH = 260;
@@ -57,4 +57,4 @@ function drawPicture() {
 	return `<svg xmlns="http://www.w3.org/2000/svg" ${size} font-family="sans-serif" font-size="15"><rect width="100%" height="100%" fill="#fff"/>${groups.join("")}</svg>\n`;
 }
 
-writeFileSync(join(ROOT, "module/picture.svg"), drawPicture());
+writeFileSync(join(ROOT, "js/module/picture.svg"), drawPicture());

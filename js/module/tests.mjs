@@ -2,14 +2,14 @@
 /**
  * Writes the engine and the FlexUnit tests of it as one module: what test/module/run.mjs runs.
  *
- *   node module/tests.mjs TRANSPILED OUT
+ *   node js/module/tests.mjs TRANSPILED OUT
  */
 import { writeFileSync } from "node:fs";
 import { standinsText, translate } from "./assemble.mjs";
 import { publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
-const flexunit = new URL("../test/module/flexunit.mjs", import.meta.url).href;
+const flexunit = new URL("../../test/module/flexunit.mjs", import.meta.url).href;
 const ASSERTS = ["Equals", "StrictlyEquals", "True", "False", "Null", "NotNull"];
 const externals = {
 	"flash.external.ExternalInterface": "ExternalInterface",

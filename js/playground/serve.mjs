@@ -2,9 +2,9 @@
 /**
  * Serves the built playground on loopback, and prints the address.
  *
- *   node playground/serve.mjs FOLDER [PORT]
+ *   node js/playground/serve.mjs FOLDER [PORT]
  */
-import { serve } from "../test/headless/server.mjs";
+import { serve } from "../../test/headless/server.mjs";
 
 const [folder, port] = process.argv.slice(2);
 const { url } = await serve(null, { "": folder }, { port: Number(port ?? 0) });

@@ -4,7 +4,7 @@ import path from "node:path";
 import { Marked, Renderer } from "marked";
 
 /** The pages that are not in docs/, each with its name there. */
-const OTHERS = { "README.md": "project", "CONTRIBUTING.md": "contributing", "module/README.md": "package" };
+const OTHERS = { "README.md": "project", "CONTRIBUTING.md": "contributing", "js/module/README.md": "package" };
 /** The examples, each with the files that its page lists. */
 const EXAMPLES = { page: ["page.js", "pictures.js"], three: ["page.js"], client: ["Client.as", "Pictures.as"] };
 const STARTS = { js: "js", as: "actionscript" };

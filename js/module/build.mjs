@@ -2,7 +2,7 @@
 /**
  * Writes the npm package of the engine.
  *
- *   node module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
+ *   node js/module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
  */
 import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
@@ -43,12 +43,12 @@ writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
 writeFileSync(join(out, "LICENSES.md"), licences());
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
-copyFileSync(join(ROOT, "module/bake.mjs"), join(out, "bake.mjs"));
-copyFileSync(join(ROOT, "module/README.md"), join(out, "README.md"));
+copyFileSync(join(ROOT, "js/module/bake.mjs"), join(out, "bake.mjs"));
+copyFileSync(join(ROOT, "js/module/README.md"), join(out, "README.md"));
 copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
-copyFileSync(join(ROOT, "module/picture.svg"), join(out, "picture.svg"));
-cpSync(join(ROOT, "adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
-cpSync(join(ROOT, "adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
+copyFileSync(join(ROOT, "js/module/picture.svg"), join(out, "picture.svg"));
+cpSync(join(ROOT, "js/adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
+cpSync(join(ROOT, "js/adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
 // the adapter and the engine as a classic script
 buildSync({
 	entryPoints: [join(out, "nova/index.js")],
@@ -104,10 +104,10 @@ function manifest() {
 /** The licences of what is bundled in. */
 function licences() {
 	const parts = THIRD_PARTY.map((name) => {
-		const folder = join(ROOT, "module/node_modules", name);
+		const folder = join(ROOT, "js/module/node_modules", name);
 		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
 		// saxes' package brings none
-		const file = [join(folder, "LICENSE"), join(ROOT, "module/licences", `${name}.txt`)].find(existsSync);
+		const file = [join(folder, "LICENSE"), join(ROOT, "js/module/licences", `${name}.txt`)].find(existsSync);
 		return `## ${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});
 	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;

@@ -2,16 +2,16 @@
 /**
  * Bundles the playground into static files.
  *
- *   node playground/build.mjs MODULE OUT      MODULE is the npm package of the engine (bin/module)
+ *   node js/playground/build.mjs MODULE OUT      MODULE is the npm package of the engine (bin/module)
  */
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { build } from "esbuild";
-import { models } from "../assets/generator/models/index.mjs";
-import { palette } from "../assets/generator/palette.mjs";
-import { flatten } from "../assets/generator/scene.mjs";
+import { models } from "../../assets/generator/models/index.mjs";
+import { palette } from "../../assets/generator/palette.mjs";
+import { flatten } from "../../assets/generator/scene.mjs";
 import { writeDocs } from "./docs.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
@@ -145,11 +145,11 @@ cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: tr
 mkdirSync(path.join(out, "models"));
 for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
 writeFileSync(path.join(out, "LICENSES.txt"), licences());
-writeDocs(path.join(here, ".."), path.join(out, "docs"));
+writeDocs(path.join(here, "../.."), path.join(out, "docs"));
 
 for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
-	const first = neededFor(`playground/${entry}`);
-	const editor = view === "play" ? neededFor("playground/play/editor.js").filter((file) => !first.includes(file)) : [];
+	const first = neededFor(`js/playground/${entry}`);
+	const editor = view === "play" ? neededFor("js/playground/play/editor.js").filter((file) => !first.includes(file)) : [];
 	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);
 }
 console.log(`written: ${path.relative(process.cwd(), out)}`);
@@ -163,7 +163,7 @@ function neededFor(entry) {
 		files.add(file);
 		for (const { path: other, kind } of outputs[file].imports) if (kind === "import-statement") add(other);
 	};
-	for (const [file, { entryPoint }] of Object.entries(outputs)) if ([entry, "playground/main.js", "playground/languages/en.js"].some((each) => entryPoint?.endsWith(each))) add(file);
+	for (const [file, { entryPoint }] of Object.entries(outputs)) if ([entry, "js/playground/main.js", "js/playground/languages/en.js"].some((each) => entryPoint?.endsWith(each))) add(file);
 	return [...files];
 }
 
@@ -176,7 +176,7 @@ function sizes(files) {
 function baked(model) {
 	const { name, format } = model;
 	const [reader, ending] = format === "COLLADA" ? [ColladaModel, "dae"] : [ObjModel, "obj"];
-	const { vertices, triangles, source: { unit, offset } } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(here, `../assets/${name}.${ending}`))));
+	const { vertices, triangles, source: { unit, offset } } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(here, `../../assets/${name}.${ending}`))));
 	const middle = [offset.x, offset.y, offset.z];
 	const written = vertices.map((value, i) => Number((value * unit + middle[i % 3]).toFixed(6)));
 	const again = new Model(name, written, triangles).vertices;
@@ -203,5 +203,5 @@ function licences() {
 		const file = [path.join(folder, "LICENSE"), path.join(here, "licences", `${name}.txt`)].find(existsSync);
 		return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});
-	return [readFileSync(path.join(here, "../LICENSE"), "utf8"), readFileSync(path.join(engine, "LICENSES.md"), "utf8"), ...parts].join("\n----\n\n");
+	return [readFileSync(path.join(here, "../../LICENSE"), "utf8"), readFileSync(path.join(engine, "LICENSES.md"), "utf8"), ...parts].join("\n----\n\n");
 }

@@ -4,10 +4,10 @@ import { fileURLToPath } from "node:url";
 import { readSignatures } from "./signatures.mjs";
 
 /** The project's folder. */
-export const ROOT = fileURLToPath(new URL("..", import.meta.url));
+export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 
 /** Where the module's sources are; what an earlier folder has stands for others of its name. */
-export const SOURCES = ["standins/module", "standins/common", "src"].map((folder) => join(ROOT, folder));
+export const SOURCES = ["js/standins/module", "js/standins/common", "src"].map((folder) => join(ROOT, folder));
 
 /** What the translated classes call beside themselves, and the stand-in's file that has it. */
 export const EXTERNALS = {

@@ -2,7 +2,7 @@
 /**
  * Writes the class that the compiler begins with: it names all that is to be compiled.
  *
- *   node module/roots.mjs FOLDER [--tests]
+ *   node js/module/roots.mjs FOLDER [--tests]
  */
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

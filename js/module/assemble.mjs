@@ -39,7 +39,7 @@ export function standinsText() {
 /** What is imported from npm, in a scope of its own, which is left out of a bundle that does not need it. */
 function bundled([from, names]) {
 	const contents = `export { ${names.join(", ")} } from "${from}";`;
-	const result = buildSync({ stdin: { contents, resolveDir: here }, bundle: true, write: false, format: "iife", globalName: "npm", target: "es2022", legalComments: "none" });
+	const result = buildSync({ absWorkingDir: join(here, ".."), stdin: { contents, resolveDir: here }, bundle: true, write: false, format: "iife", globalName: "npm", target: "es2022", legalComments: "none" });
 	const text = result.outputFiles[0].text.replace(/^"use strict";\n/, "").replace(/^var npm = /, "");
 	return `const ${scopeName(from)} = /* @__PURE__ */ ${text}`;
 }

@@ -8,7 +8,6 @@ import avmplus.File;
 import avmplus.System;
 import avmplus.describeType;
 import avmplus.getQualifiedClassName;
-import avmplus.getQualifiedSuperclassName;
 import flash.utils.ByteArray;
 
 var SIGN:String = String.fromCharCode(1);
@@ -74,7 +73,6 @@ machine.collect = function():void
 };
 
 machine.className = getQualifiedClassName;
-machine.superclassName = getQualifiedSuperclassName;
 
 machine.definition = function(name:String):Object
 {

@@ -49,9 +49,6 @@ package standin
         /** <code>(value:*):String</code>: its class's name, as getQualifiedClassName. */
         public static var className:Function;
 
-        /** <code>(value:*):String</code>: its superclass's name, as getQualifiedSuperclassName. */
-        public static var superclassName:Function;
-
         /** <code>(name:String):Object</code>: the class of that name, as getDefinitionByName. */
         public static var definition:Function;
 

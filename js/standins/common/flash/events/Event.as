@@ -77,9 +77,10 @@ package flash.events
             return _target;
         }
 
+        /** Flash's EventPhase.AT_TARGET. */
         public function get eventPhase():uint
         {
-            return EventPhase.AT_TARGET;
+            return 2;
         }
 
         /** A new event alike, for the next dispatch; a subclass overrides it. */

@@ -1,4 +1,4 @@
-// This file is long because it has the whole of a class of Flash, written out: its loops would cost more than they do.
+// This file is long because it has the whole of a class of Flash.
 package flash.geom
 {
     import standin.SinglePrecision;
@@ -21,29 +21,21 @@ package flash.geom
         // an inverse would be too large
         private static const SINGULAR:Number = 1e-11;
 
-        private static var sRotation:Matrix3D = new Matrix3D();
+        // Flash's Orientation3D
+        private static const EULER_ANGLES:String = "eulerAngles";
+        private static const AXIS_ANGLE:String = "axisAngle";
+        private static const QUATERNION:String = "quaternion";
 
-        private var _m0:Number;
-        private var _m1:Number;
-        private var _m2:Number;
-        private var _m3:Number;
-        private var _m4:Number;
-        private var _m5:Number;
-        private var _m6:Number;
-        private var _m7:Number;
-        private var _m8:Number;
-        private var _m9:Number;
-        private var _m10:Number;
-        private var _m11:Number;
-        private var _m12:Number;
-        private var _m13:Number;
-        private var _m14:Number;
-        private var _m15:Number;
+        private static const IDENTITY:Vector.<Number> = new <Number>[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+        private static var sRotation:Matrix3D = new Matrix3D();
+        private static var sProduct:Vector.<Number> = new Vector.<Number>(16);
+
+        private var _m:Vector.<Number> = IDENTITY.concat();
 
         /** @param v 16 elements, column by column; with any other number, or null, the matrix is the identity */
         public function Matrix3D(v:Vector.<Number> = null)
         {
-            identity();
             rawData = v;
         }
 
@@ -63,9 +55,7 @@ package flash.geom
         /** A copy of the 16 elements, column by column. */
         public function get rawData():Vector.<Number>
         {
-            var copy:Vector.<Number> = new Vector.<Number>(16);
-            copyRawDataTo(copy);
-            return copy;
+            return _m.concat();
         }
 
         /** Takes 16 elements over; any other number of them, or null, changes nothing. */
@@ -80,28 +70,28 @@ package flash.geom
         /** Column 3, with w = 0. */
         public function get position():Vector3D
         {
-            return new Vector3D(_m12, _m13, _m14);
+            return new Vector3D(_m[12], _m[13], _m[14]);
         }
 
         public function set position(pos:Vector3D):void
         {
-            _m12 = pos.x;
-            _m13 = pos.y;
-            _m14 = pos.z;
+            _m[12] = pos.x;
+            _m[13] = pos.y;
+            _m[14] = pos.z;
             roundIfSingle();
         }
 
         public function get determinant():Number
         {
-            return (_m0 * _m5 - _m4 * _m1) * (_m10 * _m15 - _m14 * _m11) - (_m0 * _m9 - _m8 * _m1) * (_m6 * _m15 - _m14 * _m7)
-                + (_m0 * _m13 - _m12 * _m1) * (_m6 * _m11 - _m10 * _m7) + (_m4 * _m9 - _m8 * _m5) * (_m2 * _m15 - _m14 * _m3)
-                - (_m4 * _m13 - _m12 * _m5) * (_m2 * _m11 - _m10 * _m3) + (_m8 * _m13 - _m12 * _m9) * (_m2 * _m7 - _m6 * _m3);
+            var m:Vector.<Number> = _m;
+            return (m[0] * m[5] - m[4] * m[1]) * (m[10] * m[15] - m[14] * m[11]) - (m[0] * m[9] - m[8] * m[1]) * (m[6] * m[15] - m[14] * m[7])
+                + (m[0] * m[13] - m[12] * m[1]) * (m[6] * m[11] - m[10] * m[7]) + (m[4] * m[9] - m[8] * m[5]) * (m[2] * m[15] - m[14] * m[3])
+                - (m[4] * m[13] - m[12] * m[5]) * (m[2] * m[11] - m[10] * m[3]) + (m[8] * m[13] - m[12] * m[9]) * (m[2] * m[7] - m[6] * m[3]);
         }
 
         public function identity():void
         {
-            _m0 = _m5 = _m10 = _m15 = 1;
-            _m1 = _m2 = _m3 = _m4 = _m6 = _m7 = _m8 = _m9 = _m11 = _m12 = _m13 = _m14 = 0;
+            setElements(IDENTITY);
         }
 
         public function clone():Matrix3D
@@ -113,22 +103,7 @@ package flash.geom
 
         public function copyFrom(sourceMatrix3D:Matrix3D):void
         {
-            _m0 = sourceMatrix3D._m0;
-            _m1 = sourceMatrix3D._m1;
-            _m2 = sourceMatrix3D._m2;
-            _m3 = sourceMatrix3D._m3;
-            _m4 = sourceMatrix3D._m4;
-            _m5 = sourceMatrix3D._m5;
-            _m6 = sourceMatrix3D._m6;
-            _m7 = sourceMatrix3D._m7;
-            _m8 = sourceMatrix3D._m8;
-            _m9 = sourceMatrix3D._m9;
-            _m10 = sourceMatrix3D._m10;
-            _m11 = sourceMatrix3D._m11;
-            _m12 = sourceMatrix3D._m12;
-            _m13 = sourceMatrix3D._m13;
-            _m14 = sourceMatrix3D._m14;
-            _m15 = sourceMatrix3D._m15;
+            setElements(sourceMatrix3D._m);
         }
 
         public function copyToMatrix3D(dest:Matrix3D):void
@@ -148,22 +123,10 @@ package flash.geom
             {
                 throw invalidParameter();
             }
-            _m0 = vector[index];
-            _m1 = vector[int(index + 1)];
-            _m2 = vector[int(index + 2)];
-            _m3 = vector[int(index + 3)];
-            _m4 = vector[int(index + 4)];
-            _m5 = vector[int(index + 5)];
-            _m6 = vector[int(index + 6)];
-            _m7 = vector[int(index + 7)];
-            _m8 = vector[int(index + 8)];
-            _m9 = vector[int(index + 9)];
-            _m10 = vector[int(index + 10)];
-            _m11 = vector[int(index + 11)];
-            _m12 = vector[int(index + 12)];
-            _m13 = vector[int(index + 13)];
-            _m14 = vector[int(index + 14)];
-            _m15 = vector[int(index + 15)];
+            for (var i:int = 0; i < 16; i++)
+            {
+                _m[i] = vector[int(index + i)];
+            }
             if (transpose)
             {
                 this.transpose();
@@ -182,22 +145,10 @@ package flash.geom
             {
                 this.transpose();
             }
-            vector[index] = _m0;
-            vector[int(index + 1)] = _m1;
-            vector[int(index + 2)] = _m2;
-            vector[int(index + 3)] = _m3;
-            vector[int(index + 4)] = _m4;
-            vector[int(index + 5)] = _m5;
-            vector[int(index + 6)] = _m6;
-            vector[int(index + 7)] = _m7;
-            vector[int(index + 8)] = _m8;
-            vector[int(index + 9)] = _m9;
-            vector[int(index + 10)] = _m10;
-            vector[int(index + 11)] = _m11;
-            vector[int(index + 12)] = _m12;
-            vector[int(index + 13)] = _m13;
-            vector[int(index + 14)] = _m14;
-            vector[int(index + 15)] = _m15;
+            for (var i:int = 0; i < 16; i++)
+            {
+                vector[int(index + i)] = _m[i];
+            }
             if (transpose)
             {
                 this.transpose();
@@ -207,90 +158,25 @@ package flash.geom
         /** @throws ArgumentError if there is no such column */
         public function copyColumnFrom(column:uint, vector3D:Vector3D):void
         {
-            switch (column)
-            {
-                case 0:
-                    _m0 = vector3D.x;
-                    _m1 = vector3D.y;
-                    _m2 = vector3D.z;
-                    _m3 = vector3D.w;
-                    break;
-                case 1:
-                    _m4 = vector3D.x;
-                    _m5 = vector3D.y;
-                    _m6 = vector3D.z;
-                    _m7 = vector3D.w;
-                    break;
-                case 2:
-                    _m8 = vector3D.x;
-                    _m9 = vector3D.y;
-                    _m10 = vector3D.z;
-                    _m11 = vector3D.w;
-                    break;
-                case 3:
-                    _m12 = vector3D.x;
-                    _m13 = vector3D.y;
-                    _m14 = vector3D.z;
-                    _m15 = vector3D.w;
-                    break;
-                default:
-                    throw invalidParameter();
-            }
-            roundIfSingle();
+            copyLineFrom(column, 4 * column, 1, vector3D);
         }
 
         /** @throws ArgumentError if there is no such column */
         public function copyColumnTo(column:uint, vector3D:Vector3D):void
         {
-            switch (column)
-            {
-                case 0:
-                    vector3D.setTo(_m0, _m1, _m2);
-                    vector3D.w = _m3;
-                    break;
-                case 1:
-                    vector3D.setTo(_m4, _m5, _m6);
-                    vector3D.w = _m7;
-                    break;
-                case 2:
-                    vector3D.setTo(_m8, _m9, _m10);
-                    vector3D.w = _m11;
-                    break;
-                case 3:
-                    vector3D.setTo(_m12, _m13, _m14);
-                    vector3D.w = _m15;
-                    break;
-                default:
-                    throw invalidParameter();
-            }
+            copyLineTo(column, 4 * column, 1, vector3D);
         }
 
         /** @throws ArgumentError if there is no such row */
         public function copyRowFrom(row:uint, vector3D:Vector3D):void
         {
-            transpose();
-            try
-            {
-                copyColumnFrom(row, vector3D);
-            }
-            finally
-            {
-                transpose();
-            }
+            copyLineFrom(row, row, 4, vector3D);
         }
 
         /** @throws ArgumentError if there is no such row */
         public function copyRowTo(row:uint, vector3D:Vector3D):void
         {
-            transpose();
-            try
-            {
-                copyColumnTo(row, vector3D);
-            }
-            finally
-            {
-                transpose();
-            }
+            copyLineTo(row, row, 4, vector3D);
         }
 
         public function append(lhs:Matrix3D):void
@@ -306,18 +192,18 @@ package flash.geom
         /** Adds to column 3, which is the product wherever row 3 is (0, 0, 0, 1). */
         public function appendTranslation(x:Number, y:Number, z:Number):void
         {
-            _m12 += x;
-            _m13 += y;
-            _m14 += z;
+            _m[12] += x;
+            _m[13] += y;
+            _m[14] += z;
             roundIfSingle();
         }
 
         public function prependTranslation(x:Number, y:Number, z:Number):void
         {
-            _m12 = _m0 * x + _m4 * y + _m8 * z + _m12;
-            _m13 = _m1 * x + _m5 * y + _m9 * z + _m13;
-            _m14 = _m2 * x + _m6 * y + _m10 * z + _m14;
-            _m15 = _m3 * x + _m7 * y + _m11 * z + _m15;
+            _m[12] = _m[0] * x + _m[4] * y + _m[8] * z + _m[12];
+            _m[13] = _m[1] * x + _m[5] * y + _m[9] * z + _m[13];
+            _m[14] = _m[2] * x + _m[6] * y + _m[10] * z + _m[14];
+            _m[15] = _m[3] * x + _m[7] * y + _m[11] * z + _m[15];
             roundIfSingle();
         }
 
@@ -325,18 +211,12 @@ package flash.geom
         public function appendScale(xScale:Number, yScale:Number, zScale:Number):void
         {
             checkScale(xScale, yScale, zScale);
-            _m0 *= xScale;
-            _m4 *= xScale;
-            _m8 *= xScale;
-            _m12 *= xScale;
-            _m1 *= yScale;
-            _m5 *= yScale;
-            _m9 *= yScale;
-            _m13 *= yScale;
-            _m2 *= zScale;
-            _m6 *= zScale;
-            _m10 *= zScale;
-            _m14 *= zScale;
+            for (var i:int = 0; i < 16; i += 4)
+            {
+                _m[i] *= xScale;
+                _m[int(i + 1)] *= yScale;
+                _m[int(i + 2)] *= zScale;
+            }
             roundIfSingle();
         }
 
@@ -369,24 +249,17 @@ package flash.geom
 
         public function transpose():void
         {
-            var kept:Number = _m1;
-            _m1 = _m4;
-            _m4 = kept;
-            kept = _m2;
-            _m2 = _m8;
-            _m8 = kept;
-            kept = _m3;
-            _m3 = _m12;
-            _m12 = kept;
-            kept = _m6;
-            _m6 = _m9;
-            _m9 = kept;
-            kept = _m7;
-            _m7 = _m13;
-            _m13 = kept;
-            kept = _m11;
-            _m11 = _m14;
-            _m14 = kept;
+            for (var column:int = 1; column < 4; column++)
+            {
+                for (var row:int = 0; row < column; row++)
+                {
+                    var at:int = 4 * column + row;
+                    var across:int = 4 * row + column;
+                    var kept:Number = _m[at];
+                    _m[at] = _m[across];
+                    _m[across] = kept;
+                }
+            }
         }
 
         /** Inverts the matrix; one whose determinant is within 1e-11 of 0 stays as it is, and false is returned. */
@@ -397,32 +270,32 @@ package flash.geom
             {
                 return false;
             }
-            var m0:Number = _m0, m1:Number = _m1, m2:Number = _m2, m3:Number = _m3;
-            var m4:Number = _m4, m5:Number = _m5, m6:Number = _m6, m7:Number = _m7;
-            var m8:Number = _m8, m9:Number = _m9, m10:Number = _m10, m11:Number = _m11;
-            var m12:Number = _m12, m13:Number = _m13, m14:Number = _m14, m15:Number = _m15;
+            var m0:Number = _m[0], m1:Number = _m[1], m2:Number = _m[2], m3:Number = _m[3];
+            var m4:Number = _m[4], m5:Number = _m[5], m6:Number = _m[6], m7:Number = _m[7];
+            var m8:Number = _m[8], m9:Number = _m[9], m10:Number = _m[10], m11:Number = _m[11];
+            var m12:Number = _m[12], m13:Number = _m[13], m14:Number = _m[14], m15:Number = _m[15];
             // the determinants of two rows of two columns, named by both columns, of the upper (a) and lower (b) rows
             var a01:Number = m0 * m5 - m4 * m1, a02:Number = m0 * m9 - m8 * m1, a03:Number = m0 * m13 - m12 * m1;
             var a12:Number = m4 * m9 - m8 * m5, a13:Number = m4 * m13 - m12 * m5, a23:Number = m8 * m13 - m12 * m9;
             var b01:Number = m2 * m7 - m6 * m3, b02:Number = m2 * m11 - m10 * m3, b03:Number = m2 * m15 - m14 * m3;
             var b12:Number = m6 * m11 - m10 * m7, b13:Number = m6 * m15 - m14 * m7, b23:Number = m10 * m15 - m14 * m11;
             var factor:Number = 1 / determinant;
-            _m0 = factor * (m5 * b23 - m9 * b13 + m13 * b12);
-            _m4 = factor * (m8 * b13 - m4 * b23 - m12 * b12);
-            _m8 = factor * (m7 * a23 - m11 * a13 + m15 * a12);
-            _m12 = factor * (m10 * a13 - m6 * a23 - m14 * a12);
-            _m1 = factor * (m9 * b03 - m1 * b23 - m13 * b02);
-            _m5 = factor * (m0 * b23 - m8 * b03 + m12 * b02);
-            _m9 = factor * (m11 * a03 - m3 * a23 - m15 * a02);
-            _m13 = factor * (m2 * a23 - m10 * a03 + m14 * a02);
-            _m2 = factor * (m1 * b13 - m5 * b03 + m13 * b01);
-            _m6 = factor * (m4 * b03 - m0 * b13 - m12 * b01);
-            _m10 = factor * (m3 * a13 - m7 * a03 + m15 * a01);
-            _m14 = factor * (m6 * a03 - m2 * a13 - m14 * a01);
-            _m3 = factor * (m5 * b02 - m1 * b12 - m9 * b01);
-            _m7 = factor * (m0 * b12 - m4 * b02 + m8 * b01);
-            _m11 = factor * (m7 * a02 - m3 * a12 - m11 * a01);
-            _m15 = factor * (m2 * a12 - m6 * a02 + m10 * a01);
+            _m[0] = factor * (m5 * b23 - m9 * b13 + m13 * b12);
+            _m[4] = factor * (m8 * b13 - m4 * b23 - m12 * b12);
+            _m[8] = factor * (m7 * a23 - m11 * a13 + m15 * a12);
+            _m[12] = factor * (m10 * a13 - m6 * a23 - m14 * a12);
+            _m[1] = factor * (m9 * b03 - m1 * b23 - m13 * b02);
+            _m[5] = factor * (m0 * b23 - m8 * b03 + m12 * b02);
+            _m[9] = factor * (m11 * a03 - m3 * a23 - m15 * a02);
+            _m[13] = factor * (m2 * a23 - m10 * a03 + m14 * a02);
+            _m[2] = factor * (m1 * b13 - m5 * b03 + m13 * b01);
+            _m[6] = factor * (m4 * b03 - m0 * b13 - m12 * b01);
+            _m[10] = factor * (m3 * a13 - m7 * a03 + m15 * a01);
+            _m[14] = factor * (m6 * a03 - m2 * a13 - m14 * a01);
+            _m[3] = factor * (m5 * b02 - m1 * b12 - m9 * b01);
+            _m[7] = factor * (m0 * b12 - m4 * b02 + m8 * b01);
+            _m[11] = factor * (m7 * a02 - m3 * a12 - m11 * a01);
+            _m[15] = factor * (m2 * a12 - m6 * a02 + m10 * a01);
             roundIfSingle();
             return true;
         }
@@ -431,10 +304,10 @@ package flash.geom
         public function transformVector(v:Vector3D):Vector3D
         {
             var out:Vector3D = deltaTransformVector(v);
-            out.x += _m12;
-            out.y += _m13;
-            out.z += _m14;
-            out.w += _m15;
+            out.x += _m[12];
+            out.y += _m[13];
+            out.z += _m[14];
+            out.w += _m[15];
             roundPoint(out);
             return out;
         }
@@ -443,8 +316,8 @@ package flash.geom
         public function deltaTransformVector(v:Vector3D):Vector3D
         {
             var x:Number = v.x, y:Number = v.y, z:Number = v.z;
-            var out:Vector3D = new Vector3D(_m0 * x + _m4 * y + _m8 * z, _m1 * x + _m5 * y + _m9 * z, _m2 * x + _m6 * y + _m10 * z,
-                    _m3 * x + _m7 * y + _m11 * z);
+            var out:Vector3D = new Vector3D(_m[0] * x + _m[4] * y + _m[8] * z, _m[1] * x + _m[5] * y + _m[9] * z, _m[2] * x + _m[6] * y + _m[10] * z,
+                    _m[3] * x + _m[7] * y + _m[11] * z);
             roundPoint(out);
             return out;
         }
@@ -463,9 +336,9 @@ package flash.geom
             {
                 throw new TypeError("Error #2007: Parameter " + (vin == null ? "vin" : "vout") + " must be non-null.");
             }
-            var m0:Number = _m0, m4:Number = _m4, m8:Number = _m8, m12:Number = _m12;
-            var m1:Number = _m1, m5:Number = _m5, m9:Number = _m9, m13:Number = _m13;
-            var m2:Number = _m2, m6:Number = _m6, m10:Number = _m10, m14:Number = _m14;
+            var m0:Number = _m[0], m4:Number = _m[4], m8:Number = _m[8], m12:Number = _m[12];
+            var m1:Number = _m[1], m5:Number = _m[5], m9:Number = _m[9], m13:Number = _m[13];
+            var m2:Number = _m[2], m6:Number = _m[6], m10:Number = _m[10], m14:Number = _m[14];
             var end:int = int(vin.length / 3) * 3;
             if (end > vout.length && vout.fixed)
             {
@@ -505,14 +378,14 @@ package flash.geom
             var rotation:Matrix3D = new Matrix3D();
             rotation.setUnscaled(this, scale);
             var turn:Vector3D;
-            if (orientationStyle == Orientation3D.EULER_ANGLES)
+            if (orientationStyle == EULER_ANGLES)
             {
                 turn = rotation.toEulerAngles();
             }
             else
             {
                 turn = rotation.toQuaternion();
-                if (orientationStyle == Orientation3D.AXIS_ANGLE)
+                if (orientationStyle == AXIS_ANGLE)
                 {
                     toAxisAngle(turn);
                 }
@@ -537,13 +410,13 @@ package flash.geom
             }
             var turn:Vector3D = components[1].clone();
             identity();
-            if (orientationStyle == Orientation3D.EULER_ANGLES)
+            if (orientationStyle == EULER_ANGLES)
             {
                 setEulerAngles(turn);
             }
             else
             {
-                if (orientationStyle == Orientation3D.AXIS_ANGLE)
+                if (orientationStyle == AXIS_ANGLE)
                 {
                     turn.scaleBy(Math.sin(turn.w / 2));
                     turn.w = Math.cos(turn.w / 2);
@@ -598,42 +471,46 @@ package flash.geom
             recompose(components);
         }
 
+        private function setElements(elements:Vector.<Number>):void
+        {
+            for (var i:int = 0; i < 16; i++)
+            {
+                _m[i] = elements[i];
+            }
+        }
+
+        /** Takes a column or row over: four elements from a place on, so many apart. */
+        private function copyLineFrom(line:uint, at:int, step:int, vector3D:Vector3D):void
+        {
+            checkLine(line);
+            _m[at] = vector3D.x;
+            _m[int(at + step)] = vector3D.y;
+            _m[int(at + 2 * step)] = vector3D.z;
+            _m[int(at + 3 * step)] = vector3D.w;
+            roundIfSingle();
+        }
+
+        private function copyLineTo(line:uint, at:int, step:int, vector3D:Vector3D):void
+        {
+            checkLine(line);
+            vector3D.setTo(_m[at], _m[int(at + step)], _m[int(at + 2 * step)]);
+            vector3D.w = _m[int(at + 3 * step)];
+        }
+
         /** this = left * right; either may be this. */
         private function setProduct(left:Matrix3D, right:Matrix3D):void
         {
-            var l0:Number = left._m0, l1:Number = left._m1, l2:Number = left._m2, l3:Number = left._m3;
-            var l4:Number = left._m4, l5:Number = left._m5, l6:Number = left._m6, l7:Number = left._m7;
-            var l8:Number = left._m8, l9:Number = left._m9, l10:Number = left._m10, l11:Number = left._m11;
-            var l12:Number = left._m12, l13:Number = left._m13, l14:Number = left._m14, l15:Number = left._m15;
-            var x:Number = right._m0, y:Number = right._m1, z:Number = right._m2, w:Number = right._m3;
-            _m0 = l0 * x + l4 * y + l8 * z + l12 * w;
-            _m1 = l1 * x + l5 * y + l9 * z + l13 * w;
-            _m2 = l2 * x + l6 * y + l10 * z + l14 * w;
-            _m3 = l3 * x + l7 * y + l11 * z + l15 * w;
-            x = right._m4;
-            y = right._m5;
-            z = right._m6;
-            w = right._m7;
-            _m4 = l0 * x + l4 * y + l8 * z + l12 * w;
-            _m5 = l1 * x + l5 * y + l9 * z + l13 * w;
-            _m6 = l2 * x + l6 * y + l10 * z + l14 * w;
-            _m7 = l3 * x + l7 * y + l11 * z + l15 * w;
-            x = right._m8;
-            y = right._m9;
-            z = right._m10;
-            w = right._m11;
-            _m8 = l0 * x + l4 * y + l8 * z + l12 * w;
-            _m9 = l1 * x + l5 * y + l9 * z + l13 * w;
-            _m10 = l2 * x + l6 * y + l10 * z + l14 * w;
-            _m11 = l3 * x + l7 * y + l11 * z + l15 * w;
-            x = right._m12;
-            y = right._m13;
-            z = right._m14;
-            w = right._m15;
-            _m12 = l0 * x + l4 * y + l8 * z + l12 * w;
-            _m13 = l1 * x + l5 * y + l9 * z + l13 * w;
-            _m14 = l2 * x + l6 * y + l10 * z + l14 * w;
-            _m15 = l3 * x + l7 * y + l11 * z + l15 * w;
+            var l:Vector.<Number> = left._m;
+            var r:Vector.<Number> = right._m;
+            for (var column:int = 0; column < 16; column += 4)
+            {
+                var x:Number = r[column], y:Number = r[int(column + 1)], z:Number = r[int(column + 2)], w:Number = r[int(column + 3)];
+                for (var row:int = 0; row < 4; row++)
+                {
+                    sProduct[int(column + row)] = l[row] * x + l[int(row + 4)] * y + l[int(row + 8)] * z + l[int(row + 12)] * w;
+                }
+            }
+            setElements(sProduct);
             roundIfSingle();
         }
 
@@ -662,45 +539,40 @@ package flash.geom
                 zz /= squared;
             }
             identity();
-            _m0 = xx + (yy + zz) * cos;
-            _m1 = x * y * rest + z * sin;
-            _m2 = x * z * rest - y * sin;
-            _m4 = x * y * rest - z * sin;
-            _m5 = yy + (xx + zz) * cos;
-            _m6 = y * z * rest + x * sin;
-            _m8 = x * z * rest + y * sin;
-            _m9 = y * z * rest - x * sin;
-            _m10 = zz + (xx + yy) * cos;
+            _m[0] = xx + (yy + zz) * cos;
+            _m[1] = x * y * rest + z * sin;
+            _m[2] = x * z * rest - y * sin;
+            _m[4] = x * y * rest - z * sin;
+            _m[5] = yy + (xx + zz) * cos;
+            _m[6] = y * z * rest + x * sin;
+            _m[8] = x * z * rest + y * sin;
+            _m[9] = y * z * rest - x * sin;
+            _m[10] = zz + (xx + yy) * cos;
             if (pivot != null && squared != 0)
             {
-                _m12 = pivot.x - (_m0 * pivot.x + _m4 * pivot.y + _m8 * pivot.z);
-                _m13 = pivot.y - (_m1 * pivot.x + _m5 * pivot.y + _m9 * pivot.z);
-                _m14 = pivot.z - (_m2 * pivot.x + _m6 * pivot.y + _m10 * pivot.z);
+                _m[12] = pivot.x - (_m[0] * pivot.x + _m[4] * pivot.y + _m[8] * pivot.z);
+                _m[13] = pivot.y - (_m[1] * pivot.x + _m[5] * pivot.y + _m[9] * pivot.z);
+                _m[14] = pivot.z - (_m[2] * pivot.x + _m[6] * pivot.y + _m[10] * pivot.z);
             }
         }
 
         private function scaleColumns(xScale:Number, yScale:Number, zScale:Number):void
         {
-            _m0 *= xScale;
-            _m1 *= xScale;
-            _m2 *= xScale;
-            _m3 *= xScale;
-            _m4 *= yScale;
-            _m5 *= yScale;
-            _m6 *= yScale;
-            _m7 *= yScale;
-            _m8 *= zScale;
-            _m9 *= zScale;
-            _m10 *= zScale;
-            _m11 *= zScale;
+            for (var i:int = 0; i < 4; i++)
+            {
+                _m[i] *= xScale;
+                _m[int(i + 4)] *= yScale;
+                _m[int(i + 8)] *= zScale;
+            }
         }
 
         /** The columns' lengths; that of z negative if the matrix mirrors. */
         private function scaleOfColumns():Vector3D
         {
-            var scale:Vector3D = new Vector3D(Math.sqrt(_m0 * _m0 + _m1 * _m1 + _m2 * _m2), Math.sqrt(_m4 * _m4 + _m5 * _m5 + _m6 * _m6),
-                    Math.sqrt(_m8 * _m8 + _m9 * _m9 + _m10 * _m10));
-            if (_m0 * (_m5 * _m10 - _m6 * _m9) - _m1 * (_m4 * _m10 - _m6 * _m8) + _m2 * (_m4 * _m9 - _m5 * _m8) < 0)
+            var m:Vector.<Number> = _m;
+            var scale:Vector3D = new Vector3D(Math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]), Math.sqrt(m[4] * m[4] + m[5] * m[5] + m[6] * m[6]),
+                    Math.sqrt(m[8] * m[8] + m[9] * m[9] + m[10] * m[10]));
+            if (m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]) < 0)
             {
                 scale.z = -scale.z;
             }
@@ -710,57 +582,54 @@ package flash.geom
         /** The rotation of a matrix with such a scale. */
         private function setUnscaled(matrix:Matrix3D, scale:Vector3D):void
         {
-            _m0 = matrix._m0 / scale.x;
-            _m1 = matrix._m1 / scale.x;
-            _m2 = matrix._m2 / scale.x;
-            _m4 = matrix._m4 / scale.y;
-            _m5 = matrix._m5 / scale.y;
-            _m6 = matrix._m6 / scale.y;
-            _m8 = matrix._m8 / scale.z;
-            _m9 = matrix._m9 / scale.z;
-            _m10 = matrix._m10 / scale.z;
+            for (var i:int = 0; i < 3; i++)
+            {
+                _m[i] = matrix._m[i] / scale.x;
+                _m[int(i + 4)] = matrix._m[int(i + 4)] / scale.y;
+                _m[int(i + 8)] = matrix._m[int(i + 8)] / scale.z;
+            }
         }
 
         private function toEulerAngles():Vector3D
         {
-            if (_m2 >= 1 || _m2 <= -1)
+            if (_m[2] >= 1 || _m[2] <= -1)
             {
                 // x and z turn about the same axis: all of it is x's
-                var isDown:Boolean = _m2 >= 1;
-                return new Vector3D(Math.atan2(isDown ? -_m4 : _m4, _m5), isDown ? -Math.PI / 2 : Math.PI / 2, 0);
+                var isDown:Boolean = _m[2] >= 1;
+                return new Vector3D(Math.atan2(isDown ? -_m[4] : _m[4], _m[5]), isDown ? -Math.PI / 2 : Math.PI / 2, 0);
             }
-            return new Vector3D(Math.atan2(_m6, _m10), Math.asin(-_m2), Math.atan2(_m1, _m0));
+            return new Vector3D(Math.atan2(_m[6], _m[10]), Math.asin(-_m[2]), Math.atan2(_m[1], _m[0]));
         }
 
         /** Of length 1, by Shepperd's method: divides by the largest of the four. */
         private function toQuaternion():Vector3D
         {
             var q:Vector3D = new Vector3D();
-            if (_m0 + _m5 + _m10 > 0)
+            if (_m[0] + _m[5] + _m[10] > 0)
             {
-                q.w = Math.sqrt(1 + _m0 + _m5 + _m10) / 2;
-                q.setTo((_m6 - _m9) / (4 * q.w), (_m8 - _m2) / (4 * q.w), (_m1 - _m4) / (4 * q.w));
+                q.w = Math.sqrt(1 + _m[0] + _m[5] + _m[10]) / 2;
+                q.setTo((_m[6] - _m[9]) / (4 * q.w), (_m[8] - _m[2]) / (4 * q.w), (_m[1] - _m[4]) / (4 * q.w));
             }
-            else if (_m0 > _m5 && _m0 > _m10)
+            else if (_m[0] > _m[5] && _m[0] > _m[10])
             {
-                q.x = Math.sqrt(1 + _m0 - _m5 - _m10) / 2;
-                q.y = (_m1 + _m4) / (4 * q.x);
-                q.z = (_m8 + _m2) / (4 * q.x);
-                q.w = (_m6 - _m9) / (4 * q.x);
+                q.x = Math.sqrt(1 + _m[0] - _m[5] - _m[10]) / 2;
+                q.y = (_m[1] + _m[4]) / (4 * q.x);
+                q.z = (_m[8] + _m[2]) / (4 * q.x);
+                q.w = (_m[6] - _m[9]) / (4 * q.x);
             }
-            else if (_m5 > _m10)
+            else if (_m[5] > _m[10])
             {
-                q.y = Math.sqrt(1 + _m5 - _m0 - _m10) / 2;
-                q.x = (_m1 + _m4) / (4 * q.y);
-                q.z = (_m6 + _m9) / (4 * q.y);
-                q.w = (_m8 - _m2) / (4 * q.y);
+                q.y = Math.sqrt(1 + _m[5] - _m[0] - _m[10]) / 2;
+                q.x = (_m[1] + _m[4]) / (4 * q.y);
+                q.z = (_m[6] + _m[9]) / (4 * q.y);
+                q.w = (_m[8] - _m[2]) / (4 * q.y);
             }
             else
             {
-                q.z = Math.sqrt(1 + _m10 - _m0 - _m5) / 2;
-                q.x = (_m8 + _m2) / (4 * q.z);
-                q.y = (_m6 + _m9) / (4 * q.z);
-                q.w = (_m1 - _m4) / (4 * q.z);
+                q.z = Math.sqrt(1 + _m[10] - _m[0] - _m[5]) / 2;
+                q.x = (_m[8] + _m[2]) / (4 * q.z);
+                q.y = (_m[6] + _m[9]) / (4 * q.z);
+                q.w = (_m[1] - _m[4]) / (4 * q.z);
             }
             mix(q, q, 1 / Math.sqrt(q.lengthSquared + q.w * q.w), 0);
             return q;
@@ -771,29 +640,29 @@ package flash.geom
             var cx:Number = Math.cos(turn.x), sx:Number = Math.sin(turn.x);
             var cy:Number = Math.cos(turn.y), sy:Number = Math.sin(turn.y);
             var cz:Number = Math.cos(turn.z), sz:Number = Math.sin(turn.z);
-            _m0 = cy * cz;
-            _m1 = cy * sz;
-            _m2 = -sy;
-            _m4 = sx * sy * cz - cx * sz;
-            _m5 = sx * sy * sz + cx * cz;
-            _m6 = sx * cy;
-            _m8 = cx * sy * cz + sx * sz;
-            _m9 = cx * sy * sz - sx * cz;
-            _m10 = cx * cy;
+            _m[0] = cy * cz;
+            _m[1] = cy * sz;
+            _m[2] = -sy;
+            _m[4] = sx * sy * cz - cx * sz;
+            _m[5] = sx * sy * sz + cx * cz;
+            _m[6] = sx * cy;
+            _m[8] = cx * sy * cz + sx * sz;
+            _m[9] = cx * sy * sz - sx * cz;
+            _m[10] = cx * cy;
         }
 
         private function setQuaternion(q:Vector3D):void
         {
             var x:Number = q.x, y:Number = q.y, z:Number = q.z, w:Number = q.w;
-            _m0 = 1 - 2 * y * y - 2 * z * z;
-            _m1 = 2 * x * y + 2 * w * z;
-            _m2 = 2 * x * z - 2 * w * y;
-            _m4 = 2 * x * y - 2 * w * z;
-            _m5 = 1 - 2 * x * x - 2 * z * z;
-            _m6 = 2 * y * z + 2 * w * x;
-            _m8 = 2 * x * z + 2 * w * y;
-            _m9 = 2 * y * z - 2 * w * x;
-            _m10 = 1 - 2 * x * x - 2 * y * y;
+            _m[0] = 1 - 2 * y * y - 2 * z * z;
+            _m[1] = 2 * x * y + 2 * w * z;
+            _m[2] = 2 * x * z - 2 * w * y;
+            _m[4] = 2 * x * y - 2 * w * z;
+            _m[5] = 1 - 2 * x * x - 2 * z * z;
+            _m[6] = 2 * y * z + 2 * w * x;
+            _m[8] = 2 * x * z + 2 * w * y;
+            _m[9] = 2 * y * z - 2 * w * x;
+            _m[10] = 1 - 2 * x * x - 2 * y * y;
         }
 
         /** The quaternion's angle, from 0 to half a turn, and its axis: none where there is no rotation. */
@@ -863,28 +732,16 @@ package flash.geom
         {
             if (isSingle)
             {
-                _m0 = SinglePrecision.round(_m0);
-                _m1 = SinglePrecision.round(_m1);
-                _m2 = SinglePrecision.round(_m2);
-                _m3 = SinglePrecision.round(_m3);
-                _m4 = SinglePrecision.round(_m4);
-                _m5 = SinglePrecision.round(_m5);
-                _m6 = SinglePrecision.round(_m6);
-                _m7 = SinglePrecision.round(_m7);
-                _m8 = SinglePrecision.round(_m8);
-                _m9 = SinglePrecision.round(_m9);
-                _m10 = SinglePrecision.round(_m10);
-                _m11 = SinglePrecision.round(_m11);
-                _m12 = SinglePrecision.round(_m12);
-                _m13 = SinglePrecision.round(_m13);
-                _m14 = SinglePrecision.round(_m14);
-                _m15 = SinglePrecision.round(_m15);
+                for (var i:int = 0; i < 16; i++)
+                {
+                    _m[i] = SinglePrecision.round(_m[i]);
+                }
             }
         }
 
         private static function checkOrientation(style:String):void
         {
-            if (style != Orientation3D.EULER_ANGLES && style != Orientation3D.AXIS_ANGLE && style != Orientation3D.QUATERNION)
+            if (style != EULER_ANGLES && style != AXIS_ANGLE && style != QUATERNION)
             {
                 throw new Error("Error #2187: Invalid orientation style " + style + ".  Value must be one of "
                         + "'Orientation3D.EULER_ANGLES', 'Orientation3D.AXIS_ANGLE', or 'Orientation3D.QUATERNION'.");
@@ -896,6 +753,14 @@ package flash.geom
             if (x == 0 || y == 0 || z == 0)
             {
                 throw new ArgumentError("Error #2183: Scale values must not be zero.");
+            }
+        }
+
+        private static function checkLine(line:uint):void
+        {
+            if (line > 3)
+            {
+                throw invalidParameter();
             }
         }
 

@@ -30,39 +30,6 @@ package flash.utils
             return _delay;
         }
 
-        /** A timer that runs starts anew with the new delay. */
-        public function set delay(value:Number):void
-        {
-            checkDelay(value);
-            _delay = value;
-            if (_isRunning)
-            {
-                stop();
-                start();
-            }
-        }
-
-        public function get repeatCount():int
-        {
-            return _repeatCount;
-        }
-
-        /** A timer that rang so often already stops. */
-        public function set repeatCount(value:int):void
-        {
-            _repeatCount = value;
-            if (value != 0 && value <= _currentCount)
-            {
-                stop();
-            }
-        }
-
-        /** How often it rang since it was made or reset. */
-        public function get currentCount():int
-        {
-            return _currentCount;
-        }
-
         public function get running():Boolean
         {
             return _isRunning;

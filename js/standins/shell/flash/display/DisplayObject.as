@@ -13,13 +13,7 @@ package flash.display
         public var y:Number = 0;
         public var width:Number = 0;
         public var height:Number = 0;
-        public var scaleX:Number = 1;
-        public var scaleY:Number = 1;
-        public var rotation:Number = 0;
-        public var alpha:Number = 1;
         public var visible:Boolean = true;
-        public var name:String = "";
-        public var filters:Array;
         public var cacheAsBitmap:Boolean = false;
 
         internal var container:DisplayObjectContainer = null;
@@ -37,16 +31,6 @@ package flash.display
         public function get loaderInfo():LoaderInfo
         {
             return LoaderInfo.ofMain;
-        }
-
-        public function get mouseX():Number
-        {
-            return 0;
-        }
-
-        public function get mouseY():Number
-        {
-            return 0;
         }
 
         /** Tells this and whatever is in it. */

@@ -15,15 +15,7 @@ package flash.display
         {
         }
 
-        public function lineStyle(thickness:Number = NaN, color:uint = 0, alpha:Number = 1, ...rest):void
-        {
-        }
-
-        public function moveTo(x:Number, y:Number):void
-        {
-        }
-
-        public function lineTo(x:Number, y:Number):void
+        public function lineStyle(thickness:Number = NaN, color:uint = 0):void
         {
         }
 
@@ -36,10 +28,6 @@ package flash.display
         }
 
         public function drawCircle(x:Number, y:Number, radius:Number):void
-        {
-        }
-
-        public function drawEllipse(x:Number, y:Number, width:Number, height:Number):void
         {
         }
     }

@@ -1,10 +1,9 @@
 package flash.display
 {
-    import flash.events.EventDispatcher;
     import standin.Machine;
 
     /** With what the program was started. */
-    public class LoaderInfo extends EventDispatcher
+    public class LoaderInfo
     {
         /** The main class's. */
         public static const ofMain:LoaderInfo = new LoaderInfo();
@@ -12,11 +11,6 @@ package flash.display
         public function get parameters():Object
         {
             return Machine.parameters;
-        }
-
-        public function get url():String
-        {
-            return "";
         }
     }
 }

@@ -1,13 +1,7 @@
 package flash.display
 {
-    /** Would draw. */
+    /** Would draw. Frames come to it. */
     public class Shape extends DisplayObject
     {
-        private var _graphics:Graphics = new Graphics();
-
-        public function get graphics():Graphics
-        {
-            return _graphics;
-        }
     }
 }

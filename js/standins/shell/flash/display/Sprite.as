@@ -1,12 +1,8 @@
 package flash.display
 {
-    import flash.geom.Rectangle;
-
     /** A container that would draw. */
     public class Sprite extends DisplayObjectContainer
     {
-        public var buttonMode:Boolean = false;
-
         private var _graphics:Graphics = new Graphics();
 
         public function get graphics():Graphics
@@ -14,7 +10,7 @@ package flash.display
             return _graphics;
         }
 
-        public function startDrag(lockCenter:Boolean = false, bounds:Rectangle = null):void
+        public function startDrag():void
         {
         }
 

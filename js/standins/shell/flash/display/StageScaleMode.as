@@ -4,6 +4,5 @@ package flash.display
     public final class StageScaleMode
     {
         public static const NO_SCALE:String = "noScale";
-        public static const SHOW_ALL:String = "showAll";
     }
 }

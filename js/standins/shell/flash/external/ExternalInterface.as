@@ -10,10 +10,6 @@ package flash.external
             return true;
         }
 
-        public static function addCallback(functionName:String, closure:Function):void
-        {
-        }
-
         public static function call(functionName:String, ...args):*
         {
             switch (functionName)

@@ -5,6 +5,5 @@ package flash.net
     {
         public static const BINARY:String = "binary";
         public static const TEXT:String = "text";
-        public static const VARIABLES:String = "variables";
     }
 }

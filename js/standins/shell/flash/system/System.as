@@ -9,9 +9,5 @@ package flash.system
         {
             return Machine.memory();
         }
-
-        public static function gc():void
-        {
-        }
     }
 }

@@ -199,7 +199,7 @@ class Writer {
 		return member.parameters.map((parameter) => {
 			if (parameter.isRest) return `...${parameter.name}: string[]`;
 			const optional = parameter.value === null ? "" : "?";
-			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner), owner)}`;
+			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner))}`;
 		}).join(", ");
 	}
 
@@ -211,19 +211,17 @@ class Writer {
 		return member ? this.#said(member, { name }, owner) : own;
 	}
 
-	#parameterType(parameter, said = "", owner = null) {
+	#parameterType(parameter, said = "") {
 		// what is overwritten may have been of any agents
 		const agent = this.#agent;
 		if (isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
-		const text = this.#parameterText(parameter, said, owner);
+		const text = this.#parameterText(parameter, said);
 		this.#agent = agent;
 		return text;
 	}
 
-	#parameterText({ name, type, value }, said, owner) {
+	#parameterText({ name, type, value }, said) {
 		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
-		const union = owner && this.#unionOf({ members: [] }, type, said);
-		if (union) return union;
 		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
 		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
 		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${this.#type(element)}[]${orNull}`;

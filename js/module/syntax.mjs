@@ -46,22 +46,6 @@ export function lazyValue(node) {
 	return isLazy ? first.declarations[0].init : null;
 }
 
-export function isLiteral(given) {
-	const node = bare(given);
-	switch (node.type) {
-		case "Literal":
-			return true;
-		case "UnaryExpression":
-			return isLiteral(node.argument);
-		case "BinaryExpression":
-			return isLiteral(node.left) && isLiteral(node.right);
-		case "Identifier":
-			return node.name === "NaN";
-		default:
-			return false;
-	}
-}
-
 /** The element type of `Language.synthVector('T')`, else null. */
 export function vectorType(given) {
 	const node = bare(given);
@@ -89,14 +73,12 @@ export function isBaseCall(statement) {
 	return call?.type === "CallExpression" && call.callee.property?.name === "base" && call.arguments[1]?.value === "constructor";
 }
 
-/** `X.base(this, 'name', ...)` or `X.superClass_.name.apply(this, ...)`. */
+/** `X.base(this, 'name', ...)` or `X.superClass_.name.apply(this, [...])`. */
 export function superCall(node, qname) {
 	const path = pathOf(node.callee);
-	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2), accessor: null };
-	const match = /\.superClass_\.(?:([gs]et)__)?(\w+)\.(apply|call)$/.exec(path);
-	if (!match) return null;
-	const list = match[3] === "call" ? node.arguments.slice(1) : node.arguments[1]?.elements ?? [];
-	return { name: match[2], arguments: list, accessor: match[1] ?? null };
+	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2) };
+	const name = /\.superClass_\.(?![gs]et__)(\w+)\.apply$/.exec(path)?.[1];
+	return name ? { name, arguments: node.arguments[1]?.elements ?? [] } : null;
 }
 
 /** The compiler's statements for "for each (var x in list)". */

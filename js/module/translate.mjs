@@ -9,7 +9,7 @@
 import { parseExpressionAt } from "acorn";
 import { ADDED, PLAIN_BYTES } from "./added.mjs";
 import { Checks, isWrapped } from "./checks.mjs";
-import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, isLiteral, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
+import { LANGUAGE, bare, childrenOf, docOf, forEach, gap, indent, isBaseCall, isFieldAssignment, parameterDefault, pathOf, superCall, vectorType } from "./syntax.mjs";
 import { unitsOf } from "./unit.mjs";
 
 const ENGINE_PREFIX = "starlogo_engine__";
@@ -525,7 +525,6 @@ export class Program {
 		const base = superCall(node, this.#unit.qname);
 		if (base) {
 			const list = base.arguments.map((each) => this.#text(each)).join(", ");
-			if (base.accessor) return base.accessor === "get" ? `super.${this.#member(base.name)}` : `super.${this.#member(base.name)} = ${list}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
 		if (node.callee.property?.name === "inflate" && args.length === 0 && this.#typeOf(node.callee.object) === "flash.utils.ByteArray") {
@@ -545,8 +544,6 @@ export class Program {
 		switch (helper) {
 			case "_int":
 				return `(${first} | 0)`;
-			case "_uint":
-				return `(${first} >>> 0)`;
 			case "trace":
 				return `console.log(${args.map((each) => this.#text(each)).join(", ")})`;
 			case "closure":

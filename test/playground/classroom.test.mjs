@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { PATIENCE, SIZES, begin, open, ready, tap } from './browser.mjs';
+import { PATIENCE, SIZES, begin, finger, focused, open, own, press, ready, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -16,10 +16,7 @@ const Phone = { ...SIZES.phone, isDrawn: false };
 /** Waits for the lesson of a number. */
 const lesson = (page, number) => page.waitForFunction((n) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${n} of 10`), number);
 const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));
-const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.controls .status').textContent), source);
-const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
-const own = (page) => page.evaluate(() => globalThis.playground.programs.shelf.all.map(({ name }) => name));
 const agents = (page) => page.evaluate(() => globalThis.playground.world.agents.map(({ breed, shape, x, y }) => ({ breed, shape, x, y })));
 const types = (page, type) => page.evaluate((wanted) => globalThis.playground.editor.workspace.getBlocksByType(wanted).length, type);
 
@@ -98,21 +95,8 @@ test('the first three lessons are done with the mouse, from the first screen on'
 
 test('the first three lessons are done with the keyboard, from the first screen on; no category is skipped', async () => {
 	const { page, context, said } = await open(site, 'play', Desktop);
-	const focus = () => page.evaluate(() => {
-		const { activeElement: element } = document;
-		return element.labels?.[0]?.textContent || element.getAttribute('aria-label') || element.textContent;
-	});
-	const tabTo = async (name, key = 'Tab') => {
-		for (let i = 0; i < 70; i++) {
-			if ((await focus()).startsWith(name)) return;
-			await page.keyboard.press(key);
-			// Blockly moves the focus on by itself
-			await page.waitForTimeout(20);
-		}
-		assert.fail(`the tab key does not come to “${name}”`);
-	};
-	assert.equal(await focus(), 'Lessons and games');
-	await tabTo('1Blocks');
+	assert.equal(await focused(page), 'Lessons and games');
+	await tabTo(page, '1Blocks');
 	await page.keyboard.press('Enter');
 	await lesson(page, 1);
 	await page.waitForFunction(() => document.activeElement.textContent === 'Blocks make turtles move', null);
@@ -142,21 +126,21 @@ test('the first three lessons are done with the keyboard, from the first screen 
 		if (!(await isInside())) await page.keyboard.press('m');
 	}
 	assert.ok(await isInside());
-	await tabTo('Run');
+	await tabTo(page, 'Run');
 	await page.keyboard.press('Enter');
 	await done(page);
-	await tabTo('Next', 'Shift+Tab');
+	await tabTo(page, 'Next', 'Shift+Tab');
 	await page.keyboard.press('Enter');
 	for (const number of [2, 3]) {
 		await lesson(page, number);
-		await tabTo('Collision system');
+		await tabTo(page, 'Collision system');
 		await page.keyboard.press('End');
-		await tabTo('Step', 'Shift+Tab');
+		await tabTo(page, 'Step', 'Shift+Tab');
 		await page.keyboard.press('Enter');
 		await page.keyboard.press('Enter');
 		await done(page);
 		if (number === 2) {
-			await tabTo('Next', 'Shift+Tab');
+			await tabTo(page, 'Next', 'Shift+Tab');
 			await page.keyboard.press('Enter');
 		}
 	}
@@ -195,9 +179,8 @@ async function atRest(page, tell) {
  * Drags a block from the drawer to the end of a script with a finger. A busy page sees moves late: the finger stays until the block is out of the
  * drawer, then until its place in the script is shown.
  */
-async function dragWithFinger(page, context, type, script) {
-	const client = await context.newCDPSession(page);
-	const touch = (kind, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type: kind, touchPoints });
+async function dragWithFinger(page, type, script) {
+	const touch = await finger(page);
 	const from = await atRest(page, () => heldAt(page, type));
 	const end = Date.now() + PATIENCE;
 	await touch('touchStart', from);
@@ -225,7 +208,7 @@ test('the first three lessons are done with fingers, from the first screen on; n
 	});
 	assert.ok(begin < 0.5, `blocks begin at ${begin} of the height`);
 	await tap(page.locator('.blocklyToolboxCategory', { hasText: 'Movement' }));
-	await dragWithFinger(page, context, 'starlogo_forward', 'starlogo_each');
+	await dragWithFinger(page, 'starlogo_forward', 'starlogo_each');
 	await titled(page, 'Blocks make turtles move (mine)');
 	await tap(page.getByRole('button', { name: 'World', exact: true }));
 	await watchPlaces(page);

@@ -5,11 +5,11 @@ const simpleName = (name) => name.split('.').pop();
 
 /** The texts of the test classes, and of the files that they use, by qualified name. Tests call the stand-ins for flash.* standin.flash.*. */
 export function readTests() {
-	const files = [...sourcesBelow('src'), ...sourcesBelow('test'), ...sourcesBelow('standins/common')];
+	const files = [...sourcesBelow('src'), ...sourcesBelow('test'), ...sourcesBelow('js/standins/common')];
 	const classes = new Map();
 	const sources = new Map();
 	for (const file of files) {
-		const name = definitionIn(file).replace(/^common\.(flash\.)?/, (_, flash) => (flash ? 'standin.flash.' : ''));
+		const name = definitionIn(file).replace(/^standins\.common\.(flash\.)?/, (_, flash) => (flash ? 'standin.flash.' : ''));
 		(/^test\/.*Test\.as$/.test(file) ? classes : sources).set(name, read(file));
 	}
 	return { classes, sources };

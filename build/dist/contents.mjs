@@ -51,7 +51,8 @@ function normalised(name, content, seconds) {
 	if (name.startsWith('docs/asdoc/') && name.endsWith('.html')) {
 		return Buffer.from(content.toString('utf8').replaceAll(ASDOC_DATE, ''));
 	}
-	return content;
+	// the zip has the parts of js/ at its top
+	return name.endsWith('.md') ? Buffer.from(content.toString('utf8').replaceAll(/\]\(((?:\.\.\/)*)js\//g, ']($1')) : content;
 }
 
 function licences() {

@@ -3,16 +3,16 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { inRoot, readJson } from './project.mjs';
 
-const NPM_FOLDERS = ['', 'module/', 'playground/'];
-const IVY_FILES = ['build/ivy.xml', 'module/ivy.xml'];
+const NPM_FOLDERS = ['', 'js/module/', 'js/playground/'];
+const IVY_FILES = ['build/ivy.xml', 'js/module/ivy.xml'];
 
 /** The packages that are in the zip, as a whole or in part: where, and as what. */
 const INSIDE = {
 	'flex-sdk': { folder: '', where: ['docs/asdoc'], licence: 'MPL-1.1', what: 'the templates of ASDoc: style sheets, scripts and pictures' },
-	pako: { folder: 'module/', where: ['module', 'playground'], what: 'inflates' },
-	'@blockly/keyboard-navigation': { folder: 'playground/', where: ['playground'], what: 'reaches blocks by keys' },
-	blockly: { folder: 'playground/', where: ['playground'], what: 'shows blocks' },
-	three: { folder: 'playground/', where: ['playground'], what: 'draws' },
+	pako: { folder: 'js/module/', where: ['module', 'playground'], what: 'inflates' },
+	'@blockly/keyboard-navigation': { folder: 'js/playground/', where: ['playground'], what: 'reaches blocks by keys' },
+	blockly: { folder: 'js/playground/', where: ['playground'], what: 'shows blocks' },
+	three: { folder: 'js/playground/', where: ['playground'], what: 'draws' },
 };
 
 /** What Maven's packages say of their licences, by organisation. */

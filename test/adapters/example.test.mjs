@@ -20,7 +20,7 @@ test("the example's models collide, turn away and are drawn", { timeout: 120000 
 		page.on("pageerror", (error) => said.push(String(error)));
 		await page.route(CDN, (route) => {
 			const [, release, file] = CDN.exec(route.request().url());
-			const where = path.join(root, "adapters/three/node_modules", `three-r${release}`, file);
+			const where = path.join(root, "js/adapters/three/node_modules", `three-r${release}`, file);
 			assert.ok(existsSync(where), `${where}: the example and the tests have the same release`);
 			return route.fulfill({ path: where, headers: { "access-control-allow-origin": "*" } });
 		});

@@ -8,13 +8,13 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { install, root } from "./peers.mjs";
 
-const tools = createRequire(path.join(root, "module/package.json"));
+const tools = createRequire(path.join(root, "js/module/package.json"));
 const sample = path.join(root, "test/adapters/sample.ts");
 const folder = install("package");
 
 test("tsc --strict accepts the sample, and refuses wrong ones", () => {
 	// three.js's own types speak of WebGPU's
-	const webgpu = path.join(root, "adapters/three/node_modules/@webgpu/types");
+	const webgpu = path.join(root, "js/adapters/three/node_modules/@webgpu/types");
 	const settings = { target: "es2022", module: "nodenext", moduleResolution: "nodenext", strict: true, noEmit: true, types: [webgpu], lib: ["es2022", "dom"] };
 	const wrong = ['modelFromObject("box", mesh, { up: "x" })', 'modelFromObject("box", "mesh")', "new ThreeAgentBinding(mesh, mesh)", "bindInstance(agents[0], mesh, 0)",
 		"wireframe.showLevel(structure, 1)", "bindings[0].agent = agents[1]", 'modelFromObject("box", mesh, { scaling: "large" })', 'const scaling: ModelOptions = { scaling: "volume" as string }'];
@@ -24,7 +24,7 @@ test("tsc --strict accepts the sample, and refuses wrong ones", () => {
 });
 
 test("what the types declare is what is exported, and the other way round", async () => {
-	const declared = readFileSync(path.join(root, "adapters/three/index.d.ts"), "utf8");
+	const declared = readFileSync(path.join(root, "js/adapters/three/index.d.ts"), "utf8");
 	writeFileSync(path.join(folder, "all.mjs"), 'export * from "starlogo-collision/three";\n');
 	const exported = await import(pathToFileURL(path.join(folder, "all.mjs")));
 	assert.deepEqual([...declared.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).sort(), Object.keys(exported).sort());

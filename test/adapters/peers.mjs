@@ -5,9 +5,9 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 
-const INSTALLED = path.join(root, "module/node_modules/three");
-const RELEASES = path.join(root, "adapters/three/node_modules");
-const { devDependencies } = JSON.parse(readFileSync(path.join(root, "adapters/three/package.json"), "utf8"));
+const INSTALLED = path.join(root, "js/module/node_modules/three");
+const RELEASES = path.join(root, "js/adapters/three/node_modules");
+const { devDependencies } = JSON.parse(readFileSync(path.join(root, "js/adapters/three/package.json"), "utf8"));
 
 /** Where each is installed: the one that the module is measured beside, then the last releases. */
 const folders = [INSTALLED, ...Object.keys(devDependencies).filter((name) => name.startsWith("three-")).map((name) => path.join(RELEASES, name))];

@@ -16,7 +16,7 @@ test('no other file states it', { skip: !existsSync(inRoot('.git')) && 'this is 
 });
 
 test('packages that are never published have none', () => {
-	for (const folder of ['module', 'playground']) {
+	for (const folder of ['js/module', 'js/playground']) {
 		assert.equal(readJson(`${folder}/package.json`).private, true);
 		assert.equal(readJson(`${folder}/package.json`).version, undefined);
 	}

@@ -15,10 +15,10 @@ const AGENTS = 150;
 const FRAMES = 400;
 const FILES = { bear: 'bear.obj', dragon: 'dragon.dae', fireman: 'fireman.dae', seagull: 'seagull.dae', fortress: 'fortress.obj', person: 'person.dae' };
 
-const { buildSync } = createRequire(path.join(root, 'module/package.json'))('esbuild');
+const { buildSync } = createRequire(path.join(root, 'js/module/package.json'))('esbuild');
 const out = path.join(root, 'bin/generated/accuracy.mjs');
 buildSync({
-	stdin: { contents: 'export * from "./compare/game.js"; export * from "starlogo-collision";', resolveDir: path.join(root, 'playground') },
+	stdin: { contents: 'export * from "./compare/game.js"; export * from "starlogo-collision";', resolveDir: path.join(root, 'js/playground') },
 	bundle: true, format: 'esm', outfile: out, logLevel: 'warning',
 	alias: { 'starlogo-collision': path.join(root, 'bin/module', JSON.parse(read('bin/module/package.json')).exports['.'].default) },
 });

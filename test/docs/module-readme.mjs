@@ -1,4 +1,4 @@
-/** For module/README.md: what it names and does not show. */
+/** For js/module/README.md: what it names and does not show. */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -7,7 +7,7 @@ import { serve } from '../headless/server.mjs';
 const assets = new URL('../../assets/', import.meta.url);
 const read = (name) => readFileSync(new URL(name, assets));
 
-const THREE = createRequire(new URL('../../module/package.json', import.meta.url))('three');
+const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 export const mesh = new THREE.Mesh(new THREE.BoxGeometry(2, 4, 2));
 mesh.position.set(1, 2, 3);
 export const bearText = read('bear.obj').toString();

@@ -1,9 +1,9 @@
 /**
- * The samples of the documentation: the fences of README.md, module/README.md and docs/, and the listings of the ASDoc. The build makes
+ * The samples of the documentation: the fences of README.md, js/module/README.md and docs/, and the listings of the ASDoc. The build makes
  * test classes of those in ActionScript, and samples.test.mjs runs those in JavaScript, so that what a page shows is what is tested.
  *
  * The samples of a page follow one another in one function. One that is a whole class is a file of its own. What a page names and does
- * not show is in its prelude: docs/away3d.md has Away3dPage.as, module/README.md has module-readme.mjs, beside this file.
+ * not show is in its prelude: docs/away3d.md has Away3dPage.as, js/module/README.md has module-readme.mjs, beside this file.
  */
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -56,7 +56,7 @@ export function listingsIn(source) {
 /** Every page with samples: its path, its name (docs/es-module.md is es-module), and its fences. */
 export function pages() {
 	const guide = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
-	const written = ['README.md', 'module/README.md', ...guide].map((file) => ({ file, slug: slugOf(file), fences: fencesIn(read(file)) }));
+	const written = ['README.md', 'js/module/README.md', ...guide].map((file) => ({ file, slug: slugOf(file), fences: fencesIn(read(file)) }));
 	const sources = sourcesBelow('src').map((file) => ({ file, slug: path.basename(file, '.as'), fences: listingsIn(read(file)) }));
 	for (const { file, fences } of written) {
 		for (const { language, line } of fences) {
@@ -68,7 +68,7 @@ export function pages() {
 	return [...written, ...sources].filter(({ fences }) => fences.some(({ language }) => ['actionscript', 'js'].includes(language)));
 }
 
-const slugOf = (file) => file.replace(/^docs\/(?!README)|\.md$/g, '').replace('/', '-').toLowerCase();
+const slugOf = (file) => file.replace(/^(?:docs\/(?!README)|js\/)|\.md$/g, '').replace('/', '-').toLowerCase();
 const classOf = (slug) => slug.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
 
 /** Where a page's prelude is, if it has one: its name and an ending. */

@@ -17,7 +17,7 @@ const page = (...samples) => ({
 rmSync(path.join(folder, 'node_modules'), { recursive: true, force: true });
 mkdirSync(path.join(folder, 'node_modules'), { recursive: true });
 cpSync(path.join(root, 'bin/module'), path.join(folder, 'node_modules/starlogo-collision'), { recursive: true });
-symlinkSync(path.join(root, 'module/node_modules/three'), path.join(folder, 'node_modules/three'));
+symlinkSync(path.join(root, 'js/module/node_modules/three'), path.join(folder, 'node_modules/three'));
 
 /** Runs the samples of a page in Node, and then its check. */
 function run(each) {

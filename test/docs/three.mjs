@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 
-const THREE = createRequire(new URL('../../module/package.json', import.meta.url))('three');
+const THREE = createRequire(new URL('../../js/module/package.json', import.meta.url))('three');
 
 export const Group = THREE.Group;
 export const scene = new THREE.Scene();

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 /**
  * Leaves of a library of declarations of the player's classes only those that Adobe's VM has without a player, so that sources
- * compiled against it take flash.geom, flash.events and the like from the stand-ins (standins/).
+ * compiled against it take flash.geom, flash.events and the like from the stand-ins (js/standins/).
  *
  *   node test/headless/core.mjs in out      folders with the catalog.xml and library.swf of a SWC
  */

@@ -5,13 +5,13 @@ import { createInterface } from 'node:readline';
 import { mainClass } from './swf.mjs';
 
 /**
- * Runs a SWF in Adobe's own VM: its shell, with the stand-ins for what a player has beyond the VM (standins/). The SWF is compiled
+ * Runs a SWF in Adobe's own VM: its shell, with the stand-ins for what a player has beyond the VM (js/standins/). The SWF is compiled
  * for that. Takes and calls what play() of player.mjs does; there is nothing to see.
  *
  * @param {object} options
  * @param {string} options.swf the SWF's file
  * @param {string} options.shell the folder of the shell: avmshell
- * @param {string} options.start the compiled standins/start.as
+ * @param {string} options.start the compiled js/standins/start.as
  * @param {boolean} options.collects whether garbage is collected
  * @param {Record<string, string>} options.parameters what the SWF finds in loaderInfo.parameters
  * @param {Record<string, string>} options.folders folders that the SWF can load from: path to folder

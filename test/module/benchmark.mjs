@@ -2,7 +2,7 @@
 /**
  * Times the ES module in Node, beside a floor written by hand and beside other engines.
  *
- *   node test/module/benchmark.mjs [PART ...]      parts: floor, scenes, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings,
+ *   node test/module/benchmark.mjs [PART ...]      parts: floor, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings,
  *                                                  snapshots
  *
  * A number is what the faster tenth of many frames took at most, after as many to warm up: whatever else the machine does only slows.
@@ -16,9 +16,9 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { install } from "../adapters/peers.mjs";
 import { AgentCells } from "./agent-cells.mjs";
 import { makeBvh, rayModels } from "./rays.mjs";
-import { HALF_WIDTH, MODELS, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
+import { HALF_WIDTH, SYSTEMS, asset, engine, makeGreatLand, randomNumbers, rehearse, scatter } from "./games.mjs";
 
-const tools = createRequire(new URL("../../module/package.json", import.meta.url));
+const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
 const { Agent, AgentQueries, BinCollider, BuiltInModel, ColladaModel, CookedModel, GreatLand, HierarchicalCollider, ObjModel, TightestFitCollider } = engine;
 
 const COUNTS = [1000, 10000, 100000];
@@ -86,29 +86,6 @@ function floor() {
 		});
 	});
 	print("BinCollider beside the floor, ms a frame", ["", "bins", "floor", "times", "pairs"], rows);
-}
-
-/** Milliseconds a frame that 100 bears in one place take, which march together. */
-function crowdOfBears(system) {
-	const crowd = Array.from({ length: 100 }, () => new Agent("bear"));
-	const out = [];
-	const march = (round) => crowd.forEach((agent) => agent.moveTo(round % 40, 1, 0));
-	return measure([{ prepare: march, run: () => system.findCollisions(crowd, out) }], 100)[0];
-}
-
-/** The games of ./antw timing. */
-function scenes() {
-	const rows = Object.entries(SYSTEMS).map(([name, System]) => {
-		const { agents, step } = scatter(10000, MODELS);
-		const system = new System(greatLand);
-		const out = [];
-		const [scattered] = measure([{ prepare: step, run: () => system.findCollisions(agents, out) }], 40);
-		return [name, scattered, crowdOfBears(system)];
-	});
-	const exact = new HierarchicalCollider(greatLand);
-	exact.exact = true;
-	rows.push(["exact", "", crowdOfBears(exact)]);
-	print("Games, ms a frame", ["", "10,000 scattered, all moving", "100 bears in one place"], rows);
 }
 
 /** What a measure of fresh.mjs comes to in a process of its own. */
@@ -526,4 +503,4 @@ function snapshots() {
 }
 
 console.log(`the ES module in Node ${process.versions.node}`);
-for (const part of [floor, scenes, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();
+for (const part of [floor, memory, cold, exact, distances, rays, peers, queries, moves, cooked, bindings, snapshots]) if (parts.length === 0 || parts.includes(part.name)) await part();

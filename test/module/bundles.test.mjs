@@ -12,7 +12,7 @@ import { gzipSync } from "node:zlib";
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
 const work = path.join(root, "bin/generated/module/bundles-test");
-const tools = createRequire(path.join(root, "module/package.json"));
+const tools = createRequire(path.join(root, "js/module/package.json"));
 const esbuild = tools("esbuild");
 const KB = 1024;
 
@@ -106,7 +106,7 @@ test("a fresh project with esbuild, minified, in Node and in a Worker", async ()
 });
 
 test("a fresh project with Vite", async () => {
-	const { build } = await import(pathToFileURL(path.join(root, "module/node_modules/vite/dist/node/index.js")));
+	const { build } = await import(pathToFileURL(path.join(root, "js/module/node_modules/vite/dist/node/index.js")));
 	const entry = write("vite.mjs", `${GAME}export default result;\n`);
 	const lib = { entry, formats: ["es"], fileName: () => "vite.bundle.mjs" };
 	await build({ root: work, configFile: false, logLevel: "error", build: { lib, outDir: path.join(work, "dist"), minify: true, emptyOutDir: true } });
@@ -207,7 +207,7 @@ test("publint has nothing to say", async () => {
 
 // an ES module alone: require() of it is Node's own from 20.19 on, and its error before
 test("attw has nothing to say", { skip: process.env.FULL_TESTS === "true" ? false : "only with -Dfull" }, () => {
-	const attw = path.join(root, "module/node_modules/@arethetypeswrong/cli/dist/index.js");
+	const attw = path.join(root, "js/module/node_modules/@arethetypeswrong/cli/dist/index.js");
 	const out = execFileSync(process.execPath, [attw, "--pack", folder, "--profile", "esm-only", "--format", "json"], { encoding: "utf8", cwd: work });
 	const { analysis } = JSON.parse(out);
 	assert.equal(analysis.packageName, "starlogo-collision");

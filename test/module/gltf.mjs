@@ -4,7 +4,7 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-const tools = createRequire(new URL("../../module/package.json", import.meta.url));
+const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
 const load = (name) => import(pathToFileURL(tools.resolve(name)));
 const { Vector3 } = await load("three");
 const { GLTFLoader } = await load("three/examples/jsm/loaders/GLTFLoader.js");

@@ -13,7 +13,7 @@ import { serve } from "../headless/server.mjs";
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const folder = path.join(root, "bin/module");
 const work = path.join(root, "bin/generated/module/package-test");
-const tools = createRequire(path.join(root, "module/package.json"));
+const tools = createRequire(path.join(root, "js/module/package.json"));
 const esbuild = tools("esbuild");
 const manifest = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
 const minified = path.join(folder, "starlogo-collision.min.js");

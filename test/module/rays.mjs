@@ -5,7 +5,7 @@ import { asset, engine } from "./games.mjs";
 
 const { ColladaModel, Model, ObjModel } = engine;
 
-const tools = createRequire(new URL("../../module/package.json", import.meta.url));
+const tools = createRequire(new URL("../../js/module/package.json", import.meta.url));
 const three = await import(pathToFileURL(tools.resolve("three")));
 const { MeshBVH } = await import(pathToFileURL(tools.resolve("three-mesh-bvh")));
 

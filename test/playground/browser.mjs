@@ -117,3 +117,45 @@ export async function hold(page, address) {
 }
 
 export const ready = (page, view) => page.waitForSelector(`main[data-ready="${view}"]`, { timeout: PATIENCE });
+
+/** Presses a button, by what is on it. */
+export const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
+
+/** Waits for the title of the program that is open in Play. */
+export const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
+
+/** The user's own programs: their names. */
+export const own = (page) => page.evaluate(() => globalThis.playground.programs.shelf.all.map(({ name }) => name));
+
+/** What is called that has the focus. */
+export const focused = (page) => page.evaluate(() => {
+	const { activeElement: element } = document;
+	return element.labels?.[0]?.textContent || element.getAttribute('aria-label') || element.textContent;
+});
+
+/** Presses the tab key until something has the focus that is called so, or begins so. */
+export async function tabTo(page, name, key = 'Tab') {
+	for (let i = 0; i < 70; i++) {
+		if ((await focused(page)).startsWith(name)) return;
+		await page.keyboard.press(key);
+		// Blockly moves the focus on by itself
+		await page.waitForTimeout(20);
+	}
+	throw new Error(`the tab key does not come to “${name}”`);
+}
+
+/** Drops files on the page together, as the system does: each with its name and content. */
+export async function drop(page, ...files) {
+	const data = await page.evaluateHandle((all) => {
+		const transfer = new DataTransfer();
+		for (const [name, bytes] of all) transfer.items.add(new File([Uint8Array.from(bytes)], name));
+		return transfer;
+	}, files.map(([name, content]) => [name, [...content]]));
+	await page.dispatchEvent('.world', 'drop', { dataTransfer: data });
+}
+
+/** What sends the touches of a finger to a page, in Chromium: touch('touchMove', { x, y }). */
+export async function finger(page) {
+	const client = await page.context().newCDPSession(page);
+	return (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+}

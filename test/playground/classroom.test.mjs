@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, open, ready, tap } from './browser.mjs';
+import { PATIENCE, SIZES, begin, finger, focused, open, own, press, ready, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -16,10 +16,7 @@ const Phone = { ...SIZES.phone, isDrawn: false };
 /** Waits for the lesson of a number. */
 const lesson = (page, number) => page.waitForFunction((n) => document.querySelector('.lesson')?.textContent.startsWith(`Lesson ${n} of 10`), number);
 const done = (page) => page.waitForFunction(() => /^Done! .{20}/.test(document.querySelector('.why').textContent));
-const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.controls .status').textContent), source);
-const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
-const own = (page) => page.evaluate(() => globalThis.playground.programs.shelf.all.map(({ name }) => name));
 const agents = (page) => page.evaluate(() => globalThis.playground.world.agents.map(({ breed, shape, x, y }) => ({ breed, shape, x, y })));
 const types = (page, type) => page.evaluate((wanted) => globalThis.playground.editor.workspace.getBlocksByType(wanted).length, type);
 
@@ -98,21 +95,8 @@ test('the first three lessons are done with the mouse, from the first screen on'
 
 test('the first three lessons are done with the keyboard, from the first screen on; no category is skipped', async () => {
 	const { page, context, said } = await open(site, 'play', Desktop);
-	const focus = () => page.evaluate(() => {
-		const { activeElement: element } = document;
-		return element.labels?.[0]?.textContent || element.getAttribute('aria-label') || element.textContent;
-	});
-	const tabTo = async (name, key = 'Tab') => {
-		for (let i = 0; i < 70; i++) {
-			if ((await focus()).startsWith(name)) return;
-			await page.keyboard.press(key);
-			// Blockly moves the focus on by itself
-			await page.waitForTimeout(20);
-		}
-		assert.fail(`the tab key does not come to “${name}”`);
-	};
-	assert.equal(await focus(), 'Lessons and games');
-	await tabTo('1Blocks');
+	assert.equal(await focused(page), 'Lessons and games');
+	await tabTo(page, '1Blocks');
 	await page.keyboard.press('Enter');
 	await lesson(page, 1);
 	await page.waitForFunction(() => document.activeElement.textContent === 'Blocks make turtles move', null);
@@ -142,21 +126,21 @@ test('the first three lessons are done with the keyboard, from the first screen 
 		if (!(await isInside())) await page.keyboard.press('m');
 	}
 	assert.ok(await isInside());
-	await tabTo('Run');
+	await tabTo(page, 'Run');
 	await page.keyboard.press('Enter');
 	await done(page);
-	await tabTo('Next', 'Shift+Tab');
+	await tabTo(page, 'Next', 'Shift+Tab');
 	await page.keyboard.press('Enter');
 	for (const number of [2, 3]) {
 		await lesson(page, number);
-		await tabTo('Collision system');
+		await tabTo(page, 'Collision system');
 		await page.keyboard.press('End');
-		await tabTo('Step', 'Shift+Tab');
+		await tabTo(page, 'Step', 'Shift+Tab');
 		await page.keyboard.press('Enter');
 		await page.keyboard.press('Enter');
 		await done(page);
 		if (number === 2) {
-			await tabTo('Next', 'Shift+Tab');
+			await tabTo(page, 'Next', 'Shift+Tab');
 			await page.keyboard.press('Enter');
 		}
 	}
@@ -164,9 +148,54 @@ test('the first three lessons are done with the keyboard, from the first screen 
 	await context.close();
 });
 
-// moves of a finger come late where the machine is busy
-const inFull = process.env.FULL_TESTS === 'true' ? false : 'only with -Dfull';
-const fingers = isChromium ? inFull : 'fingers that move are Chromium\'s';
+const fingers = isChromium ? false : 'fingers that move are Chromium\'s';
+
+/** Has a page tell where its buttons and the picture are: now, and every different answer in the frames in which a game runs, until its lesson is done. */
+const watchPlaces = (page) => page.evaluate(() => {
+	globalThis.places = () => [...document.querySelectorAll('.controls button, .screen')].map((each) => each.getBoundingClientRect()).map(({ x, y, width }) => [x, y, width].map(Math.round).join()).join(' ');
+	globalThis.placesWhileItRuns = () => new Promise((resolve) => {
+		const all = new Set();
+		const look = () => {
+			// it shows why, and makes room for that
+			if (/^Done!/.test(document.querySelector('.why').textContent)) return resolve([...all]);
+			if (document.querySelector('.run.running')) all.add(globalThis.places());
+			return requestAnimationFrame(look);
+		};
+		look();
+	});
+});
+
+/** What a function tells of a page, once it has told the same twice: by then nothing moves any more. */
+async function atRest(page, tell) {
+	for (let before = null; ;) {
+		const now = await tell();
+		if (JSON.stringify(now) === before) return now;
+		before = JSON.stringify(now);
+		await page.waitForTimeout(100);
+	}
+}
+
+/**
+ * Drags a block from the drawer to the end of a script with a finger. A busy page sees moves late: the finger stays until the block is out of the
+ * drawer, then until its place in the script is shown.
+ */
+async function dragWithFinger(page, type, script) {
+	const touch = await finger(page);
+	const from = await atRest(page, () => heldAt(page, type));
+	const end = Date.now() + PATIENCE;
+	await touch('touchStart', from);
+	for (let i = 1; (await types(page, type)) === 0; i++) {
+		assert.ok(Date.now() < end, 'the block does not come out of the drawer');
+		await touch('touchMove', { x: from.x, y: from.y + Math.min(90, 15 * i) + (i % 2) });
+	}
+	for (let i = 0; (await page.locator('.blocklyInsertionMarker').count()) === 0; i++) {
+		assert.ok(Date.now() < end, 'no place is shown at the end of the script');
+		const { x, y } = await endOf(page, script);
+		await touch('touchMove', { x: x + (i % 2), y });
+	}
+	await touch('touchEnd');
+	await page.waitForFunction((wanted) => globalThis.playground.editor.workspace.getBlocksByType(wanted[0])[0].getRootBlock().type === wanted[1], [type, script]);
+}
 
 test('the first three lessons are done with fingers, from the first screen on; nothing jumps when the game runs', { skip: fingers }, async () => {
 	const { page, context, said } = await open(site, 'play', Phone);
@@ -179,24 +208,14 @@ test('the first three lessons are done with fingers, from the first screen on; n
 	});
 	assert.ok(begin < 0.5, `blocks begin at ${begin} of the height`);
 	await tap(page.locator('.blocklyToolboxCategory', { hasText: 'Movement' }));
-	const from = await heldAt(page, 'starlogo_forward');
-	const client = await context.newCDPSession(page);
-	const touch = (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
-	await touch('touchStart', from);
-	for (let i = 1; i <= 6; i++) await touch('touchMove', { x: from.x, y: from.y + 15 * i });
-	await page.waitForFunction(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_forward').length === 1);
-	const to = await endOf(page, 'starlogo_each');
-	for (let i = 1; i <= 5; i++) await touch('touchMove', { x: from.x + ((to.x - from.x) * i) / 5, y: from.y + 90 + ((to.y - from.y - 90) * i) / 5 });
-	// a busy page sees the last moves late: the finger stays until the place of the block is shown
-	for (let i = 0; i < 1000 && (await page.locator('.blocklyInsertionMarker').count()) === 0; i++) await touch('touchMove', { x: to.x + (i % 2), y: to.y });
-	await touch('touchEnd');
-	await page.waitForFunction(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_forward')[0].getRootBlock().type === 'starlogo_each');
-	const places = () => page.evaluate(() => [...document.querySelectorAll('.controls button, .screen')].map((each) => each.getBoundingClientRect()).map(({ x, y, width }) => [x, y, width].map(Math.round).join()));
+	await dragWithFinger(page, 'starlogo_forward', 'starlogo_each');
+	await titled(page, 'Blocks make turtles move (mine)');
 	await tap(page.getByRole('button', { name: 'World', exact: true }));
-	const before = await places();
+	await watchPlaces(page);
+	const before = await atRest(page, () => page.evaluate(() => globalThis.places()));
+	const running = page.evaluate(() => globalThis.placesWhileItRuns());
 	await tap(page.getByRole('button', { name: 'Run', exact: true }));
-	await page.waitForSelector('.run.running');
-	assert.deepEqual(await places(), before, 'nothing jumps');
+	assert.deepEqual(await running, [before], 'nothing jumps');
 	await done(page);
 	for (const number of [2, 3]) {
 		await tap(page.getByRole('button', { name: 'Next', exact: true }));

@@ -7,7 +7,7 @@ import { pathToFileURL } from 'node:url';
 import { isChromium } from '../headless/browsers.mjs';
 import { begin, drawNothing, open, ready, root } from './browser.mjs';
 
-const folder = path.join(root, 'playground/languages');
+const folder = path.join(root, 'js/playground/languages');
 const languages = Object.fromEntries(await Promise.all(readdirSync(folder).map(async (file) => [path.parse(file).name, (await import(pathToFileURL(path.join(folder, file)).href)).texts])));
 const { en, ...others } = languages;
 const German = { locale: 'de-AT', viewport: { width: 1366, height: 768 }, isDrawn: false };

@@ -4,7 +4,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { begin, dragBall, open, ready, root, saved } from './browser.mjs';
+import { begin, dragBall, drop, open, ready, root, saved } from './browser.mjs';
 
 const LAPTOP = { viewport: { width: 1366, height: 768 }, isDrawn: false };
 
@@ -19,16 +19,6 @@ const pages = {};
 async function shared(view) {
 	pages[view] ??= await open(site, view, LAPTOP);
 	return pages[view];
-}
-
-/** Drops files on the page together, as the system does. */
-async function drop(page, files) {
-	const data = await page.evaluateHandle((all) => {
-		const transfer = new DataTransfer();
-		for (const [name, bytes] of all) transfer.items.add(new File([Uint8Array.from(bytes)], name));
-		return transfer;
-	}, files.map(([name, content]) => [name, [...content]]));
-	await page.dispatchEvent('.world', 'drop', { dataTransfer: data });
 }
 
 const measured = (page, name) => page.waitForFunction((start) => document.querySelector('.status').textContent.startsWith(`${start}: `) && !document.querySelector('[aria-busy]'), name, { timeout: 60000 });
@@ -153,7 +143,7 @@ test('colours mean the same in every view, a sign says it too, and they differ f
 	colours.forEach((a, i) => colours.slice(i + 1).forEach((b) => assert.ok(Math.hypot(...a.map((each, k) => each - b[k])) > 45, `${a} and ${b}`)));
 	// no view has colours of its own for what is said of agents
 	for (const file of ['play/scene.js', 'play/beside.js', 'inspect/view.js', 'inspect/questions.js', 'compare/view.js', 'shared/sight.js', 'shared/lab.js', 'shared/signs.js']) {
-		assert.doesNotMatch(readFileSync(path.join(root, 'playground', file), 'utf8'), /0x[0-9a-f]{6}\b|#[0-9a-f]{6}\b/, file);
+		assert.doesNotMatch(readFileSync(path.join(root, 'js/playground', file), 'utf8'), /0x[0-9a-f]{6}\b|#[0-9a-f]{6}\b/, file);
 	}
 	await page.getByLabel('What the engine sees').uncheck();
 });
@@ -208,10 +198,10 @@ test('Inspect: a glTF file with its data beside it, and which way is up', async 
 		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 3, 0] }],
 		bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: 'data/the%20boar.bin' }],
 	}));
-	await drop(page, [['boar.gltf', scene]]);
+	await drop(page, ['boar.gltf', scene]);
 	await page.waitForSelector('.status.problem');
 	assert.match(await page.textContent('.status'), /boar\.gltf has its data in the boar\.bin\. Drop or choose all of them together/);
-	await drop(page, [['the boar.bin', data], ['boar.gltf', scene]]);
+	await drop(page, ['the boar.bin', data], ['boar.gltf', scene]);
 	await measured(page, 'boar.gltf');
 	assert.equal(await page.textContent('.status'), 'boar.gltf: 3 vertices, 1 triangle');
 	assert.ok(await page.locator('.up-hint').isVisible(), 'a word about the axis');

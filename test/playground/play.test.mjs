@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, hold, open, ready, saved, tap } from './browser.mjs';
+import { SIZES, begin, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -23,7 +23,6 @@ const agents = (page, breed) => page.evaluate((which) => globalThis.playground.w
 const say = (page) => page.textContent('.game .status');
 /** Waits until Play says what matches. */
 const told = (page, { source }) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('.game .status').textContent), source);
-const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
 
 /** Takes steps of one frame each. */
 async function step(page, count) {
@@ -56,13 +55,9 @@ async function choose(page, name) {
 	await ready(page, 'play');
 }
 
-/** The user's own programs: their names. */
-const own = (page) => page.evaluate(() => globalThis.playground.programs.shelf.all.map(({ name }) => name));
 /** Waits until the user has so many programs. */
 const has = (page, count) => page.waitForFunction((wanted) => globalThis.playground.programs.shelf.all.length === wanted, count);
 const idOf = (page, name) => page.evaluate((title) => globalThis.playground.programs.shelf.all.find((each) => each.name === title).id, name);
-/** Waits for the title of the program that is open. */
-const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector('.title').value === wanted, title);
 const blocks = (page) => page.evaluate(() => globalThis.playground.editor.workspace.getAllBlocks().length);
 /** Waits for what Blockly tells after a change. */
 const settle = (page) => page.waitForTimeout(150);
@@ -431,8 +426,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 
 test('on a phone fingers scroll the page over the world, and Run is in sight beside the blocks', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
 	const { page, context, said } = await open(site, 'play/paintball', SIZES.phone);
-	const client = await context.newCDPSession(page);
-	const touch = (type, ...touchPoints) => client.send('Input.dispatchTouchEvent', { type, touchPoints });
+	const touch = await finger(page);
 	const swipe = async (selector) => {
 		// in its middle, or as near to that as there is no block, which the finger would move
 		const { x, y } = await page.evaluate((name) => {
@@ -806,22 +800,8 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 	assert.equal(await page.locator('.blocklySvg').count(), 0);
 	release();
 	await ready(page, 'play');
-	const focus = () => page.evaluate(() => {
-		const { activeElement: element } = document;
-		return element.labels?.[0]?.textContent || element.getAttribute('aria-label') || element.textContent;
-	});
-	/** Presses the tab key until something that is called so has the focus. */
-	const tabTo = async (name, key = 'Tab') => {
-		for (let i = 0; i < 60; i++) {
-			if (await focus() === name) return;
-			await page.keyboard.press(key);
-			// Blockly moves the focus on by itself
-			await page.waitForTimeout(20);
-		}
-		assert.fail(`the tab key does not come to “${name}”`);
-	};
 	// plays, and scores
-	await tabTo('Run');
+	await tabTo(page, 'Run');
 	await page.keyboard.press('Enter');
 	await page.keyboard.down('ArrowUp');
 	await page.waitForFunction(() => globalThis.playground.world.agents[0].x > 0.3);
@@ -833,7 +813,7 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 	});
 	await page.keyboard.press('Space');
 	await page.waitForFunction(() => document.querySelector('.score').textContent === 'Score 1');
-	await tabTo('Stop', 'Shift+Tab');
+	await tabTo(page, 'Stop', 'Shift+Tab');
 	await page.keyboard.press('Enter');
 	assert.equal(await say(page), 'Stopped');
 	// edits a block: its number
@@ -862,21 +842,21 @@ test('the world comes before the blocks; the keyboard alone plays, edits, choose
 	await titled(page, 'Paintball (mine)');
 	await page.keyboard.press('Escape');
 	// changes the system, looks at an agent, opens a lesson and the other views
-	await tabTo('Collision system');
+	await tabTo(page, 'Collision system');
 	await page.keyboard.press('ArrowUp');
 	assert.equal(await page.getByLabel('Collision system').inputValue(), 'unit spheres');
-	await tabTo('bears 1');
+	await tabTo(page, 'bears 1');
 	await page.keyboard.press('Enter');
 	assert.match(await page.textContent('.inspector'), /^bears 1/);
-	await tabTo('Lessons and games', 'Shift+Tab');
+	await tabTo(page, 'Lessons and games', 'Shift+Tab');
 	await page.keyboard.press('Enter');
 	await page.waitForSelector('.gallery');
-	await tabTo('1Blocks make turtles moveGo on here');
+	await tabTo(page, '1Blocks make turtles moveGo on here');
 	await page.keyboard.press('Enter');
 	await page.waitForSelector('.lesson');
 	await page.waitForFunction(() => document.activeElement.textContent === 'Blocks make turtles move');
 	for (const view of ['Inspect', 'Compare']) {
-		await tabTo(view, 'Shift+Tab');
+		await tabTo(page, view, 'Shift+Tab');
 		await page.keyboard.press('Enter');
 		await ready(page, view.toLowerCase());
 	}

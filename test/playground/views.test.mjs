@@ -8,14 +8,14 @@ import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { isChromium } from '../headless/browsers.mjs';
 import { serve } from '../headless/server.mjs';
-import { SIZES, begin, dragBall, hold, open, ready, root } from './browser.mjs';
+import { SIZES, begin, dragBall, drop, hold, open, ready, root } from './browser.mjs';
 
 const VIEWS = ['play', 'inspect', 'compare', 'measure', 'teach'];
 /** What is looked at of Play: a game, not the first screen. */
 const ADDRESSES = { play: 'play/paintball' };
 /** What else a view shows, by what is there then. */
 const MORE = { play: { '.gallery [data-drawn], .gallery[data-drawn]': 'play/all', '.lesson:visible': 'play/lesson-wing' }, teach: { '[data-drawn]': 'teach/see' } };
-const axe = readFileSync(path.join(root, 'playground/node_modules/axe-core/axe.min.js'), 'utf8');
+const axe = readFileSync(path.join(root, 'js/playground/node_modules/axe-core/axe.min.js'), 'utf8');
 const counts = JSON.parse(readFileSync(path.join(root, 'test/fixtures/playground/scattered.json'), 'utf8'));
 
 let site;
@@ -201,16 +201,6 @@ async function reachesAll(page, showsFocus = true) {
 	assert.ok(wanted.length > 8);
 }
 
-/** Drops a file on the page, as the system does. */
-async function drop(page, name, content) {
-	const data = await page.evaluateHandle(([file, bytes]) => {
-		const transfer = new DataTransfer();
-		transfer.items.add(new File([Uint8Array.from(bytes)], file));
-		return transfer;
-	}, [name, [...content]]);
-	await page.dispatchEvent('.world', 'drop', { dataTransfer: data });
-}
-
 const status = (page) => page.textContent('.status');
 
 /** Waits until a model is measured, of which the status line says what matches. */
@@ -225,15 +215,15 @@ test('Inspect: models by their names and by dropped files, with their volumes', 
 	assert.equal(rows.length, 11);
 	assert.match(rows.find((row) => row.startsWith('Oriented box')), /^Oriented box(tightest)?1\.001\.00/);
 	assert.match(rows.find((row) => row.startsWith('Naive sphere')), /^Naive sphere2\.722\.72/);
-	await drop(page, 'bear.obj', readFileSync(path.join(root, 'assets/bear.obj')));
+	await drop(page, ['bear.obj', readFileSync(path.join(root, 'assets/bear.obj'))]);
 	await measured(page, /^bear\.obj: 547 vertices/);
-	await drop(page, 'broken.obj', Buffer.from('v 1 2 x\n'));
+	await drop(page, ['broken.obj', Buffer.from('v 1 2 x\n')]);
 	await page.waitForSelector('.status.problem');
 	assert.match(await status(page), /^broken\.obj cannot be shown\. model "broken\.obj", line 1/);
-	await drop(page, 'broken.dae', Buffer.from('<COLLADA><'));
+	await drop(page, ['broken.dae', Buffer.from('<COLLADA><')]);
 	await page.waitForFunction(() => /broken\.dae/.test(document.querySelector('.status.problem')?.textContent));
 	assert.match(await status(page), /not well-formed XML/);
-	await drop(page, 'picture.png', Buffer.from('x'));
+	await drop(page, ['picture.png', Buffer.from('x')]);
 	await page.waitForFunction(() => /picture\.png/.test(document.querySelector('.status.problem')?.textContent));
 	assert.match(await status(page), /^picture\.png cannot be shown\. .*OBJ, DAE, ZAE, GLB, glTF and STL files can be/);
 	assert.equal(await page.locator('tbody tr').count(), 11, 'what was there is there');
@@ -447,7 +437,7 @@ test('Inspect: files by their content, with their names, standing up, points as 
 	// a post of 1 by 4 by 1, y up
 	const post = [...Array(8).keys()].map((i) => `v ${i & 1} ${i & 2 ? 4 : 0} ${i & 4 ? 1 : 0}`).join('\n');
 	const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((each) => `f ${each}`).join('\n');
-	await drop(page, 'post.txt', Buffer.from(`${post}\n${faces}\n`));
+	await drop(page, ['post.txt', Buffer.from(`${post}\n${faces}\n`)]);
 	await measured(page, /^post\.txt: 8 vertices, 12 triangles/);
 	assert.equal(await model.evaluate((list) => list.selectedOptions[0].textContent), 'post.txt');
 	assert.equal(await height(), 0.25, 'it lies');
@@ -455,7 +445,7 @@ test('Inspect: files by their content, with their names, standing up, points as 
 	await page.waitForFunction(() => Math.max(...globalThis.playground.model.vertices.filter((_, i) => i % 3 === 2)) === 4);
 	await measured(page, /^post\.txt: 8/);
 	assert.ok(await page.evaluate(() => globalThis.playground.found.rows.every(({ runs }) => runs >= 3)), 'times of several runs');
-	await drop(page, 'cloud.obj', Buffer.from(`${post}\n`));
+	await drop(page, ['cloud.obj', Buffer.from(`${post}\n`)]);
 	await measured(page, /^cloud\.obj: 8 vertices, 0 triangles/);
 	assert.equal(await page.getByLabel('Up', { exact: true }).inputValue(), 'z', 'the next one stands as it is');
 	const drawn = await page.evaluate(() => {
@@ -469,14 +459,14 @@ test('Inspect: files by their content, with their names, standing up, points as 
 	const stl = Buffer.alloc(84 + 50);
 	stl.writeUInt32LE(1, 80);
 	[0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0].forEach((value, i) => stl.writeFloatLE(value, 84 + 4 * i));
-	await drop(page, 'part', stl);
+	await drop(page, ['part', stl]);
 	await measured(page, /^part: 3 vertices, 1 triangle(?!s)/);
 	const corners = Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 3, 0]).buffer).toString('base64');
-	await drop(page, 'scene', Buffer.from(JSON.stringify({
+	await drop(page, ['scene', Buffer.from(JSON.stringify({
 		asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
 		accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 3, 0] }],
 		bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${corners}` }],
-	})));
+	}))]);
 	await measured(page, /^scene: 3 vertices, 1 triangle(?!s)/);
 	assert.equal(await height(), 3, 'glTF is y up');
 	assert.deepEqual(said.splice(0), []);
@@ -555,7 +545,7 @@ test('a near miss that stands still is coloured as the chosen system sees it, an
 
 test('a file that is dropped elsewhere, and a graphics card that goes away, are said in words', async () => {
 	const { page, context } = await open(site, 'compare');
-	await drop(page, 'bear.obj', Buffer.from('v 1 2 3'));
+	await drop(page, ['bear.obj', Buffer.from('v 1 2 3')]);
 	assert.match(await page.textContent('header [role=status]'), /^bear\.obj was not opened: models are looked at in Inspect/);
 	await page.getByRole('link', { name: 'Inspect' }).click();
 	await ready(page, 'inspect');

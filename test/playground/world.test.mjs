@@ -15,7 +15,7 @@ import { flatten } from '../../assets/generator/scene.mjs';
 import { serve } from '../headless/server.mjs';
 import { root } from './browser.mjs';
 
-const { buildSync } = createRequire(path.join(root, 'playground/package.json'))('esbuild');
+const { buildSync } = createRequire(path.join(root, 'js/playground/package.json'))('esbuild');
 const FILES = ['bear.obj', 'seagull.dae', 'fireman.dae', 'dragon.dae', 'person.dae', 'fortress.obj', 'spaceship.obj', 'kelp.obj', 'tree.obj'];
 const FRAME_MS = 1000 / 60;
 let parts;
@@ -28,12 +28,12 @@ before(async () => {
 	const names = ['play/world.js', 'play/examples.js', 'play/games.js', 'play/program.js', 'play/blocks.js', 'play/storage.js', 'play/lessons.js', 'play/javascript.js', 'shared/language.js', 'shared/colours.js', 'shared/made.js'].map((file) => `export * from "./${file}";`);
 	// words come before what is made of them
 	const english = path.join(root, 'bin/generated/english.mjs');
-	const from = (file) => JSON.stringify(path.join(root, 'playground', file));
+	const from = (file) => JSON.stringify(path.join(root, 'js/playground', file));
 	mkdirSync(path.dirname(english), { recursive: true });
 	writeFileSync(english, `import { texts } from ${from('languages/en.js')};\nimport { speak } from ${from('shared/language.js')};\nspeak(texts);\n`);
 	buildSync({
-		stdin: { contents: [`import ${JSON.stringify(english)};`, ...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'playground') },
-		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', nodePaths: [path.join(root, 'playground/node_modules')],
+		stdin: { contents: [`import ${JSON.stringify(english)};`, ...names, 'export * from "starlogo-collision";'].join('\n'), resolveDir: path.join(root, 'js/playground') },
+		bundle: true, format: 'esm', outfile: out, logLevel: 'warning', nodePaths: [path.join(root, 'js/playground/node_modules')],
 		alias: { 'starlogo-collision/three': path.join(root, 'bin/module', exports['./three'].default), 'starlogo-collision': path.join(root, 'bin/module', exports['.'].default) },
 	});
 	parts = await import(pathToFileURL(out).href);

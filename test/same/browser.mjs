@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 const LOOKS_MS = 200;
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
-const tools = createRequire(path.join(root, "module/package.json"));
+const tools = createRequire(path.join(root, "js/module/package.json"));
 
 /** Writes the engine, the tests and what plays the soak as one script, and gives its name. @param {string} tests what the build made of the two */
 export async function bundle(tests) {
@@ -22,7 +22,7 @@ export async function bundle(tests) {
 		format: "iife",
 		outfile: out,
 		logLevel: "error",
-		nodePaths: [path.join(root, "module/node_modules")],
+		nodePaths: [path.join(root, "js/module/node_modules")],
 		plugins: [{
 			name: "same",
 			setup(build) {

@@ -1,9 +1,6 @@
 package standins
 {
     import flash.geom.Matrix3D;
-    import flash.geom.Orientation3D;
-    import flash.geom.Point;
-    import flash.geom.Rectangle;
     import flash.geom.Vector3D;
     import flash.utils.ByteArray;
     import evaluation.pairs.SeededRandom;
@@ -11,9 +8,6 @@ package standins
     import org.flexunit.asserts.assertTrue;
     import standin.SinglePrecision;
     import standin.flash.geom.Matrix3D;
-    import standin.flash.geom.Orientation3D;
-    import standin.flash.geom.Point;
-    import standin.flash.geom.Rectangle;
     import standin.flash.geom.Vector3D;
     import support.Transcript;
 
@@ -23,10 +17,8 @@ package standins
      */
     public class GeometryStandInsTest
     {
-        private static const PLAYER:Object = {Matrix3D: flash.geom.Matrix3D, Vector3D: flash.geom.Vector3D, Point: flash.geom.Point,
-                Rectangle: flash.geom.Rectangle, isPlayer: true};
-        private static const STAND_IN:Object = {Matrix3D: standin.flash.geom.Matrix3D, Vector3D: standin.flash.geom.Vector3D,
-                Point: standin.flash.geom.Point, Rectangle: standin.flash.geom.Rectangle, isPlayer: false};
+        private static const PLAYER:Object = {Matrix3D: flash.geom.Matrix3D, Vector3D: flash.geom.Vector3D, isPlayer: true};
+        private static const STAND_IN:Object = {Matrix3D: standin.flash.geom.Matrix3D, Vector3D: standin.flash.geom.Vector3D, isPlayer: false};
 
         // of the larger number, or of 1: other orders of the same sums, and Ruffle's matrices are of single precision
         private static const ROUNDING:Number = 1e-12;
@@ -75,20 +67,6 @@ package standins
         public function degenerateInput():void
         {
             assertTrue("some throw", compare(degenerateCalls, SINGLE_ROUNDING, 1).thrown > 10);
-        }
-
-        [Test]
-        public function pointsAndRectangles():void
-        {
-            compare(planarCalls, ROUNDING, 300);
-        }
-
-        [Test]
-        public function constants():void
-        {
-            assertEquals(flash.geom.Orientation3D.AXIS_ANGLE, standin.flash.geom.Orientation3D.AXIS_ANGLE);
-            assertEquals(flash.geom.Orientation3D.EULER_ANGLES, standin.flash.geom.Orientation3D.EULER_ANGLES);
-            assertEquals(flash.geom.Orientation3D.QUATERNION, standin.flash.geom.Orientation3D.QUATERNION);
         }
 
         // what Ruffle lacks
@@ -411,36 +389,6 @@ package standins
             to.note("no number", [lost.normalize(), lost, lost.equals(lost), none.normalize(), none, String(lost)]);
             none.project();
             to.note("w = 0", none);
-        }
-
-        private function planarCalls(of:Object, to:Transcript):void
-        {
-            var a:* = new of["Point"](number(), number());
-            var b:* = new of["Point"](number(), number());
-            to.note("points", [a, b, new of["Point"](), String(a), a.length, a.add(b), a.subtract(b), a.equals(b), a.equals(a.clone())]);
-            to.note("statics", [of.Point.distance(a, b), of.Point.interpolate(a, b, 0.3), of.Point.polar(2, 0.7)]);
-            for each (var change:Array in [["offset", 1, 2], ["copyFrom", b], ["setTo", 3, 4], ["normalize", 5]])
-            {
-                var point:* = a.clone();
-                to.note(change[0], [point[change[0]].apply(point, change.slice(1)), point]);
-            }
-            var r:* = new of["Rectangle"](number(), number(), number(), number());
-            var s:* = new of["Rectangle"](number(), number(), number(), number());
-            to.note("rectangles", [r, String(r), r.left, r.right, r.top, r.bottom, r.topLeft, r.bottomRight, r.size, r.isEmpty()]);
-            to.note("questions", [r.contains(a.x, a.y), r.containsPoint(b), r.containsRect(s), r.containsRect(r), r.intersects(s), r.equals(s)]);
-            to.note("both", [r.intersection(s), r.union(s), r.clone()]);
-            for each (change in [["setEmpty"], ["inflate", 1, 2], ["inflatePoint", a], ["offset", 1, 2], ["offsetPoint", a], ["copyFrom", s],
-                        ["setTo", 1, 2, 3, 4]])
-            {
-                var rectangle:* = r.clone();
-                to.note(change[0], [rectangle[change[0]].apply(rectangle, change.slice(1)), rectangle]);
-            }
-            for each (change in [["left", 1], ["right", 2], ["top", 3], ["bottom", 4], ["topLeft", a], ["bottomRight", b], ["size", a]])
-            {
-                rectangle = r.clone();
-                rectangle[change[0]] = change[1];
-                to.note(change[0], rectangle);
-            }
         }
 
         private static function assertRecomposed(matrix:standin.flash.geom.Matrix3D, style:String):void

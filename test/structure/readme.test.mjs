@@ -6,7 +6,7 @@ import { choose, readTests } from '../chosen.mjs';
 import { definitionIn, foldersIn, layout, read, root, sourcesBelow } from './sources.mjs';
 
 const GUIDE = readdirSync(path.join(root, 'docs')).filter((file) => file.endsWith('.md')).map((file) => `docs/${file}`);
-const PAGES = ['README.md', 'CONTRIBUTING.md', 'module/README.md', 'lib/README.md', ...GUIDE];
+const PAGES = ['README.md', 'CONTRIBUTING.md', 'js/README.md', 'js/module/README.md', 'lib/README.md', ...GUIDE];
 
 const lists = layout();
 const isFolder = (name) => !name.includes('.');
@@ -37,7 +37,7 @@ test('links and pictures lead somewhere', () => {
 });
 
 test('paths that the pages name are there', () => {
-	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`((?:src|test|build|module|playground|assets|standins|lib|docs)\/[\w./-]*)`/g)].map(([, to]) => [page, to]));
+	const named = PAGES.flatMap((page) => [...read(page).matchAll(/`((?:src|test|build|js|assets|lib|docs)\/[\w./-]*)`/g)].map(([, to]) => [page, to]));
 	assert.ok(named.length > 20, 'there are some');
 	// what a build or the user puts there
 	const isMade = (to) => to === 'lib/away3d.swc' || to.includes('node_modules');

@@ -95,10 +95,6 @@ package support
                     return [value.x, value.y, value.z, value.w];
                 case "Matrix3D":
                     return contents(value.rawData);
-                case "Point":
-                    return [value.x, value.y];
-                case "Rectangle":
-                    return [value.x, value.y, value.width, value.height];
                 default:
                     return value is Function ? ["a function"] : contents(mapped(value, contents));
             }

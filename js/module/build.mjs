@@ -1,0 +1,112 @@
+#!/usr/bin/env node
+/**
+ * Writes the npm package of the engine.
+ *
+ *   node js/module/build.mjs TRANSPILED OUT      TRANSPILED is what Apache's compiler wrote
+ */
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join, resolve } from "node:path";
+import { buildSync, transformSync } from "esbuild";
+import { standinsText, translate } from "./assemble.mjs";
+import { writeDeclarations } from "./declarations.mjs";
+import { ROOT, publicSignatures } from "./names.mjs";
+
+const [transpiled, out] = process.argv.slice(2);
+const NAME = "starlogo-collision";
+const THIRD_PARTY = ["pako"];
+
+const types = publicSignatures();
+const program = translate(transpiled, types);
+const classes = program.text();
+const lost = /\$missing\("(.*?)"\)/.exec(classes);
+if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
+
+const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
+const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
+const text = cleaned(`/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
+${standinsText()}
+${classes}
+export {
+    ${[...values, "ArgumentError", "ByteArray"].sort().join(",\n    ")}
+};
+`);
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+const readable = `${NAME}.js`;
+const minified = `${NAME}.min.js`;
+writeFileSync(join(out, readable), text);
+const small = transformSync(text, { minify: true, keepNames: true, format: "esm", target: "es2022", sourcemap: "external", sourcefile: readable, sourcesContent: true });
+writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified}.map\n`);
+writeFileSync(join(out, `${minified}.map`), small.map);
+writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
+writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
+writeFileSync(join(out, "LICENSES.md"), licences());
+copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
+copyFileSync(join(ROOT, "js/module/bake.mjs"), join(out, "bake.mjs"));
+copyFileSync(join(ROOT, "js/module/README.md"), join(out, "README.md"));
+copyFileSync(join(ROOT, "CHANGELOG.md"), join(out, "CHANGELOG.md"));
+copyFileSync(join(ROOT, "js/module/picture.svg"), join(out, "picture.svg"));
+cpSync(join(ROOT, "js/adapters/three"), join(out, "three"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^three)$/.test(basename(file)) });
+cpSync(join(ROOT, "js/adapters/nova"), join(out, "nova"), { recursive: true, filter: (file) => /(?:\.js|\.d\.ts|^nova)$/.test(basename(file)) });
+// the adapter and the engine as a classic script
+buildSync({
+	entryPoints: [join(out, "nova/index.js")],
+	outfile: join(out, "nova.js"),
+	alias: { [NAME]: resolve(out, readable) },
+	bundle: true,
+	minify: true,
+	keepNames: true,
+	format: "iife",
+	globalName: "StarLogoCollision",
+	target: "es2022",
+	legalComments: "inline",
+});
+console.log(`written: ${out} (${Math.round(small.code.length / 1024)} KB minified)`);
+
+/** The text without Flash's numbers of errors (a stream's the engine takes off itself), and with escapes for what makes tools take it for no text. */
+function cleaned(code) {
+	return code.replaceAll(/(["`])Error #\d{4}: (?!Stream)/g, "$1")
+		.replaceAll(/[\0-\x08\x0b-\x1f]/g, (control) => `\\x${control.charCodeAt(0).toString(16).padStart(2, "0")}`);
+}
+
+function fail(qname) {
+	throw new Error(`${qname} is public, but was not compiled`);
+}
+
+function manifest() {
+	return {
+		name: NAME,
+		version,
+		description: "The collision engine of StarLogo Nova: which agents of a game have collided, exactly, as they move, and what is near",
+		license: "MIT",
+		keywords: ["collision-detection", "collision", "broadphase", "spatial-query", "raycast", "bounding-volume", "bvh", "continuous-collision", "game", "3d", "starlogo"],
+		homepage: "https://www.slnova.org/",
+		...(repository ? { repository } : {}),
+		type: "module",
+		sideEffects: false,
+		engines: { node: ">=18" },
+		types: "./index.d.ts",
+		exports: {
+			".": { types: "./index.d.ts", default: `./${readable}` },
+			"./readable": { types: "./index.d.ts", default: `./${readable}` },
+			"./package.json": "./package.json",
+			"./three": { types: "./three/index.d.ts", default: "./three/index.js" },
+			"./nova": { types: "./nova/index.d.ts", default: "./nova/index.js" },
+		},
+		peerDependencies: { three: ">=0.180.0" },
+		peerDependenciesMeta: { three: { optional: true } },
+		bin: { "starlogo-bake": "./bake.mjs" },
+		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three", "nova"],
+	};
+}
+
+/** The licences of what is bundled in. */
+function licences() {
+	const parts = THIRD_PARTY.map((name) => {
+		const folder = join(ROOT, "js/module/node_modules", name);
+		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+		return `## ${name} ${version} (${license})\n\n${readFileSync(join(folder, "LICENSE"), "utf8").trim()}\n`;
+	});
+	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
+}

@@ -1,0 +1,286 @@
+/** Writes index.d.ts: TypeScript's view of the public classes, with their documentation. */
+import { ADDED, PLAIN_BYTES } from "./added.mjs";
+import { PLATFORM_NAMES } from "./names.mjs";
+
+const PRIMITIVES = { Number: "number", int: "number", uint: "number", Boolean: "boolean", String: "string", void: "void", "*": "unknown", Object: "unknown", Array: "unknown[]", Class: "Function", Error: "Error", RegExp: "RegExp", Function: "(...args: never[]) => unknown" };
+
+/** What ActionScript's types do not say, by the names of parameters and members. */
+const BY_NAME = new Map([
+	["accepts", '{ accept(agent: Agent): boolean }["accept"] | null'], // a method's parameter may be of a class of agents
+	["buffers", "Record<string, ByteArray>"],
+	["collisionOrSystem", "Collision<A> | CollisionSystem"],
+	["scaling", "Scaling"],
+	["structureNames", "string[]"],
+	["systemNames", "string[]"],
+	["upAxis", "UpAxis"],
+]);
+
+/** Sentences that say nothing to a JavaScript developer. */
+const OF_PLAYERS = /Ruffle|Adobe|Flash|Away3D|SWF|SWC|avmshell|mxmlc|ASDoc|E4X/;
+const HEAD = `/** What is taken wherever numbers are listed. */
+export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array | Uint32Array;
+
+/** What is taken for a file's bytes. */
+export type Bytes = ByteArray | ArrayBuffer | ArrayBufferView;
+
+/** Which axis of a file points up, or what turns it otherwise. */
+export type UpAxis = "x" | "y" | "z" | ModelTransform;
+
+/** How a model is scaled. */
+export type Scaling = typeof Model.FOOTPRINT | typeof Model.VOLUME | typeof Model.AS_GIVEN;
+
+/** What is called with an event, which may be of a class of its own. */
+export type Listener = { listen(event: Event): void }["listen"];
+
+/** How to listen: as to the platform's own events. */
+export interface ListenerOptions {
+    /** Whether the listener is called but once. */
+    once?: boolean;
+    /** Taken, and of no effect: events have no phases here. */
+    capture?: boolean;
+    /** Listening ends when it is aborted. */
+    signal?: { readonly aborted: boolean; addEventListener(type: "abort", listener: () => void, options?: { once?: boolean }): void };
+}
+`;
+const BY_HAND = `/** An argument is not what it has to be. */
+export class ArgumentError extends Error {
+    constructor(message?: string);
+}
+
+/** Bytes with a place to read and write at, as far as loading models needs them. */
+export class ByteArray {
+    /** @param source bytes to begin with, which are copied */
+    constructor(source?: ArrayBuffer | ArrayBufferView | null);
+    /** The order of a number's bytes: "bigEndian" or "littleEndian". */
+    endian: "bigEndian" | "littleEndian";
+    /** Where the next byte is read or written. */
+    position: number;
+    /** How many bytes there are. */
+    length: number;
+    /** The bytes, copied. */
+    toUint8Array(): Uint8Array;
+}
+`;
+
+/**
+ * The text of index.d.ts.
+ *
+ * @param types the signatures of what is exported, by qualified name
+ */
+export function writeDeclarations(types) {
+	const writer = new Writer(new Map([...types.values()].map((type) => [type.name, type])));
+	// without the last line all that is declared here could be imported
+	return [HEAD, ...[...types.values()].map((type) => writer.text(type)), BY_HAND, "export {};\n"].join("\n");
+}
+
+/** Whether a class is of a client's own agents: those that its update takes, or one that it has for its user. */
+function isGeneric(type) {
+	const hasAgents = (member) => member.name === "update" && member.parameters[0]?.type === "Vector.<Agent>";
+	const hasAgent = (member) => member.kind === "var" && member.isPublic && !member.isPrivate && member.result === "Agent";
+	return type?.kind === "class" && type.members.some((member) => hasAgents(member) || hasAgent(member));
+}
+
+class Writer {
+	#exported;
+	#agent = "Agent";
+
+	constructor(exported) {
+		this.#exported = exported;
+	}
+
+	text(type) {
+		if (type.kind === "function") {
+			return `${doc(type.doc, "")}export function ${type.name}(${this.#parameters(type)}): ${this.#type(type.result)};\n`;
+		}
+		const members = this.#membersOf(type).map((member) => this.#memberText(type, member));
+		const bases = type.bases.filter((name) => this.#exported.has(name) || name === "Error");
+		const interfaces = type.interfaces.filter((name) => this.#exported.has(name));
+		const heritage = (bases.length > 0 ? ` extends ${bases.join(", ")}` : "") + (interfaces.length > 0 ? ` implements ${interfaces.join(", ")}` : "");
+		const parameters = isGeneric(type) ? "<A extends Agent = Agent>" : "";
+		if (type.events.length > 0) members.unshift(...this.#listening(type));
+		if (ADDED[type.qname]) members.push(ADDED[type.qname].declaration);
+		return `${this.#eventsText(type)}${doc(type.doc, "")}${PLATFORM_NAMES.has(type.name) ? "declare" : "export"} ${type.kind} ${type.name}${parameters}${heritage} {\n${members.join("\n")}\n}\n`;
+	}
+
+	#eventsText(type) {
+		if (type.events.length === 0) return "";
+		const lines = type.events.map(({ event, eventType }) => `    ${event}: ${this.#type(eventType)};`);
+		return `/** The events of a ${type.name}, by their types. */\nexport interface ${type.name}Events {\n${lines.join("\n")}\n}\n\n`;
+	}
+
+	#listening(type) {
+		const known = `<K extends keyof ${type.name}Events>(type: K, listener: (event: ${type.name}Events[K]) => void, `;
+		return [
+			`    addEventListener${known}options?: boolean | ListenerOptions, priority?: number): void;`,
+			`    removeEventListener${known}options?: boolean | ListenerOptions): void;`,
+		];
+	}
+
+	// Overrides that say nothing of their own are there through the base.
+	#membersOf(type) {
+		// of a class that cannot be imported nobody can ask for a constant
+		const isReached = (member) => !(PLATFORM_NAMES.has(type.name) && member.isStatic);
+		const isSeen = (member) => isReached(member) && (member.isPublic || member.isProtected) && !member.isPrivate && !(member.isOverride && /^(@inheritDoc\s*)?$/.test(member.doc));
+		return type.members.filter(isSeen);
+	}
+
+	#memberText(type, member) {
+		const isStatic = member.isStatic ? "static " : "";
+		const visible = member.isProtected ? "protected " : "";
+		this.#agent = isGeneric(type) && !member.isStatic ? "A" : "Agent";
+		const said = this.#docOf(type, member);
+		const text = doc(said, "    ");
+		if (/^(add|remove)EventListener$/.test(member.name)) {
+			const priority = member.name === "addEventListener" ? ", priority?: number" : "";
+			return `${text}    ${member.name}(type: string, listener: Listener, options?: boolean | ListenerOptions${priority}): void;`;
+		}
+		// what comes out of a list of a client's agents are the client's agents
+		const isPicking = this.#agent === "Agent" && member.kind === "method" && member.result === "Vector.<Agent>" && member.parameters.some((each) => each.type === "Vector.<Agent>" && each.name !== "out");
+		const generic = isPicking ? "<A extends Agent>" : "";
+		if (isPicking) this.#agent = "A";
+		const isNull = this.#mayBeNull({ ...member, doc: said });
+		const result = PLAIN_BYTES.has(`${type.qname}.${member.name}`) ? "Uint8Array" : BY_NAME.get(member.name) ?? this.#literalOf(member) ?? this.#unionOf(type, member.result, said) ?? this.#type(member.result) + (isNull ? " | null" : "");
+		switch (member.kind) {
+			case "constructor":
+				return `${text}    constructor(${this.#parameters(member, type)});`;
+			case "method":
+				return `${text}    ${visible}${isStatic}${member.name}${generic}(${this.#parameters(member, type)}): ${result};`;
+			case "get": {
+				const isReadOnly = !type.members.some((other) => other.kind === "set" && other.name === member.name);
+				if (type.kind === "interface") return `${text}    ${isReadOnly ? "readonly " : ""}${member.name}: ${result};`;
+				return `${text}    ${visible}${isStatic}get ${member.name}(): ${result};`;
+			}
+			case "set":
+			{
+				const getter = type.members.find((other) => other.kind === "get" && other.name === member.name);
+				const orNull = getter && this.#mayBeNull({ ...getter, doc: this.#docOf(type, getter) }) ? " | null" : "";
+				const union = getter && this.#unionOf(type, getter.result, this.#docOf(type, getter));
+				return `${visible}    ${isStatic}set ${member.name}(value: ${union ?? this.#parameterType(member.parameters[0]) + orNull});`;
+			}
+			default:
+				return `${text}    ${visible}${isStatic}${member.kind === "const" ? "readonly " : ""}${member.name}: ${result};`;
+		}
+	}
+
+	#mayBeNull(member) {
+		if (member.initial === "null") return true;
+		if (member.kind === "const" || /^(Number|int|uint|Boolean|void|\*|Object)$/.test(member.result)) return false;
+		const said = member.kind === "method" ? /@return([\s\S]*?)(?:\n@|$)/.exec(member.doc)?.[1] ?? member.doc.split("\n@")[0] : member.doc.split("\n@")[0];
+		return /\bnull\b/i.test(said);
+	}
+
+	// A constant name is its own type: it says which event comes, and which structure is meant.
+	#literalOf(member) {
+		return member.kind === "const" && member.result === "String" && /^"[\w ]+"$/.test(member.initial ?? "") ? member.initial : null;
+	}
+
+	// The names that a text lists as those that are taken: "x", "y" or "z", or the class's own constants.
+	#unionOf(type, result, said) {
+		if (result !== "String") return null;
+		const listed = /"\w+"(?:, "\w+")* or "\w+"/.exec(said)?.[0].match(/"\w+"/g);
+		if (listed) return listed.join(" | ");
+		const constants = type.members.filter((each) => this.#literalOf(each) && new RegExp(`\\b${each.name}\\b`).test(said));
+		return constants.length > 1 ? constants.map((each) => each.initial).join(" | ") : null;
+	}
+
+	#docOf(type, member) {
+		if (!/@inheritDoc|@copy/.test(member.doc)) return member.doc;
+		const copied = /@copy #(\w+)/.exec(member.doc)?.[1];
+		if (copied) return type.members.find((other) => other.name === copied)?.doc ?? "";
+		for (const name of [...type.bases, ...type.interfaces]) {
+			const base = this.#exported.get(name);
+			const found = base?.members.find((other) => other.name === member.name && other.kind === member.kind);
+			if (found) return member.doc.replace("@inheritDoc", this.#docOf(base, found));
+		}
+		return member.doc.replace("@inheritDoc", "").trim();
+	}
+
+	#parameters(member, owner) {
+		return member.parameters.map((parameter) => {
+			if (parameter.isRest) return `...${parameter.name}: string[]`;
+			const optional = parameter.value === null ? "" : "?";
+			return `${parameter.name}${optional}: ${this.#parameterType(parameter, this.#said(member, parameter, owner))}`;
+		}).join(", ");
+	}
+
+	/** What is said of a parameter; "as in moveTo" is what that says. */
+	#said({ doc: text }, { name }, owner) {
+		const own = new RegExp(String.raw`@param ${name}\s+((?:(?!\n@)[\s\S])*)`).exec(text)?.[0] ?? "";
+		const other = /^@param \w+\s+as in (?:the )?(\w+)/.exec(own)?.[1];
+		const member = owner?.members.find((each) => each.name === other || other === "constructor" && each.kind === other);
+		return member ? this.#said(member, { name }, owner) : own;
+	}
+
+	#parameterType(parameter, said = "") {
+		// what is overwritten may have been of any agents
+		const agent = this.#agent;
+		if (isGeneric(this.#exported.get(/^(?:Vector\.<)?(\w+)>?$/.exec(parameter.type)?.[1]))) this.#agent = "Agent";
+		const text = this.#parameterText(parameter, said);
+		this.#agent = agent;
+		return text;
+	}
+
+	#parameterText({ name, type, value }, said) {
+		const orNull = value === "null" || /\bnull\b/.test(said) ? " | null" : "";
+		if (BY_NAME.has(name)) return BY_NAME.get(name) + orNull;
+		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
+		if (element && name !== "out" && !/^(Number|int|uint)$/.test(element)) return `readonly ${this.#type(element)}[]${orNull}`;
+		if (/^Vector\.<(Number|int|uint)>$/.test(type) && name !== "out") return `Numbers${orNull}`;
+		if (type === "ByteArray") return `Bytes${orNull}`;
+		if (type === "Function") {
+			const written = new RegExp(String.raw`@param ${name}\s+(?:(?!\n@)[\s\S])*?<code>(?:function)?(\([^<]*)</code>`).exec(said)?.[1];
+			if (!written) return PRIMITIVES.Function + orNull;
+			const more = /<code>(contact:Contact)<\/code>/.exec(said)?.[1];
+			return this.#functionType(more ? written.replace(")", `, ${more})`) : written);
+		}
+		return `${this.#type(type)}${orNull}`;
+	}
+
+	/** "(a:Agent):void" */
+	#functionType(text) {
+		const [, list, result] = /^\(([^)]*)\):(\S+)/.exec(text) ?? [null, "", "unknown"];
+		const parameters = list.split(",").filter((word) => word.trim() !== "").map((word) => {
+			const [name, type] = word.trim().split(":");
+			return `${name}: ${this.#type(type)}`;
+		});
+		return `(${parameters.join(", ")}) => ${this.#type(result)}`;
+	}
+
+	#type(type) {
+		const element = /^Vector\.<(.*)>$/.exec(type)?.[1];
+		if (element) return `${this.#type(element)}[]`;
+		if (type === "Agent") return this.#agent;
+		const isOfAgents = this.#agent === "A" && isGeneric(this.#exported.get(type));
+		return PRIMITIVES[type] ?? (this.#exported.has(type) || type === "ByteArray" ? `${type}${isOfAgents ? "<A>" : ""}` : "unknown");
+	}
+}
+
+/** What a documentation says, in terms of JavaScript, without where the thesis has it. */
+function forJavaScript(text) {
+	const sentences = text.split(/(?<=\.)(?=\s)|(?=\n@)|(?=<p>)|(?<=<\/p>)/);
+	return sentences.filter((sentence) => !OF_PLAYERS.test(sentence.replaceAll(/<\/?p>/g, ""))).join("")
+		.replaceAll(/\s*\((?:the\s+)?(?:thesis\s+)?§[^)]*\)/g, "").replaceAll(/,? ?(?:in |of |as in )?(?:the )?thesis,? §[\d.]+/g, "").replaceAll(/\s*\(?§\s?[\d.]+[^\s)]*\)?/g, "")
+		.replaceAll(/\bflash\.\w+\.(?=[A-Z])/g, "").replaceAll(/\.\/antw bake/g, "npx starlogo-bake").replaceAll(/\bVector\.<(?:Number|int|uint)>/g, "an array of numbers").replaceAll(/\ba Vector\b/g, "an array")
+		.replaceAll(/<code>(?:function)?\(([^)<]*)\):(\w+)<\/code>/g, (_, list, result) => `<code>(${list.replaceAll(/:(\w+)/g, (_, name) => `: ${nameHere(name)}`)}) => ${nameHere(result)}</code>`)
+		.replaceAll(/<listing[^>]*>[\s\S]*?<\/listing>/g, (code) => code.replaceAll(/\bvar (\w+):[\w.<>]+/g, "const $1").replaceAll(/:(?:Number|int|void|Agent|Boolean|String)\b/g, ""));
+}
+
+/** What a type of ActionScript is called in TypeScript. */
+function nameHere(name) {
+	return PRIMITIVES[name] ?? name;
+}
+
+/** A documentation comment: HTML as Markdown, ASDoc's tags as TSDoc's. */
+function doc(text, indent) {
+	if (text === "") return "";
+	const plain = forJavaScript(text)
+		.replaceAll(/<listing[^>]*>/g, "```js").replaceAll("</listing>", "```")
+		.replaceAll(/<\/?code>/g, "`").replaceAll(/<\/p>/g, "").replaceAll(/<p>/g, "")
+		.replaceAll(/<\/?(em|i)>/g, "*").replaceAll(/<\/?(strong|b)>/g, "**")
+		.replaceAll(/<\/?ul>/g, "").replaceAll("<li>", "- ").replaceAll("</li>", "")
+		.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&")
+		.replaceAll(/^@return /gm, "@returns ").replaceAll(/@eventType.*$/gm, "").replaceAll("*/", "* /").trim();
+	const lines = plain.split("\n");
+	if (lines.length === 1) return `${indent}/** ${lines[0]} */\n`;
+	return `${indent}/**\n${lines.map((line) => `${indent} * ${line}`.trimEnd()).join("\n")}\n${indent} */\n`;
+}

@@ -1,0 +1,60 @@
+#!/usr/bin/env node
+/**
+ * Draws the picture of README.md: what the collision systems see of a bear, as the package itself computes it.
+ *
+ *   node js/module/picture.mjs      after ./antw module
+ */
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { GreatLand, ObjModel, Sphere, Vector3D, Wireframes } from "../../bin/module/starlogo-collision.js";
+import { ROOT } from "./names.mjs";
+
+const WIDTH = 260;
+const HEIGHT = 430;
+const SCALE = 150;
+const [COS, SIN] = [Math.cos(0.6), Math.sin(0.6)];
+
+/** A place of the picture, of a point seen from the front and above. */
+function project(x, y, z) {
+	const across = COS * x - SIN * y;
+	const away = SIN * x + COS * y;
+	return [WIDTH / 2 + SCALE * across, HEIGHT - 70 - SCALE * (0.94 * z + 0.34 * away)].map((value) => value.toFixed(1)).join(" ");
+}
+
+function path(lines, color, width) {
+	let text = "";
+	for (let i = 0; i < lines.length; i += 6) text += `M${project(...lines.slice(i, i + 3))}L${project(...lines.slice(i + 3, i + 6))}`;
+	return `<path d="${text}" fill="none" stroke="${color}" stroke-width="${width}"/>`;
+}
+
+/** The edges of a model's triangles, each once. */
+function edgesOf({ vertices, triangles }) {
+	const edges = new Map();
+	for (let i = 0; i < triangles.length; i++) {
+		const [a, b] = [triangles[i], triangles[i % 3 === 2 ? i - 2 : i + 1]].sort((first, second) => first - second);
+		edges.set(`${a} ${b}`, [...vertices.slice(3 * a, 3 * a + 3), ...vertices.slice(3 * b, 3 * b + 3)]);
+	}
+	return [...edges.values()].flat();
+}
+
+/** The text of an SVG. */
+function drawPicture() {
+	const bear = new ObjModel("bear", readFileSync(join(ROOT, "assets/bear.obj"), "utf8"));
+	const land = new GreatLand();
+	land.addModel(bear);
+	const edges = edgesOf(bear);
+	const panels = [
+		["BinCollider", Wireframes.ofStructure(new Sphere(new Vector3D(0, 0, 0.5), 0.5))],
+		["TightestFitCollider", Wireframes.ofStructure(land.boundingStructures.tightestFit("bear"))],
+		["HierarchicalCollider", Wireframes.ofLevel(land.hierarchies.root("bear"), 5)],
+		["exact", []],
+	];
+	const groups = panels.map(([name, lines], i) => {
+		const own = lines.length > 0 ? path(edges, "#b8b8b8", 0.4) + path(lines, "#d9480f", 1) : path(edges, "#d9480f", 0.6);
+		return `<g transform="translate(${i * WIDTH} 0)">${own}<text x="${WIDTH / 2}" y="${HEIGHT - 14}" text-anchor="middle">${name}</text></g>`;
+	});
+	const size = `width="${panels.length * WIDTH}" height="${HEIGHT}" viewBox="0 0 ${panels.length * WIDTH} ${HEIGHT}"`;
+	return `<svg xmlns="http://www.w3.org/2000/svg" ${size} font-family="sans-serif" font-size="15"><rect width="100%" height="100%" fill="#fff"/>${groups.join("")}</svg>\n`;
+}
+
+writeFileSync(join(ROOT, "js/module/picture.svg"), drawPicture());

@@ -1,0 +1,114 @@
+/** The patterns of syntax that Apache's compiler writes ActionScript in, found in acorn's trees. */
+
+/** The compiler's run-time library: its names are found in what it writes, and nothing of it is used. */
+export const LANGUAGE = "org.apache.royale.utils.Language";
+
+/** An expression without the parentheses around it. */
+export function bare(node) {
+	return node.type === "ParenthesizedExpression" ? bare(node.expression) : node;
+}
+
+/** The names of a chain like a.b.c, else "". */
+export function pathOf(given) {
+	const node = given && bare(given);
+	if (!node) return "";
+	if (node.type === "Identifier") return node.name;
+	if (node.type !== "MemberExpression" || node.computed) return "";
+	const start = pathOf(node.object);
+	return start === "" ? "" : `${start}.${node.property.name}`;
+}
+
+export function nameOf(key) {
+	return key.type === "Literal" ? String(key.value) : key.name;
+}
+
+export function childrenOf(node) {
+	const children = [];
+	for (const [key, value] of Object.entries(node)) {
+		if (key === "type" || key === "start" || key === "end") continue;
+		for (const child of Array.isArray(value) ? value : [value]) {
+			if (child && typeof child.type === "string") children.push(child);
+		}
+	}
+	return children.sort((a, b) => a.start - b.start);
+}
+
+// What stands between two parts of an expression: operators and the compiler's comments.
+export function gap(text) {
+	return text.includes("/*") ? text.replace(/\/\*[\s\S]*?\*\/ ?/g, "") : text;
+}
+
+/** What the compiler computes when a static is first asked for: `get__X = function() { var value = ...; ... }`. */
+export function lazyValue(node) {
+	const first = node?.type === "FunctionExpression" ? node.body.body[0] : null;
+	const isLazy = first?.type === "VariableDeclaration" && first.declarations[0].id.name === "value" &&
+		node.body.body[1]?.expression?.callee && pathOf(node.body.body[1].expression.callee) === "Object.defineProperties";
+	return isLazy ? first.declarations[0].init : null;
+}
+
+/** The element type of `Language.synthVector('T')`, else null. */
+export function vectorType(given) {
+	const node = bare(given);
+	return node.type === "CallExpression" && pathOf(node.callee) === `${LANGUAGE}.synthVector` ? node.arguments[0].value : null;
+}
+
+/** `p = typeof p !== 'undefined' ? p : value`. */
+export function parameterDefault(statement) {
+	const expression = statement.type === "ExpressionStatement" ? statement.expression : null;
+	if (expression?.type !== "AssignmentExpression" || expression.right.type !== "ConditionalExpression") return null;
+	const test = expression.right.test;
+	const isDefault = test.type === "BinaryExpression" && test.left.type === "UnaryExpression" && test.left.operator === "typeof" &&
+		test.left.argument.name === expression.left.name && test.right.value === "undefined";
+	return isDefault ? { name: expression.left.name, value: expression.right.alternate } : null;
+}
+
+export function isFieldAssignment(statement) {
+	const expression = statement.type === "ExpressionStatement" ? statement.expression : null;
+	return expression?.type === "AssignmentExpression" && expression.operator === "=" && expression.left.type === "MemberExpression" &&
+		expression.left.object.type === "ThisExpression" && !expression.left.computed;
+}
+
+export function isBaseCall(statement) {
+	const call = statement.type === "ExpressionStatement" ? statement.expression : null;
+	return call?.type === "CallExpression" && call.callee.property?.name === "base" && call.arguments[1]?.value === "constructor";
+}
+
+/** `X.base(this, 'name', ...)` or `X.superClass_.name.apply(this, [...])`. */
+export function superCall(node, qname) {
+	const path = pathOf(node.callee);
+	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2) };
+	const name = /\.superClass_\.(?![gs]et__)(\w+)\.apply$/.exec(path)?.[1];
+	return name ? { name, arguments: node.arguments[1]?.elements ?? [] } : null;
+}
+
+/** The compiler's statements for "for each (var x in list)". */
+export function forEach(first, second) {
+	const declared = first?.type === "VariableDeclaration" ? first.declarations[0] : null;
+	if (!/^foreachiter\d+_target$/.test(declared?.id.name ?? "")) return null;
+	if (second?.type !== "ForInStatement") throw new Error("a \"for each\" is not as expected");
+	const [variable, ...rest] = second.body.body;
+	const isDeclared = variable.type === "VariableDeclaration";
+	return { variable: isDeclared ? variable.declarations[0].id : variable.expression.left, isDeclared, over: declared.init, body: { type: "BlockStatement", body: rest, start: second.body.start, end: second.body.end } };
+}
+
+/** A comment without what only the compiler's types are for. */
+export function docOf(comment) {
+	const lines = comment.replace(/^\/\*+/, "").replace(/\*\/$/, "").split("\n")
+		.map((line) => line.replace(/^\s*\*? ?/, "").trimEnd())
+		.filter((line) => !/^@(param|return|type|constructor|extends|implements|private|package|protected|nocollapse|const|export|interface|override|final|see starlogo\.engine)\b/.test(line))
+		.map((line) => line.replace(/^@as(param|return)/, "@$1"));
+	while (lines.length > 0 && lines[0] === "") lines.shift();
+	while (lines.length > 0 && lines.at(-1) === "") lines.pop();
+	if (lines.length === 0) return "";
+	if (lines.length === 1) return `/** ${lines[0]} */\n`;
+	return `/**\n${lines.map((line) => ` * ${line}`.trimEnd()).join("\n")}\n */\n`;
+}
+
+export function indent(text) {
+	return text.split("\n").map((line) => (line === "" ? "" : `    ${line.replace(/^( +)(?! ?\*)/, (spaces) => spaces + spaces)}`)).join("\n");
+}
+
+/** Whether a path of names begins with another. */
+export function isWithin(path, qname) {
+	return path === qname || path.startsWith(`${qname}.`);
+}

@@ -1,0 +1,207 @@
+#!/usr/bin/env node
+/**
+ * Bundles the playground into static files.
+ *
+ *   node js/playground/build.mjs MODULE OUT      MODULE is the npm package of the engine (bin/module)
+ */
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { build } from "esbuild";
+import { models } from "../../assets/generator/models/index.mjs";
+import { palette } from "../../assets/generator/palette.mjs";
+import { flatten } from "../../assets/generator/scene.mjs";
+import { writeDocs } from "./docs.mjs";
+
+const here = fileURLToPath(new URL(".", import.meta.url));
+const [engine, out] = process.argv.slice(2).map((folder) => path.resolve(folder));
+const npm = path.join(here, "node_modules");
+const { exports } = JSON.parse(readFileSync(path.join(engine, "package.json"), "utf8"));
+const readable = path.join(engine, exports["./readable"].default);
+const { ColladaModel, Model, ObjModel } = await import(pathToFileURL(readable));
+
+const STYLE = 'style:"display: none;"';
+const WARNINGS = /[\w$]+\("Blockly\.Workspace\.get\w*Variable\w*","v12","v13","[^"]+"\);/g;
+
+/**
+ * Blockly sets one style as an attribute, which the page's policy forbids: as an attribute of SVG it does the same. And it warns on
+ * the console of methods of its own that it still calls.
+ */
+const tameBlockly = {
+	name: "tame-blockly",
+	setup({ onLoad, onResolve, resolve }) {
+		// its keyboard plugin asks for all of it
+		onResolve({ filter: /^blockly$/ }, ({ kind, resolveDir }) => resolve("blockly/core", { kind, resolveDir }));
+		onLoad({ filter: /blockly_compressed\.js$/ }, ({ path: file }) => {
+			const text = readFileSync(file, "utf8");
+			if (!text.includes(STYLE) || text.search(WARNINGS) < 0) throw new Error(`${file} is not as it was: look whether it needs taming`);
+			return { contents: text.replaceAll(STYLE, 'display:"none"').replace(WARNINGS, ""), loader: "js" };
+		});
+	},
+};
+
+/** The readers of model files are needed for the user's own alone: of an engine that is bundled beside the other one, and loads with the first such file. */
+const formatsApart = {
+	name: "formats-apart",
+	setup({ onResolve }) {
+		onResolve({ filter: /^starlogo-collision$/ }, ({ importer }) => ({ path: readable, suffix: importer.endsWith("formats.js") ? "?formats" : "" }));
+	},
+};
+
+/** Of Blockly's messages in each language, those that something bundled names. */
+const fewMessages = {
+	name: "few-messages",
+	setup({ onLoad }) {
+		onLoad({ filter: /blockly\/msg\/\w+\.js$/ }, ({ path: file }) => {
+			const plugin = path.join(npm, "@blockly/keyboard-navigation/src");
+			const files = [path.join(npm, "blockly/blockly_compressed.js"), ...readdirSync(plugin, { recursive: true }).filter((each) => each.endsWith(".ts")).map((each) => path.join(plugin, each))];
+			const sources = files.map((each) => readFileSync(each, "utf8")).join("\n");
+			const text = readFileSync(file, "utf8");
+			const kept = text.replace(/^Blockly\.Msg\["(\w+)"\] = .*$/gm, (line, name) => (new RegExp(`\\b${name}\\b`).test(sources) ? line : ""));
+			if (kept.length > 0.8 * text.length) throw new Error(`${file} is not as it was: look how its messages are written`);
+			return { contents: kept, loader: "js" };
+		});
+	},
+};
+
+/** Shaders of materials, lights and effects that the page has none of, by the names that three.js gives them; some are beginnings of names. */
+const UNUSED_SHADERS = ["background", "cube_", "distanceRGBA", "equirect", "linedashed", "meshmatcap", "meshnormal", "meshphong", "meshphysical", "meshtoon", "shadow_", "sprite", "depth_vert", "depth_frag",
+	"alphahash", "aomap", "batching", "bumpmap", "clearcoat", "clipping_planes", "displacementmap", "emissivemap", "envmap", "gradientmap", "iridescence", "lightmap", "lights_phong", "lights_physical",
+	"lights_toon", "logdepthbuf", "metalnessmap", "morph", "normalmap", "roughnessmap", "shadowmap", "shadowmask", "skin", "specularmap_pars", "packing", "bsdfs", "lights_fragment_maps", "tonemapping_pars", "transmission", "dithering", "alphamap"];
+
+/** What of three.js's renderer is there for headsets, shadows, morphs, groups of uniforms, and surroundings that mirror in things, with as much of each as its renderer calls without them. */
+const UNUSED_PARTS = {
+	"class WebXRManager": "class WebXRManager extends EventDispatcher { enabled = false; isPresenting = false; getEnvironmentBlendMode() {} setAnimationLoop() {} dispose() {} }",
+	"class PMREMGenerator": "class PMREMGenerator {}",
+	"function WebGLShadowMap": "function WebGLShadowMap() { this.enabled = false; this.render = () => {}; }",
+	"function WebGLMorphtargets": "function WebGLMorphtargets() {}",
+	"function WebGLUniformsGroups": "function WebGLUniformsGroups() { this.dispose = () => {}; }",
+	"function WebGLCubeMaps": "function WebGLCubeMaps() { return { get: (texture) => texture, dispose() {} }; }",
+	"function WebGLCubeUVMaps": "function WebGLCubeUVMaps() { return { get: (texture) => texture, dispose() {} }; }",
+};
+
+/** Classes of three.js for animations and files, which the page has none of. Bundlers keep them for what is written into them after they are made. */
+const UNUSED_CLASSES = ["KeyframeTrack", "BooleanKeyframeTrack", "ColorKeyframeTrack", "NumberKeyframeTrack", "QuaternionKeyframeTrack", "StringKeyframeTrack", "VectorKeyframeTrack", "PropertyBinding", "Loader"];
+
+/**
+ * Three.js brings every shader for every material, in text that no bundler leaves out. Those that the page does not use are empty: they are put into others only
+ * with a feature that switches them on. So are parts of the renderer.
+ */
+const leanThree = {
+	name: "lean-three",
+	setup({ onLoad }) {
+		onLoad({ filter: /three\.module\.js$/ }, ({ path: file }) => {
+			let text = readFileSync(file, "utf8");
+			const [, table] = /^const ShaderChunk = \{([^}]*)\};/m.exec(text) ?? [];
+			const chunks = [...(table ?? "").matchAll(/^\t(\w+): ([\w$]+),?$/gm)];
+			const unused = chunks.filter(([, name]) => UNUSED_SHADERS.some((each) => name.startsWith(each)));
+			for (const [, name, variable] of unused) {
+				const before = text;
+				text = text.replace(new RegExp(`^(const|var) ${variable.replace("$", "\\$")} = ".*";$`, "m"), (_, kind) => `${kind} ${variable} = "";`);
+				if (text === before) throw new Error(`${file} is not as it was: look how ${name} is written`);
+			}
+			if (UNUSED_SHADERS.some((each) => !unused.some(([, name]) => name.startsWith(each)))) throw new Error(`${file} is not as it was: look which shaders there are`);
+			for (const [beginning, short] of Object.entries(UNUSED_PARTS)) {
+				const from = text.indexOf(`\n${beginning}`);
+				const to = text.indexOf("\n}\n", from);
+				if (from < 0 || to < 0) throw new Error(`${file} is not as it was: look for ${beginning}`);
+				text = `${text.slice(0, from)}\n${short}${text.slice(to + 2)}`;
+			}
+			return { contents: text, loader: "js" };
+		});
+		onLoad({ filter: /three\.core\.js$/ }, ({ path: file }) => {
+			let text = readFileSync(file, "utf8");
+			for (const name of UNUSED_CLASSES) {
+				const short = text.replace(new RegExp(`^${name}\\.[\\w.]+ = (.*;|[[{]\\n(\\t.*\\n|\\n)*[\\]}];)$`, "gm"), "");
+				if (short === text) throw new Error(`${file} is not as it was: look what is written into ${name}`);
+				text = short;
+			}
+			return { contents: text, loader: "js" };
+		});
+	},
+};
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+const result = await build({
+	entryPoints: [path.join(here, "main.js")],
+	outdir: out,
+	bundle: true,
+	splitting: true,
+	format: "esm",
+	target: "es2022",
+	minify: true,
+	metafile: true,
+	legalComments: "none",
+	chunkNames: "parts/[name]-[hash]",
+	alias: { ...Object.fromEntries(["en", "de"].map((code) => [`blockly/msg/${code}`, path.join(npm, `blockly/msg/${code}.js`)])), "starlogo-collision/three": path.join(engine, exports["./three"].default) },
+	nodePaths: [npm],
+	plugins: [tameBlockly, formatsApart, fewMessages, leanThree],
+	logLevel: "warning",
+});
+for (const file of ["index.html", "style.css", "icon.svg"]) cpSync(path.join(here, file), path.join(out, file));
+cpSync(path.join(npm, "blockly/media"), path.join(out, "media"), { recursive: true, filter: (file) => !/\.(mp3|ogg|wav)$/.test(file) });
+mkdirSync(path.join(out, "models"));
+for (const model of models) writeFileSync(path.join(out, "models", `${model.name}.json`), JSON.stringify(baked(model)));
+writeFileSync(path.join(out, "LICENSES.txt"), licences());
+writeDocs(path.join(here, "../.."), path.join(out, "docs"));
+
+for (const [view, entry] of Object.entries({ play: "play/view.js", inspect: "inspect/view.js", compare: "compare/view.js", measure: "measure/view.js", teach: "teach/view.js" })) {
+	const first = neededFor(`js/playground/${entry}`);
+	const editor = view === "play" ? neededFor("js/playground/play/editor.js").filter((file) => !first.includes(file)) : [];
+	console.log(`${view}: ${sizes(first)}${editor.length > 0 ? `, and then for the blocks ${sizes(editor)}` : ""}`);
+}
+console.log(`written: ${path.relative(process.cwd(), out)}`);
+
+/** The script files that a part needs before anything of it runs, the page's first one and its words among them. */
+function neededFor(entry) {
+	const { outputs } = result.metafile;
+	const files = new Set();
+	const add = (file) => {
+		if (files.has(file)) return;
+		files.add(file);
+		for (const { path: other, kind } of outputs[file].imports) if (kind === "import-statement") add(other);
+	};
+	for (const [file, { entryPoint }] of Object.entries(outputs)) if ([entry, "js/playground/main.js", "js/playground/languages/en.js"].some((each) => entryPoint?.endsWith(each))) add(file);
+	return [...files];
+}
+
+function sizes(files) {
+	const kilobytes = (size) => Math.round(files.reduce((sum, file) => sum + size(readFileSync(file)), 0) / 1024);
+	return `${kilobytes((bytes) => bytes.length)} KB of script, ${kilobytes((bytes) => gzipSync(bytes).length)} KB compressed`;
+}
+
+/** A model as its file has it, in short: coordinates in the file's unit with six decimals, triangles, colours. */
+function baked(model) {
+	const { name, format } = model;
+	const [reader, ending] = format === "COLLADA" ? [ColladaModel, "dae"] : [ObjModel, "obj"];
+	const { vertices, triangles, source: { unit, offset } } = reader.fromBytes(name, new Uint8Array(readFileSync(path.join(here, `../../assets/${name}.${ending}`))));
+	const middle = [offset.x, offset.y, offset.z];
+	const written = vertices.map((value, i) => Number((value * unit + middle[i % 3]).toFixed(6)));
+	const again = new Model(name, written, triangles).vertices;
+	if (vertices.some((value, i) => Math.abs(value - again[i]) > 1e-6)) throw new Error(`${name} needs more decimals`);
+	return { vertices: written, triangles, colours: coloursOf(model) };
+}
+
+/** The colours of a model's triangles, in the order that the engine has them in: how many of one, and that. */
+function coloursOf({ build: make, format }) {
+	const parts = flatten(make());
+	const runs = (isOf) => parts.map(({ colour, mesh }) => [mesh.faces.filter(isOf).reduce((sum, face) => sum + face.length - 2, 0), palette[colour]]).filter(([count]) => count > 0);
+	// polygons of OBJ files come after all triangles
+	return format === "COLLADA" ? runs(() => true) : [...runs(({ length }) => length === 3), ...runs(({ length }) => length > 3)];
+}
+
+/** The licences of what is bundled in: of the packages that the bundle has files of, beside the engine. */
+function licences() {
+	const files = Object.keys(result.metafile.inputs);
+	const names = new Set(files.flatMap((file) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(file)?.[1] ?? []));
+	const parts = [...names].sort().map((name) => {
+		const folder = path.join(npm, name);
+		const { version, license } = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"));
+		// Blockly's package brings none
+		const file = [path.join(folder, "LICENSE"), path.join(here, "licences", `${name}.txt`)].find(existsSync);
+		return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
+	});
+	return [readFileSync(path.join(here, "../../LICENSE"), "utf8"), readFileSync(path.join(engine, "LICENSES.md"), "utf8"), ...parts].join("\n----\n\n");
+}

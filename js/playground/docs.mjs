@@ -1,0 +1,84 @@
+/** The project's documentation and examples as pages beside the playground, which links to them. */
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { Marked, Renderer } from "marked";
+
+/** The pages that are not in docs/, each with its name there. */
+const OTHERS = { "README.md": "project", "CONTRIBUTING.md": "contributing", "js/module/README.md": "package" };
+/** The examples, each with the files that its page lists. */
+const EXAMPLES = { page: ["page.js", "pictures.js"], three: ["page.js"], client: ["Client.as", "Pictures.as"] };
+const STARTS = { js: "js", as: "actionscript" };
+
+/**
+ * Writes them.
+ *
+ * @param {string} root the project's folder
+ * @param {string} out where they are put
+ */
+export function writeDocs(root, out) {
+	const pages = new Map(readdirSync(path.join(root, "docs")).filter((file) => file.endsWith(".md")).map((file) => [`docs/${file}`, file === "README.md" ? "index" : file.slice(0, -".md".length)]));
+	for (const [file, name] of Object.entries(OTHERS)) pages.set(file, name);
+	for (const name of Object.keys(EXAMPLES)) pages.set(`examples/${name}/README.md`, "examples");
+	mkdirSync(out, { recursive: true });
+	const read = (file) => readFileSync(path.join(root, file), "utf8");
+	const write = (name, sources) => writeFileSync(path.join(out, `${name}.html`), page(sources.map(([file, text]) => htmlOf(file, text, { root, out, pages })).join("\n")));
+	for (const [file, name] of pages) if (name !== "examples") write(name, [[file, read(file)]]);
+	write("examples", Object.entries(EXAMPLES).map(([name, files]) => {
+		const listings = files.map((file) => `\n\n\`${file}\`\n\n\`\`\`${STARTS[file.split(".")[1]]}\n${read(`examples/${name}/${file}`).trim()}\n\`\`\`\n`);
+		return [`examples/${name}/README.md`, read(`examples/${name}/README.md`) + listings.join("")];
+	}));
+}
+
+const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll("\"", "&quot;");
+
+/** A heading's place in its page, as links name it. */
+const placeOf = (text) => text.toLowerCase().replaceAll(/[^\p{L}\p{N} _-]/gu, "").replaceAll(" ", "-");
+
+/** A text in Markdown as HTML. Links lead to the other pages, pictures are copied, and what is not there is no link. */
+function htmlOf(file, text, { root, out, pages }) {
+	const marked = new Marked({ renderer: {
+		heading({ tokens, depth, text: words }) {
+			return `<h${depth} id="${placeOf(words)}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
+		},
+		link({ href, tokens }) {
+			const words = this.parser.parseInline(tokens);
+			if (/^(https?:|#)/.test(href)) return `<a href="${escaped(href)}">${words}</a>`;
+			const [to, place] = href.split("#");
+			const name = pages.get(path.posix.join(path.posix.dirname(file), to));
+			return name ? `<a href="${name}.html${place ? `#${place}` : ""}">${words}</a>` : words;
+		},
+		image({ href, text: words }) {
+			const from = path.join(root, path.dirname(file), href);
+			if (/^https?:/.test(href) || !existsSync(from)) return "";
+			cpSync(from, path.join(out, path.basename(href)));
+			return `<img src="${path.basename(href)}" alt="${escaped(words)}" loading="lazy">`;
+		},
+		// what scrolls is reached by keys
+		code({ text: words }) {
+			return `<pre tabindex="0"><code>${escaped(words)}</code></pre>\n`;
+		},
+		table(token) {
+			return `<div class="table" tabindex="0">${Renderer.prototype.table.call(this, token)}</div>`;
+		},
+	} });
+	return marked.parse(text);
+}
+
+const page = (content) => `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'self'">
+<title>${/<h1[^>]*>(.*?)<\/h1>/.exec(content)?.[1].replaceAll(/<[^>]+>/g, "") ?? "Documentation"}</title>
+<link rel="icon" href="../icon.svg">
+<link rel="stylesheet" href="../style.css">
+</head>
+<body class="docs">
+<header class="bar"><nav aria-label="Pages"><a href="../index.html">Playground</a><a href="index.html">Documentation</a><a href="package.html">npm package</a><a href="examples.html">Examples</a></nav></header>
+<main class="teach"><section class="sheet">
+${content}
+</section></main>
+</body>
+</html>
+`;

@@ -1,0 +1,141 @@
+package flash.events
+{
+    /** What happened, and to whom. An event is at its target, and nowhere else. */
+    public class Event
+    {
+        public static const ACTIVATE:String = "activate";
+        public static const ADDED:String = "added";
+        public static const ADDED_TO_STAGE:String = "addedToStage";
+        public static const CANCEL:String = "cancel";
+        public static const CHANGE:String = "change";
+        public static const CLEAR:String = "clear";
+        public static const CLOSE:String = "close";
+        public static const COMPLETE:String = "complete";
+        public static const CONNECT:String = "connect";
+        public static const COPY:String = "copy";
+        public static const CUT:String = "cut";
+        public static const DEACTIVATE:String = "deactivate";
+        public static const ENTER_FRAME:String = "enterFrame";
+        public static const EXIT_FRAME:String = "exitFrame";
+        public static const FRAME_CONSTRUCTED:String = "frameConstructed";
+        public static const FULLSCREEN:String = "fullScreen";
+        public static const ID3:String = "id3";
+        public static const INIT:String = "init";
+        public static const MOUSE_LEAVE:String = "mouseLeave";
+        public static const OPEN:String = "open";
+        public static const PASTE:String = "paste";
+        public static const REMOVED:String = "removed";
+        public static const REMOVED_FROM_STAGE:String = "removedFromStage";
+        public static const RENDER:String = "render";
+        public static const RESIZE:String = "resize";
+        public static const SCROLL:String = "scroll";
+        public static const SELECT:String = "select";
+        public static const SELECT_ALL:String = "selectAll";
+        public static const SOUND_COMPLETE:String = "soundComplete";
+        public static const TAB_CHILDREN_CHANGE:String = "tabChildrenChange";
+        public static const TAB_ENABLED_CHANGE:String = "tabEnabledChange";
+        public static const TAB_INDEX_CHANGE:String = "tabIndexChange";
+        public static const UNLOAD:String = "unload";
+
+        private var _type:String;
+        private var _bubbles:Boolean;
+        private var _cancelable:Boolean;
+        private var _target:Object = null;
+        private var _isStopped:Boolean = false;
+        private var _isPrevented:Boolean = false;
+
+        public function Event(type:String, bubbles:Boolean = false, cancelable:Boolean = false)
+        {
+            _type = type;
+            _bubbles = bubbles;
+            _cancelable = cancelable;
+        }
+
+        public function get type():String
+        {
+            return _type;
+        }
+
+        public function get bubbles():Boolean
+        {
+            return _bubbles;
+        }
+
+        public function get cancelable():Boolean
+        {
+            return _cancelable;
+        }
+
+        /** Whose event it is; null until somebody listening gets it. */
+        public function get target():Object
+        {
+            return _target;
+        }
+
+        public function get currentTarget():Object
+        {
+            return _target;
+        }
+
+        /** Flash's EventPhase.AT_TARGET. */
+        public function get eventPhase():uint
+        {
+            return 2;
+        }
+
+        /** A new event alike, for the next dispatch; a subclass overrides it. */
+        public function clone():Event
+        {
+            return new Event(_type, _bubbles, _cancelable);
+        }
+
+        /** Keeps the event from dispatchers further on its way, of which there are none. */
+        public function stopPropagation():void
+        {
+        }
+
+        /** Keeps the event from listeners that it has not reached. */
+        public function stopImmediatePropagation():void
+        {
+            _isStopped = true;
+        }
+
+        /** Has dispatchEvent return false, if the event can be cancelled. */
+        public function preventDefault():void
+        {
+            _isPrevented = _isPrevented || _cancelable;
+        }
+
+        public function isDefaultPrevented():Boolean
+        {
+            return _isPrevented;
+        }
+
+        /** [Class name=value name="text" ...], of the properties named. */
+        public function formatToString(className:String, ...properties):String
+        {
+            var text:String = "[" + className;
+            for each (var name:String in properties)
+            {
+                var value:* = this[name];
+                text += " " + name + "=" + (value is String ? "\"" + value + "\"" : value);
+            }
+            return text + "]";
+        }
+
+        public function toString():String
+        {
+            return formatToString("Event", "type", "bubbles", "cancelable", "eventPhase");
+        }
+
+        internal function arrive(target:Object):void
+        {
+            _target = target;
+        }
+
+        internal function get isStopped():Boolean
+        {
+            return _isStopped;
+        }
+    }
+}

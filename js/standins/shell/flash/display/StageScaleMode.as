@@ -1,0 +1,8 @@
+package flash.display
+{
+    /** How the stage fills its window. */
+    public final class StageScaleMode
+    {
+        public static const NO_SCALE:String = "noScale";
+    }
+}

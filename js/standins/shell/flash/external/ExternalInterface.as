@@ -1,0 +1,34 @@
+package flash.external
+{
+    import standin.Machine;
+
+    /** What headless.Host calls; there is nobody else to call. */
+    public final class ExternalInterface
+    {
+        public static function get available():Boolean
+        {
+            return true;
+        }
+
+        public static function call(functionName:String, ...args):*
+        {
+            switch (functionName)
+            {
+                case "headless.now":
+                    return Machine.now();
+                case "headless.memory":
+                    return Machine.memory();
+                case "headless.collect":
+                    return Machine.collect();
+                case "headless.player":
+                    return Machine.player;
+                case "headless.writeFile":
+                    return Machine.writeFile(args[0], args[1]);
+                case "headless.exit":
+                    return Machine.exit(args[0]);
+                default:
+                    return null;
+            }
+        }
+    }
+}

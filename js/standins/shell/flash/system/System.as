@@ -1,0 +1,13 @@
+package flash.system
+{
+    import standin.Machine;
+
+    /** What is in use. */
+    public final class System
+    {
+        public static function get totalMemory():uint
+        {
+            return Machine.memory();
+        }
+    }
+}

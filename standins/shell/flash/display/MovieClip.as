@@ -1,7 +1,0 @@
-package flash.display
-{
-    /** One frame. */
-    public dynamic class MovieClip extends Sprite
-    {
-    }
-}

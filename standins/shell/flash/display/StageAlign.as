@@ -1,9 +1,0 @@
-package flash.display
-{
-    /** Where the stage is in its window. */
-    public final class StageAlign
-    {
-        public static const TOP:String = "T";
-        public static const TOP_LEFT:String = "TL";
-    }
-}

@@ -1,9 +1,0 @@
-package flash.display
-{
-    /** How the stage fills its window. */
-    public final class StageScaleMode
-    {
-        public static const NO_SCALE:String = "noScale";
-        public static const SHOW_ALL:String = "showAll";
-    }
-}

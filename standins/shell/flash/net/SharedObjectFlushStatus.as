@@ -1,9 +1,0 @@
-package flash.net
-{
-    /** What flush() answers. */
-    public final class SharedObjectFlushStatus
-    {
-        public static const FLUSHED:String = "flushed";
-        public static const PENDING:String = "pending";
-    }
-}

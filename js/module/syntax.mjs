@@ -73,12 +73,12 @@ export function isBaseCall(statement) {
 	return call?.type === "CallExpression" && call.callee.property?.name === "base" && call.arguments[1]?.value === "constructor";
 }
 
-/** `X.base(this, 'name', ...)` or `X.superClass_.name.apply(this, [...])`. */
+/** `X.base(this, 'name', ...)`, `X.superClass_.name.apply(this, [...])`, or of a getter `X.superClass_.get__name.apply(this)`. */
 export function superCall(node, qname) {
 	const path = pathOf(node.callee);
-	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2) };
-	const name = /\.superClass_\.(?![gs]et__)(\w+)\.apply$/.exec(path)?.[1];
-	return name ? { name, arguments: node.arguments[1]?.elements ?? [] } : null;
+	if (path === `${qname}.base`) return { name: node.arguments[1].value, arguments: node.arguments.slice(2), isGetter: false };
+	const match = /\.superClass_\.(get__)?(\w+)\.apply$/.exec(path);
+	return match && { name: match[2], arguments: node.arguments[1]?.elements ?? [], isGetter: match[1] !== undefined };
 }
 
 /** The compiler's statements for "for each (var x in list)". */

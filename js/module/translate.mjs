@@ -525,6 +525,7 @@ export class Program {
 		const base = superCall(node, this.#unit.qname);
 		if (base) {
 			const list = base.arguments.map((each) => this.#text(each)).join(", ");
+			if (base.isGetter) return `super.${this.#member(base.name)}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
 		if (node.callee.property?.name === "inflate" && args.length === 0 && this.#typeOf(node.callee.object) === "flash.utils.ByteArray") {

@@ -1,8 +1,8 @@
-/** Play, in the browser. */
+/** Play, in the browser. 3D is drawn where a test is about what is drawn, and with the keys; else nothing is, as the processor would have to. */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isChromium } from '../headless/browsers.mjs';
-import { SIZES, begin, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
+import { SIZES, begin, drawNothing, finger, hold, open, own, press, ready, saved, tabTo, tap, titled } from './browser.mjs';
 
 let site;
 before(async () => {
@@ -10,10 +10,12 @@ before(async () => {
 });
 after(() => site.close());
 
+const Desktop = { ...SIZES.desktop, isDrawn: false };
+
 let common;
 /** A page that tests share which leave nothing of theirs there but the program that is open. */
 async function shared() {
-	common ??= await open(site, 'play/paintball');
+	common ??= await open(site, 'play/paintball', Desktop);
 	return common;
 }
 
@@ -107,7 +109,7 @@ for (const [name, size] of Object.entries(SIZES)) {
 }
 
 test('a program does what its blocks say', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	const forward = { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } };
 	const grow = { type: 'starlogo_size', inputs: { SIZE: number(2) } };
 	await openProgram(page, program(start(create('turtles', 'turtle', grow)), each('turtles', forward)));
@@ -144,7 +146,7 @@ test('a program does what its blocks say', async () => {
 });
 
 test('a block that is changed in the editor changes what happens', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('turtles', 'turtle')), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.5) } })));
 	await page.locator('.blocklyMainBackground ~ * .blocklyEditableField:has-text("0.5"), .blocklyBlockCanvas .blocklyEditableField:has-text("0.5")').first().click();
 	await page.keyboard.press('Control+A');
@@ -203,7 +205,7 @@ async function linkOf(page) {
 }
 
 test('a program comes back after a reload, and through its link', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(1) } })));
 	await page.reload();
 	await ready(page, 'play');
@@ -212,7 +214,7 @@ test('a program comes back after a reload, and through its link', async () => {
 	const link = await linkOf(page);
 	assert.deepEqual(said, []);
 	await context.close();
-	const other = await open(site, link.split('#')[1]);
+	const other = await open(site, link.split('#')[1], Desktop);
 	await step(other.page, 2);
 	assert.equal((await agents(other.page, 'walls'))[0].z, 2);
 	assert.deepEqual(other.said, []);
@@ -220,7 +222,7 @@ test('a program comes back after a reload, and through its link', async () => {
 });
 
 test('a program is saved to a file that opens again', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall'))));
 	const text = await saved(page, () => press(page, 'Download'));
 	await choose(page, 'paintball');
@@ -232,14 +234,14 @@ test('a program is saved to a file that opens again', async () => {
 });
 
 test('broken programs and links say so, and leave what was there', async () => {
-	const { page, context } = await open(site, 'play/paintball');
+	const { page, context } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, '{"blocks": 7}');
 	assert.equal(await say(page), 'This is no program of the playground.');
 	await openProgram(page, program({ type: 'no_such_block' }));
 	assert.equal(await say(page), 'This is no program of the playground.');
 	assert.equal((await agents(page, 'bears')).length, 1);
 	await context.close();
-	const other = await open(site, 'play/nonsense');
+	const other = await open(site, 'play/nonsense', Desktop);
 	assert.equal(await say(other.page), 'The program in this link could not be read.');
 	await other.context.close();
 });
@@ -265,7 +267,7 @@ test('an endless loop is stopped and named, and so is a mistake in a block', asy
 });
 
 test('a student\'s own program is never lost: not by examples, links, nor broken ones', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall'))));
 	assert.deepEqual(await own(page), ['program']);
 	await choose(page, 'wing');
@@ -294,7 +296,7 @@ test('a student\'s own program is never lost: not by examples, links, nor broken
 });
 
 test('undo in the blocks after an example leaves the example', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall'))));
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_create')[0].dispose());
 	await settle(page);
@@ -311,7 +313,7 @@ test('undo in the blocks after an example leaves the example', async () => {
 });
 
 test('the figures have all that touched since the last look, whoever has scripts', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	const scatter = { type: 'starlogo_scatter' };
 	const crowd = (breed, shape, count) => ({ ...create(breed, shape, scatter), inputs: { COUNT: number(count), DO: { block: scatter } } });
 	await openProgram(page, program(start({ ...crowd('turtles', 'turtle', 14), next: { block: crowd('walls', 'wall', 14) } }), each('turtles', { type: 'starlogo_forward', inputs: { STEPS: number(0.3) } })));
@@ -340,7 +342,7 @@ test('the figures have all that touched since the last look, whoever has scripts
 });
 
 test('after a choice of system the arrow keys play, and at a wall the bear is not stuck', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await page.getByLabel('Collision system').selectOption('exact');
 	await page.evaluate(() => {
 		const { world } = globalThis.playground;
@@ -378,7 +380,7 @@ test('after a choice of system the arrow keys play, and at a wall the bear is no
 });
 
 test('changes while the game runs are announced, and count when it starts anew', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	await openProgram(page, program(start(create('walls', 'wall')), each('walls', { type: 'starlogo_up', inputs: { STEPS: number(0) } })));
 	await press(page, 'Run');
 	await page.evaluate(() => globalThis.playground.editor.workspace.getBlocksByType('starlogo_up')[0].getInputTargetBlock('STEPS').setFieldValue(2, 'NUM'));
@@ -392,7 +394,7 @@ test('changes while the game runs are announced, and count when it starts anew',
 });
 
 test('blocks are reached and changed by keys; what is deleted comes back', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	const count = await blocks(page);
 	await page.getByRole('button', { name: 'Larger blocks' }).focus();
 	const block = () => page.evaluate(() => (document.activeElement.closest('.blocklyFlyout') ? null : document.activeElement.closest('.blocklyDraggable')?.dataset.id ?? null));
@@ -425,7 +427,7 @@ test('blocks are reached and changed by keys; what is deleted comes back', async
 });
 
 test('on a phone fingers scroll the page over the world, and Run is in sight beside the blocks', { skip: isChromium ? false : 'fingers that move are Chromium\'s' }, async () => {
-	const { page, context, said } = await open(site, 'play/paintball', SIZES.phone);
+	const { page, context, said } = await open(site, 'play/paintball', { ...SIZES.phone, isDrawn: false });
 	const touch = await finger(page);
 	const swipe = async (selector) => {
 		// in its middle, or as near to that as there is no block, which the finger would move
@@ -461,7 +463,7 @@ test('on a phone fingers scroll the page over the world, and Run is in sight bes
 });
 
 test('neither zoom nor a moved view loses the world, and all of it is one choice away', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	const inSight = () => page.evaluate(() => {
 		const { stage } = globalThis.playground;
 		return [[0, 0], [-12, -12], [12, 12]].map(([x, y]) => stage.pixelOf(x, y, 0)).filter(({ isSeen }) => isSeen).length;
@@ -554,7 +556,7 @@ test('a crowd in ever new colours is drawn at once', async () => {
 });
 
 test('refused storage, another tab, and dropped files are said in words', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	const drop = async (name, text) => {
 		const data = await page.evaluateHandle(([file, content]) => {
 			const transfer = new DataTransfer();
@@ -628,7 +630,7 @@ test('refused storage, another tab, and dropped files are said in words', async 
 });
 
 test('at first sight: what this is, the goal, the keys, Run, and words of 14 pixels', async () => {
-	const { page, context, said } = await open(site, 'play/paintball', { viewport: { width: 1366, height: 768 } });
+	const { page, context, said } = await open(site, 'play/paintball', { viewport: { width: 1366, height: 768 }, isDrawn: false });
 	for (const [width, height] of [[1366, 768], [1920, 1080], [390, 844]]) {
 		await page.setViewportSize({ width, height });
 		await settle(page);
@@ -654,7 +656,7 @@ test('at first sight: what this is, the goal, the keys, Run, and words of 14 pix
 });
 
 test('a click on an agent tells of it, what the engine sees is shown, and a won game begins again', async () => {
-	const { page, context, said } = await open(site, 'play/paintball');
+	const { page, context, said } = await open(site, 'play/paintball', Desktop);
 	const at = await page.evaluate(() => {
 		const { world, stage } = globalThis.playground;
 		const bear = world.agents.find(({ breed }) => breed === 'bears');
@@ -690,7 +692,7 @@ test('a click on an agent tells of it, what the engine sees is shown, and a won 
 });
 
 test('a lesson is opened, done and left for the next; the first screen has all programs, and takes names', async () => {
-	const { page, context, said } = await open(site, 'play', { ...SIZES.desktop, isDrawn: false });
+	const { page, context, said } = await open(site, 'play', Desktop);
 	await page.waitForSelector('.gallery .intro');
 	await page.locator('.gallery .next').click();
 	await page.getByText('A hint').click();
@@ -789,6 +791,7 @@ test('the same game under two systems: from the same start, with the same keys, 
 
 test('the world comes before the blocks; the keyboard alone plays, edits, chooses and goes everywhere', async () => {
 	const context = await site.browser.newContext({ reducedMotion: 'reduce', ...SIZES.desktop });
+	await drawNothing(context);
 	const page = await context.newPage();
 	const said = [];
 	page.on('pageerror', (error) => said.push(String(error)));

@@ -95,7 +95,7 @@ for (const view of VIEWS) {
 	});
 
 	test(`${view} on a phone, in German`, async () => {
-		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de' });
+		const { page, context, said } = await open(site, ADDRESSES[view] ?? view, { ...SIZES.phone, locale: 'de', isDrawn: false });
 		assert.equal(await page.getAttribute('html', 'lang'), 'de');
 		assert.deepEqual(await page.evaluate(overflow), { page: 0, tables: 0 });
 		await staysInPlace(page);

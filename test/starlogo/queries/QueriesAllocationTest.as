@@ -16,7 +16,7 @@ package starlogo.queries
     /** Questions allocate nothing once they have been asked, if out is given; nor do updates. As AllocationTest. */
     public class QueriesAllocationTest
     {
-        private static const AGENTS:int = 100;
+        private static const AGENTS:int = 60;
         // frames in which all turn about once, an even number: then they are where they were
         private static const TURN:int = 6;
 
@@ -102,7 +102,7 @@ package starlogo.queries
                 agent.moveTo(-agent.x, agent.y, agent.z);
             }
             _queries.update(_agents);
-            for (i = 0; i < AGENTS; i += 8)
+            for (i = 0; i < AGENTS; i += 4)
             {
                 ask(_agents[i]);
             }

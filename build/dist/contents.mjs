@@ -68,8 +68,8 @@ Of others:
 |---|---|---|---|
 ${rows.join('\n')}
 
-The texts: \`module/LICENSES.md\` for the module, \`playground/LICENSES.txt\` for the playground, \`licences/MPL-1.1.html\` for ASDoc's templates,
-which are as the Flex SDK has them in its folder \`asdoc/templates\`. The SWCs have nothing of others in them. \`sbom.cdx.json\` lists all of
+The texts: \`playground/LICENSES.txt\` for the playground, \`licences/MPL-1.1.html\` for ASDoc's templates,
+which are as the Flex SDK has them in its folder \`asdoc/templates\`. The SWCs and the module have nothing of others in them. \`sbom.cdx.json\` lists all of
 this for programs, and the tools that made it.
 `;
 }

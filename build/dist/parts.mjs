@@ -9,7 +9,6 @@ const IVY_FILES = ['build/ivy.xml', 'js/module/ivy.xml'];
 /** The packages that are in the zip, as a whole or in part: where, and as what. */
 const INSIDE = {
 	'flex-sdk': { folder: '', where: ['docs/asdoc'], licence: 'MPL-1.1', what: 'the templates of ASDoc: style sheets, scripts and pictures' },
-	pako: { folder: 'js/module/', where: ['module', 'playground'], what: 'inflates' },
 	'@blockly/keyboard-navigation': { folder: 'js/playground/', where: ['playground'], what: 'reaches blocks by keys' },
 	blockly: { folder: 'js/playground/', where: ['playground'], what: 'shows blocks' },
 	three: { folder: 'js/playground/', where: ['playground'], what: 'draws' },

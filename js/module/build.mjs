@@ -13,7 +13,6 @@ import { ROOT, publicSignatures } from "./names.mjs";
 
 const [transpiled, out] = process.argv.slice(2);
 const NAME = "starlogo-collision";
-const THIRD_PARTY = ["pako"];
 
 const types = publicSignatures();
 const program = translate(transpiled, types);
@@ -23,7 +22,7 @@ if (lost) throw new Error(`the engine uses ${lost[1]}, which has no stand-in`);
 
 const { version, repository } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
 const values = [...types.keys()].filter((qname) => types.get(qname).kind !== "interface").map((qname) => program.exportName(qname) ?? fail(qname));
-const text = cleaned(`/*! ${NAME} ${version}, MIT; with ${THIRD_PARTY.join(", ")}: see LICENSES.md */
+const text = cleaned(`/*! ${NAME} ${version}, MIT */
 ${standinsText()}
 ${classes}
 export {
@@ -41,7 +40,6 @@ writeFileSync(join(out, minified), `${small.code}//# sourceMappingURL=${minified
 writeFileSync(join(out, `${minified}.map`), small.map);
 writeFileSync(join(out, "index.d.ts"), writeDeclarations(types));
 writeFileSync(join(out, "package.json"), `${JSON.stringify(manifest(), null, 2)}\n`);
-writeFileSync(join(out, "LICENSES.md"), licences());
 copyFileSync(join(ROOT, "LICENSE"), join(out, "LICENSE"));
 copyFileSync(join(ROOT, "js/module/bake.mjs"), join(out, "bake.mjs"));
 copyFileSync(join(ROOT, "js/module/README.md"), join(out, "README.md"));
@@ -99,14 +97,4 @@ function manifest() {
 		bin: { "starlogo-bake": "./bake.mjs" },
 		files: ["*.js", "*.mjs", "*.map", "*.d.ts", "*.md", "*.svg", "three", "nova"],
 	};
-}
-
-/** The licences of what is bundled in. */
-function licences() {
-	const parts = THIRD_PARTY.map((name) => {
-		const folder = join(ROOT, "js/module/node_modules", name);
-		const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-		return `## ${name} ${version} (${license})\n\n${readFileSync(join(folder, "LICENSE"), "utf8").trim()}\n`;
-	});
-	return `# Licences of what is bundled in\n\nThe engine itself is under the MIT licence (LICENSE).\n\n${parts.join("\n")}`;
 }

@@ -29,7 +29,7 @@ const classes = program.names.filter((qname) => program.testsOf(qname).length > 
 writeFileSync(out, `import * as flexunit from "${flexunit}";
 const { ${[...new Set(Object.values(externals))].filter((name) => name !== "fetchFixture").join(", ")}, missing: $missing } = flexunit;
 ${standinsText()}
-flexunit.extendByteArray(ByteArray, inflate);
+flexunit.extendByteArray(ByteArray);
 let fetchFixture = null;
 
 /** Sets what stands in for fetch: a function like fetchFile of machine.mjs. */

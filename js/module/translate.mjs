@@ -528,9 +528,6 @@ export class Program {
 			if (base.isGetter) return `super.${this.#member(base.name)}`;
 			return base.name === "constructor" ? `super(${list})` : `super.${this.#member(base.name)}(${list})`;
 		}
-		if (node.callee.property?.name === "inflate" && args.length === 0 && this.#typeOf(node.callee.object) === "flash.utils.ByteArray") {
-			return `inflate(${this.#text(node.callee.object)})`;
-		}
 		if (node.callee.property?.name === "sort" && args.length === 1) {
 			return `${this.#helper("sort")}(${this.#text(node.callee.object)}, ${this.#text(args[0])})`;
 		}

@@ -203,5 +203,5 @@ function licences() {
 		const file = [path.join(folder, "LICENSE"), path.join(here, "licences", `${name}.txt`)].find(existsSync);
 		return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 	});
-	return [readFileSync(path.join(here, "../../LICENSE"), "utf8"), readFileSync(path.join(engine, "LICENSES.md"), "utf8"), ...parts].join("\n----\n\n");
+	return [readFileSync(path.join(here, "../../LICENSE"), "utf8"), ...parts].join("\n----\n\n");
 }

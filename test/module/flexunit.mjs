@@ -70,7 +70,7 @@ export const Async = {
 export class Dictionary extends Map {}
 
 /** Gives ByteArray what only the tests use. */
-export function extendByteArray(ByteArray, inflate) {
+export function extendByteArray(ByteArray) {
 	ByteArray.prototype.readMultiByte = function (length, charset) {
 		const bytes = this.toUint8Array().slice(this.position, this.position + length);
 		this.position += length;
@@ -81,9 +81,6 @@ export function extendByteArray(ByteArray, inflate) {
 			: /^(utf-16|unicode)(le)?$/i.test(charset) ? utf16(text, true)
 			: /^(utf-16be|unicodeFFFE)$/i.test(charset) ? utf16(text, false) : new TextEncoder().encode(text);
 		this.writeBytes(new ByteArray(bytes));
-	};
-	ByteArray.prototype.inflate = function () {
-		inflate(this);
 	};
 	ByteArray.prototype.deflate = function () {
 		const packed = deflateRawSync(this.toUint8Array());

@@ -1,2 +1,2 @@
 /** Of node:zlib what the tests' archives need. */
-export { deflateRaw as deflateRawSync } from "pako";
+export { deflateSync as deflateRawSync } from "fflate";

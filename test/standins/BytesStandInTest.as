@@ -137,29 +137,6 @@ package standins
             assertEquals("\u00E4", _bytes.readMultiByte(2, "utf-16"));
         }
 
-        [Test]
-        public function inflatesWhatItDeflated():void
-        {
-            for (var i:int = 0; i < 5000; i++)
-            {
-                _bytes.writeByte(i % 7);
-            }
-            var before:String = listOf(_bytes);
-            _bytes.deflate();
-            assertTrue(_bytes.length < 100);
-            _bytes.inflate();
-            assertEquals(before, listOf(_bytes));
-            assertEquals(0, _bytes.position);
-        }
-
-        [Test]
-        public function refusesToInflateWhatIsDamaged():void
-        {
-            _bytes.writeUnsignedInt(0x07000000);
-            assertThrows(Error, /^Error #2058/, _bytes.inflate);
-            assertEquals(4, _bytes.length);
-        }
-
         [Test(async, timeout="10000")]
         public function loadsAFileWithEvents():void
         {

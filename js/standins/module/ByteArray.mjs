@@ -1,5 +1,4 @@
 /** Stands in for flash.utils.ByteArray: as much of it as the engine and its tests use. */
-import { Inflate } from "pako/lib/inflate.js";
 
 const DEFAULT_ROOM = 64;
 
@@ -197,22 +196,6 @@ export class ByteArray {
 		const at = this.#extend(bytes.length);
 		this.#bytes.set(bytes, at);
 	}
-}
-
-/**
- * Inflates the bytes of a ByteArray, which has no method for it so that only what reads archives brings the code in.
- *
- * @throws Error if the bytes are no whole deflated data
- */
-export function inflate(bytes) {
-	if (bytes.length > 0) {
-		const stream = new Inflate({ raw: true });
-		stream.push(bytes.toUint8Array(), true);
-		if (stream.err !== 0 || !stream.ended) throw new Error("Error #2058: There was an error decompressing the data.");
-		bytes.clear();
-		bytes.writeBytes(new ByteArray(stream.result));
-	}
-	bytes.position = 0;
 }
 
 /** There were fewer bytes than were to be read. */

@@ -36,7 +36,7 @@ package starlogo.models
      *
      * <p>Models wait in a queue and are worked on in its order, each as soon as its file is there. Every frame the loader
      * works for about <code>budget</code> milliseconds. It can't stop within a step: most take less than a millisecond,
-     * the longest for a file of 5,000 vertices a few, as XML is taken in one piece.</p>
+     * the longest for a file of 5,000 vertices a few.</p>
      *
      * <p>A loader that has work need not be kept: it stays alive until that is done or cancelled.</p>
      *

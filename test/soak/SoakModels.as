@@ -2,7 +2,6 @@ package soak
 {
     import evaluation.pairs.SeededRandom;
     import flash.events.ErrorEvent;
-    import flash.utils.ByteArray;
     import starlogo.GreatLand;
     import starlogo.bounding.BoundingStructure;
     import starlogo.libraries.FitStore;
@@ -13,6 +12,7 @@ package soak
     import starlogo.models.ModelLoader;
     import support.SolidModels;
     import support.Zip;
+    import support.encoded;
 
     /** The models of a soak's game: some stay, some are replaced and removed at once, some come through a ModelLoader, or don't. */
     public final class SoakModels
@@ -170,10 +170,10 @@ package soak
                     loader.loadText(name, lathe.toObj());
                     break;
                 case 2:
-                    loader.loadBytes(name, bytesOf(lathe.toObj()), "y");
+                    loader.loadBytes(name, encoded(lathe.toObj()), "y");
                     break;
                 case 3:
-                    takeAtOnce(ColladaModel.fromBytes(name, bytesOf(lathe.toCollada())));
+                    takeAtOnce(ColladaModel.fromBytes(name, encoded(lathe.toCollada())));
                     break;
                 default:
                     takeAtOnce(ColladaModel.fromBytes(name, Zip.of(["a.dae", lathe.toCollada()])));
@@ -230,13 +230,6 @@ package soak
                 points.push(_random.between(0, 1));
             }
             return points;
-        }
-
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
-            return bytes;
         }
     }
 }

@@ -34,7 +34,7 @@ test('the tests of a source are those that use it, in any case', () => {
 	const files = ['sphereBox', 'SphereBox', 'spherebox.as', 'src/starlogo/intersection/sphereBox.as', 'src\\starlogo\\intersection\\sphereBox.as'];
 	for (const pattern of files) {
 		assert.ok(/\.as$/.test(pattern) || found(pattern).includes('IntersectsTest.touchingSphereBox'), 'and what has its name');
-		for (const name of ['ContactsTest', 'KernelsAgreeTest', 'PairVectorsTest', 'RandomPairsTest']) assert.ok(found(pattern).includes(name), `${pattern}: ${name}`);
+		for (const name of ['ContactsTest', 'KernelsAgreeTest', 'PairVectorsTest']) assert.ok(found(pattern).includes(name), `${pattern}: ${name}`);
 	}
 	assert.ok(found('AgentTable').includes('AgentTableTest'));
 	assert.ok(found('Matrix3D').includes('GeometryStandInsTest'), 'a stand-in');

@@ -15,6 +15,9 @@ package support
         /** Placements that do not meet, but are told so. */
         public var falseHits:int = 0;
 
+        /** Placements that do not meet and are told so. */
+        public var apart:int = 0;
+
         public function PlacementTally(name:String)
         {
             this.name = name;
@@ -27,9 +30,9 @@ package support
             {
                 isTrue ? found++ : falseHits++;
             }
-            else if (isTrue)
+            else
             {
-                missed++;
+                isTrue ? missed++ : apart++;
             }
         }
 

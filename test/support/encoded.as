@@ -6,7 +6,7 @@ package support
      * A text's bytes: in UTF-8, in UTF-16 ("unicode" with the low byte first, "unicodeFFFE" with the high one), or in any other
      * encoding the characters' codes. Adobe's VM has no writeMultiByte.
      */
-    public function encoded(text:String, encoding:String):ByteArray
+    public function encoded(text:String, encoding:String = "utf-8"):ByteArray
     {
         var bytes:ByteArray = new ByteArray();
         if (encoding == "utf-8")

@@ -117,51 +117,12 @@ package starlogo.collision
         }
 
         [Test]
-        public function scatteredWorldsAreLikeBruteForce():void
+        public function worldsOfAllKindsAreLikeBruteForce():void
         {
-            compareWithBruteForce("scattered", 101);
-        }
-
-        [Test]
-        public function mixedSizesAreLikeBruteForce():void
-        {
-            compareWithBruteForce("mixed sizes", 102);
-        }
-
-        [Test]
-        public function farOutIsLikeBruteForce():void
-        {
-            compareWithBruteForce("far out", 103);
-        }
-
-        [Test]
-        public function clustersAreLikeBruteForce():void
-        {
-            compareWithBruteForce("clusters", 104);
-        }
-
-        [Test]
-        public function bordersAreLikeBruteForce():void
-        {
-            compareWithBruteForce("on borders", 105);
-        }
-
-        [Test]
-        public function onePlaceIsLikeBruteForce():void
-        {
-            compareWithBruteForce("one place", 106);
-        }
-
-        [Test]
-        public function aRowIsLikeBruteForce():void
-        {
-            compareWithBruteForce("in a row", 107);
-        }
-
-        [Test]
-        public function wideAndSparseWorldsAreLikeBruteForce():void
-        {
-            compareWithBruteForce("wide and sparse", 108);
+            for (var i:int = 0; i < RandomWorlds.KINDS.length; i++)
+            {
+                compareWithBruteForce(RandomWorlds.KINDS[i], 101 + i);
+            }
         }
 
         [Test]
@@ -408,7 +369,7 @@ package starlogo.collision
                 tested += _collider.statistics.candidatePairs;
             }
             trace("  " + kind + ": " + _worlds + " worlds, " + possible + " pairs, " + tested + " tested, " + collisions + " collide");
-            assertTrue("some collide, some don't", collisions > 50 && collisions < possible);
+            assertTrue(kind + ": some collide, some don't", collisions > 50 && collisions < possible);
         }
 
         private function entriesOf(x:Number, y:Number):int

@@ -10,6 +10,7 @@ package starlogo.collision
     import starlogo.geometry.Placement;
     import starlogo.models.BuiltInModel;
     import starlogo.models.Model;
+    import support.EveryDepth;
 
     use namespace engine;
 
@@ -103,19 +104,7 @@ package starlogo.collision
         {
             // two spheres are compared to the last bit
             assertTrue(pair + ", tightest fit", a.shape == "sphere" && b.shape == "sphere" || new TightestFitCollider(greatLand).areColliding(a, b));
-            var hierarchical:HierarchicalCollider = new HierarchicalCollider(greatLand);
-            var combination:CombinationCollider = new CombinationCollider(greatLand);
-            for each (var depth:int in [1, 4, 10])
-            {
-                hierarchical.maxDepth = combination.maxDepth = depth;
-                assertTrue(pair + ", depth " + depth, hierarchical.areColliding(a, b));
-                a.hierarchical = true;
-                assertTrue(pair + ", plain b, depth " + depth, combination.areColliding(a, b));
-                a.hierarchical = false;
-                b.hierarchical = true;
-                assertTrue(pair + ", plain a, depth " + depth, combination.areColliding(a, b));
-                b.hierarchical = false;
-            }
+            new EveryDepth(greatLand, [1, 4, 10]).check(pair, a, b, true);
         }
 
         private static function turnedAgent(random:SeededRandom, shape:String, reach:Number = 1):Agent

@@ -46,76 +46,38 @@ package starlogo.collision
         }
 
         [Test]
-        public function removingAnUnrelatedModelEndsNoMotion():void
+        public function noModelThatComesOrGoesEndsAMotion():void
         {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                for each (var sweepsBefore:Boolean in [true, false])
+            kept("an unrelated model was removed", function(collider:Collider):void
                 {
-                    _greatLand.addModel(BuiltInModel.cylinder());
-                    check(name, sweepsBefore, function(collider:Collider):void
-                        {
-                            assertTrue(_greatLand.removeModel("cylinder"));
-                            assertFalse(_greatLand.removeModel("unrelated"));
-                        });
-                }
-            }
-            _wrong.assertNone();
-        }
-
-        [Test]
-        public function replacingAnUnrelatedModelEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+                    assertTrue(_greatLand.removeModel("cylinder"));
+                    assertFalse(_greatLand.removeModel("unrelated"));
+                });
+            kept("an unrelated model was replaced", function(collider:Collider):void
                 {
                     _greatLand.addModel(BuiltInModel.cylinder());
                 });
-        }
-
-        [Test]
-        public function replacingTheMoversOwnModelByItselfEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("the mover's own model was replaced by itself", function(collider:Collider):void
                 {
                     _greatLand.addModel(BuiltInModel.sphere());
                 });
-        }
-
-        [Test]
-        public function replacingTheModelOfTheAgentThatItHitsEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("the model of the agent that it hits was replaced", function(collider:Collider):void
                 {
                     _greatLand.addModel(BuiltInModel.cube());
                 });
-        }
-
-        [Test]
-        public function removingAndAddingAModelAgainEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("models were removed and added again", function(collider:Collider):void
                 {
                     _greatLand.removeModel("sphere");
                     _greatLand.removeModel("cube");
                     _greatLand.addModel(BuiltInModel.sphere());
                     _greatLand.addModel(BuiltInModel.cube());
                 });
-        }
-
-        [Test]
-        public function whatIsAddedToTheLibrariesDirectlyEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("a structure and a tree were added to the libraries", function(collider:Collider):void
                 {
                     _greatLand.boundingStructures.add("cylinder", BuiltInModel.cylinder().vertices);
                     _greatLand.hierarchies.add("cylinder", BuiltInModel.cylinder().vertices, BuiltInModel.cylinder().triangles);
                 });
-        }
-
-        [Test]
-        public function aModelReplacedAndAQuestionTogetherEndNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("models were replaced, and the pair was asked about", function(collider:Collider):void
                 {
                     _greatLand.addModel(BuiltInModel.cylinder());
                     _ball.moveTo(8, 0, 0.4);
@@ -123,6 +85,7 @@ package starlogo.collision
                     collider.contactOf(_ball, _wall);
                     _greatLand.addModel(BuiltInModel.sphere());
                 });
+            _wrong.assertNone();
         }
 
         [Test(async, timeout="20000")]
@@ -182,29 +145,9 @@ package starlogo.collision
         }
 
         [Test]
-        public function aQuestionAboutThePairEndsNoMotion():void
+        public function noQuestionEndsAMotion():void
         {
-            assertKept(function(collider:Collider):void
-                {
-                    _ball.moveTo(10, 0, 0.4);
-                    assertFalse(collider.areColliding(_ball, _wall));
-                });
-        }
-
-        [Test]
-        public function aQuestionAboutAnotherAgentEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
-                {
-                    _ball.moveTo(10, 0, 0.4);
-                    assertFalse(collider.areColliding(_third, _ball));
-                });
-        }
-
-        [Test]
-        public function aQuestionAboutAnAgentThatIsNotListedEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("an agent that is not listed was asked about", function(collider:Collider):void
                 {
                     var stranger:Agent = new Agent("cube");
                     stranger.moveTo(7, 0, 0);
@@ -212,23 +155,7 @@ package starlogo.collision
                     assertTrue(collider.areColliding(stranger, _ball));
                     assertFalse(collider.areColliding(stranger, _wall));
                 });
-        }
-
-        [Test]
-        public function aQuestionAboutTheContactEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
-                {
-                    _ball.moveTo(10, 0, 0.4);
-                    collider.contactOf(_ball, _wall);
-                    collider.contactOf(_third, _ball);
-                });
-        }
-
-        [Test]
-        public function manyQuestionsDuringAMotionDoNotEndIt():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("the pair was asked about many times", function(collider:Collider):void
                 {
                     // past the wall without touching it in every question
                     for each (var x:Number in [1, 3, 4, 6, 8, 12])
@@ -236,20 +163,18 @@ package starlogo.collision
                         _ball.moveTo(x, 0, 0.4);
                         assertFalse(collider.areColliding(_ball, _wall));
                         collider.contactOf(_wall, _ball);
+                        assertFalse(collider.areColliding(_third, _ball));
+                        collider.contactOf(_third, _ball);
                     }
                 });
-        }
-
-        [Test]
-        public function aQuestionThatThrowsEndsNoMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("a question threw", function(collider:Collider):void
                 {
                     _ball.moveTo(10, 0, 0.4);
                     assertThrows(ArgumentError, /nothing/, collider.areColliding, _ball, new Agent("nothing"));
                     assertThrows(ArgumentError, /nothing/, collider.areColliding, new Agent("nothing"), _ball);
                     assertThrows(ArgumentError, /no pair/, collider.areColliding, _ball, _ball);
                 });
+            _wrong.assertNone();
         }
 
         [Test]
@@ -316,7 +241,7 @@ package starlogo.collision
         [Test]
         public function aFrameThatThrowsIsPartOfTheMotion():void
         {
-            assertKept(function(collider:Collider):void
+            kept("frames threw after the mover moved", function(collider:Collider):void
                 {
                     _ball.moveTo(10, 0, 0.4);
                     assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents.concat(new <Agent>[new Agent("nothing")]));
@@ -329,97 +254,79 @@ package starlogo.collision
                     assertThrows(ArgumentError, /null/, collider.findCollisions, new <Agent>[_third, _ball, _wall, null]);
                     assertThrows(ArgumentError, /twice/, collider.findCollisions, new <Agent>[_wall, _ball, new Agent("cube"), _third, _wall]);
                 });
-        }
-
-        [Test]
-        public function aFrameThatThrowsWithoutTheMoverIsPartOfTheMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("frames threw, most without the mover", function(collider:Collider):void
                 {
                     assertThrows(ArgumentError, /nothing/, collider.findCollisions, new <Agent>[_wall, new Agent("nothing")]);
                     assertThrows(ArgumentError, /listed twice/, collider.findCollisions, new <Agent>[_wall, _wall]);
                     assertThrows(ArgumentError, /null/, collider.findCollisions, new <Agent>[_ball, null]);
                     assertThrows(ArgumentError, /nothing/, collider.findCollisions, new <Agent>[new Agent("cube"), new Agent("nothing")]);
                 });
-        }
-
-        [Test]
-        public function aFrameThatThrowsBecauseTheMoversModelIsGoneIsPartOfTheMotion():void
-        {
-            assertKept(function(collider:Collider):void
+            kept("the mover's model was gone for a frame", function(collider:Collider):void
                 {
                     _ball.moveTo(10, 0, 0.4);
                     _greatLand.removeModel("sphere");
                     assertThrows(ArgumentError, /there is no model "sphere"/, collider.findCollisions, _agents);
                     _greatLand.addModel(BuiltInModel.sphere());
                 });
+            _wrong.assertNone();
         }
 
         [Test]
-        public function aJumpEndsAMotionWhateverElseHappens():void
+        public function jumpsOtherShapesAndFramesElsewhereEndAMotion():void
         {
-            assertEnded(function(collider:Collider):void
+            ended("a jump, and a model was replaced", function(collider:Collider):void
                 {
                     _ball.jumpTo(10, 0, 0.4);
                     _greatLand.addModel(BuiltInModel.cylinder());
                 });
-            assertEnded(function(collider:Collider):void
+            ended("a jump, and questions before and after a model was replaced", function(collider:Collider):void
                 {
                     _ball.jumpTo(10, 0, 0.4);
                     assertFalse(collider.areColliding(_ball, _wall));
                     _greatLand.addModel(BuiltInModel.sphere());
                     assertFalse(collider.areColliding(_ball, _wall));
                 });
-            assertEnded(function(collider:Collider):void
+            ended("a jump, and a frame threw", function(collider:Collider):void
                 {
                     _ball.jumpTo(10, 0, 0.4);
                     assertThrows(ArgumentError, /nothing/, collider.findCollisions, _agents.concat(new <Agent>[new Agent("nothing")]));
                 });
-            assertEnded(function(collider:Collider):void
+            ended("a jump away and one back", function(collider:Collider):void
                 {
                     // back and forth: it is where it was, but it did not move there
                     _ball.jumpTo(-3, 0, 0.4);
                     _ball.jumpTo(0, 0, 0.4);
                 });
-        }
-
-        [Test]
-        public function aChangeOfShapeEndsAMotionWhateverElseHappens():void
-        {
-            assertEnded(function(collider:Collider):void
+            ended("another shape, and a model was replaced", function(collider:Collider):void
                 {
                     _ball.shape = "cube";
                     _greatLand.addModel(BuiltInModel.cylinder());
                 });
-            assertEnded(function(collider:Collider):void
+            ended("another shape, and a question", function(collider:Collider):void
                 {
                     _ball.shape = "cube";
                     assertFalse(collider.areColliding(_ball, _wall));
                 });
-            assertEnded(function(collider:Collider):void
+            ended("another shape, and a frame threw", function(collider:Collider):void
                 {
                     _ball.shape = "cube";
                     assertThrows(ArgumentError, /twice/, collider.findCollisions, _agents.concat(new <Agent>[_third]));
                 });
-        }
-
-        [Test]
-        public function whoWasAwayForAFrameHasNoMotionWhateverElseHappens():void
-        {
-            assertEnded(function(collider:Collider):void
+            ended("a frame without it, and a question", function(collider:Collider):void
                 {
                     collider.findCollisions(new <Agent>[_wall, _third]);
                     assertFalse(collider.areColliding(_ball, _wall));
                 });
-            assertEnded(function(collider:Collider):void
+            ended("a model was replaced, and a frame without it", function(collider:Collider):void
                 {
                     _greatLand.addModel(BuiltInModel.cylinder());
                     collider.findCollisions(new <Agent>[_third, _wall]);
                 });
-            assertEnded(function(collider:Collider):void
+            ended("an empty frame", function(collider:Collider):void
                 {
                     collider.findCollisions(new Vector.<Agent>());
                 });
+            _wrong.assertNone();
         }
 
         [Test]
@@ -483,34 +390,36 @@ package starlogo.collision
         }
 
         // Whatever happens between two frames, the wall between the places of the ball is met once: whether an agent swept before or not.
-        private function assertKept(happens:Function):void
+        private function kept(cause:String, happens:Function):void
         {
-            for each (var name:String in EachCollider.NAMES)
-            {
-                check(name, true, happens);
-                check(name, false, happens);
-            }
-            _wrong.assertNone();
-        }
-
-        private function check(name:String, sweepsBefore:Boolean, happens:Function):void
-        {
-            var collider:Collider = newCollider(name, sweepsBefore);
-            happens(collider);
-            _ball.sweeps = true;
-            _ball.moveTo(10, 0, 0.4);
-            if (found(collider) != 2)
-            {
-                _wrong.add(name, sweepsBefore ? "missed" : "missed after a frame in which no agent sweeps");
-                return;
-            }
-            var time:Number = collider.contactOf(_ball, _wall).time;
-            assertTrue(name + " at " + time, Math.abs(time - 0.44) < 1e-9);
-            assertEquals(name + ": once", 0, found(collider));
+            forEach(cause, happens, function(collider:Collider, what:String):void
+                {
+                    if (found(collider) != 2)
+                    {
+                        _wrong.add(what, "missed");
+                        return;
+                    }
+                    var time:Number = collider.contactOf(_ball, _wall).time;
+                    assertTrue(what + " at " + time, Math.abs(time - 0.44) < 1e-9);
+                    assertEquals(what + ": once", 0, found(collider));
+                });
         }
 
         // Whatever happens between two frames, the wall is not met on a motion that has ended.
-        private function assertEnded(happens:Function):void
+        private function ended(cause:String, happens:Function):void
+        {
+            forEach(cause, happens, function(collider:Collider, what:String):void
+                {
+                    if (found(collider) != 0)
+                    {
+                        _wrong.add(what, "found");
+                    }
+                    _ball.moveTo(0, 0, 0.4);
+                    assertEquals(what + ": the next one", 2, found(collider));
+                });
+        }
+
+        private function forEach(cause:String, happens:Function, check:Function):void
         {
             for each (var name:String in EachCollider.NAMES)
             {
@@ -520,19 +429,17 @@ package starlogo.collision
                     happens(collider);
                     _ball.sweeps = true;
                     _ball.moveTo(10, 0, 0.4);
-                    if (found(collider) != 0)
-                    {
-                        _wrong.add(name, sweepsBefore ? "found" : "found after a frame in which no agent sweeps");
-                    }
-                    _ball.moveTo(0, 0, 0.4);
-                    assertEquals(name + ": the next one", 2, found(collider));
+                    check(collider, cause + ", " + name + (sweepsBefore ? "" : ", after a frame in which no agent sweeps"));
                 }
             }
-            _wrong.assertNone();
         }
 
         private function newCollider(name:String, sweepsBefore:Boolean):Collider
         {
+            if (!_greatLand.hasModel("cylinder"))
+            {
+                _greatLand.addModel(BuiltInModel.cylinder());
+            }
             var collider:Collider = EachCollider.make(name, _greatLand);
             _ball.shape = "sphere";
             _ball.sweeps = sweepsBefore;

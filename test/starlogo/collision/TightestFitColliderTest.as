@@ -101,33 +101,18 @@ package starlogo.collision
         }
 
         [Test]
-        public function scatteredWorldsAreLikeBruteForce():void
+        public function worldsOfManyKindsAreLikeBruteForce():void
         {
-            compareWithBruteForce(sGreatLand, "scattered", 201);
-        }
-
-        [Test]
-        public function mixedSizesAreLikeBruteForce():void
-        {
-            compareWithBruteForce(sGreatLand, "mixed sizes", 202);
+            for each (var kind:String in ["scattered", "mixed sizes", "on borders", "wide and sparse"])
+            {
+                compareWithBruteForce(sGreatLand, kind, 201);
+            }
         }
 
         [Test]
         public function farOutIsLikeBruteForce():void
         {
             compareWithBruteForce(sGreatLand, "far out", 203);
-        }
-
-        [Test]
-        public function bordersAreLikeBruteForce():void
-        {
-            compareWithBruteForce(sGreatLand, "on borders", 205);
-        }
-
-        [Test]
-        public function wideAndSparseWorldsAreLikeBruteForce():void
-        {
-            compareWithBruteForce(sGreatLand, "wide and sparse", 208);
         }
 
         [Test]

@@ -19,7 +19,6 @@ package starlogo.fitting
     import support.PointSets;
     import support.RunningHash;
     import evaluation.pairs.SeededRandom;
-    import support.SmallestSphereReference;
     import support.assertThrows;
 
     public class FitterTest
@@ -121,21 +120,6 @@ package starlogo.fitting
                 }
             }
             assertEquals(BOXES, hash.toString());
-        }
-
-        // Small sets against every sphere through two, three or four of the points.
-        [Test]
-        public function smallestSphereLikeTryingThemAll():void
-        {
-            var random:SeededRandom = new SeededRandom(71);
-            for (var i:int = 0; i < 60; i++)
-            {
-                var points:Vector.<Number> = PointSets.cloud(random, random.integer(1, 8), 1, random.pick([1, 0.2, 0]), random.pick([1, 1e-3, 0]));
-                points = PointSets.turned(points, random);
-                var found:Number = Sphere(new MinimalSphereFitter().fit(points)).radius;
-                var expected:Number = SmallestSphereReference.radius(points);
-                assertTrue(points + ": " + found + " instead of " + expected, Math.abs(found - expected) <= 1e-9);
-            }
         }
 
         [Test]

@@ -13,6 +13,7 @@ package starlogo.models
     import support.CountingFitter;
     import support.LibraryContents;
     import support.SteppedModels;
+    import support.encoded;
 
     /** A ModelLoader and cooked files, by themselves and by a manifest. */
     public class CookedLoadingTest
@@ -69,7 +70,7 @@ package starlogo.models
             var made:Model = new ObjModel("bear", OBJ);
             var other:GreatLand = newGame();
             other.addModel(made);
-            var offering:ModelLoader = offer({"http://h/a/m.json?k": bytes(MANIFEST), "http://h/a/bear.obj.cooked?v=2#x": newGame().bake(made),
+            var offering:ModelLoader = offer({"http://h/a/m.json?k": encoded(MANIFEST), "http://h/a/bear.obj.cooked?v=2#x": newGame().bake(made),
                         "http://h/a/x/y": newGame().bake(made)}, "http://h/a/m.json?k");
             _fitter.count = 0;
             offering.load("bear", "http://h/a/bear.obj?v=2#x");
@@ -91,15 +92,15 @@ package starlogo.models
             damaged.writeBytes(cooked);
             damaged[100] ^= 1;
             var nothing:Object = {};
-            var ways:Array = [nothing, {"m.json": bytes("no JSON")}, {"m.json": bytes("null")}, {"m.json": bytes("{\"models\": 3}")},
-                    {"m.json": bytes("{\"models\": {\"bear.obj\": null}}")}, {"m.json": bytes("{\"models\": {\"bear.obj\": {\"cooked\": 1}}}")}, {"m.json": bytes(MANIFEST)},
-                    {"m.json": bytes(MANIFEST), "bear.obj.cooked": damaged}, {"m.json": bytes(MANIFEST), "bear.obj.cooked": bytes("<html>404</html>")}];
+            var ways:Array = [nothing, {"m.json": encoded("no JSON")}, {"m.json": encoded("null")}, {"m.json": encoded("{\"models\": 3}")},
+                    {"m.json": encoded("{\"models\": {\"bear.obj\": null}}")}, {"m.json": encoded("{\"models\": {\"bear.obj\": {\"cooked\": 1}}}")}, {"m.json": encoded(MANIFEST)},
+                    {"m.json": encoded(MANIFEST), "bear.obj.cooked": damaged}, {"m.json": encoded(MANIFEST), "bear.obj.cooked": encoded("<html>404</html>")}];
             var left:int = ways.length;
             _fitter.count = 0;
             var done:TestedLoader = _loader;
             for (var i:int = 0; i < ways.length; i++)
             {
-                ways[i]["bear.obj"] = bytes(OBJ);
+                ways[i]["bear.obj"] = encoded(OBJ);
                 var offering:ModelLoader = offer(ways[i], "m.json");
                 offering.addEventListener(Event.COMPLETE, function(event:Event):void
                     {
@@ -125,7 +126,7 @@ package starlogo.models
         public function forOtherArgumentsTheSourceIsRead():void
         {
             var cooked:ByteArray = newGame().bake(new ObjModel("bear", OBJ));
-            var offering:ModelLoader = offer({"m.json": bytes(MANIFEST), "bear.obj.cooked": cooked, "bear.obj": bytes(OBJ)}, "m.json");
+            var offering:ModelLoader = offer({"m.json": encoded(MANIFEST), "bear.obj.cooked": cooked, "bear.obj": encoded(OBJ)}, "m.json");
             _fitter.count = 0;
             offering.load("z", "bear.obj");
             offering.load("y", "bear.obj", "y");
@@ -150,7 +151,7 @@ package starlogo.models
         {
             var transform:ModelTransform = ModelTransform.fromText("rotate 0 90 0\nscale 1 2 3");
             var made:Model = new ObjModel("bear", OBJ, transform);
-            var files:Object = {"m.json": bytes(MANIFEST), "bear.obj.cooked": newGame().bake(made, "z", true), "bear.obj": bytes(OBJ)};
+            var files:Object = {"m.json": encoded(MANIFEST), "bear.obj.cooked": newGame().bake(made, "z", true), "bear.obj": encoded(OBJ)};
             var offering:ModelLoader = offer(files, "m.json");
             offering.usesTransforms = true;
             _fitter.count = 0;
@@ -200,7 +201,7 @@ package starlogo.models
                     }
                 }
             }
-            files["m"] = bytes(JSON.stringify({models: names}));
+            files["m"] = encoded(JSON.stringify({models: names}));
             _fitter.count = 0;
             var offering:ModelLoader = new OfferingLoader(_greatLand, BUDGET, files);
             offering.manifest = "m";
@@ -229,7 +230,7 @@ package starlogo.models
             _loader.load("bear", "bear.obj");
             _loader.cancel("bear");
             assertEquals(1, _loader.fetches[0].closeCount);
-            _loader.fetches[0].deliver(bytes(OBJ));
+            _loader.fetches[0].deliver(encoded(OBJ));
             assertFalse(_greatLand.hasModel("bear"));
         }
 
@@ -272,14 +273,6 @@ package starlogo.models
                 {
                     check();
                 }, 15000);
-        }
-
-        private static function bytes(text:String):ByteArray
-        {
-            var all:ByteArray = new ByteArray();
-            all.writeUTFBytes(text);
-            all.position = 0;
-            return all;
         }
     }
 }

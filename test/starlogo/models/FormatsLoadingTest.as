@@ -11,6 +11,7 @@ package starlogo.models
     import support.Gltf;
     import support.SlowReceiver;
     import support.Zip;
+    import support.encoded;
 
     /** A ModelLoader tells formats apart by what is in the files, whatever they are called, and fetches what is beside a glTF file. */
     public class FormatsLoadingTest
@@ -40,8 +41,8 @@ package starlogo.models
         [Test(async, timeout="5000")]
         public function tellsFormatsApartWhateverTheyAreCalled():void
         {
-            var files:Array = ["obj", bytesOf(OBJ), "stl", bytesOf(STL), "binary stl", binaryStl(), "gltf", Gltf.tetrahedron().toTextBytes(),
-                    "glb", Gltf.tetrahedron().toBinary(), "COLLADA", bytesOf(DOCUMENT), "zip", Zip.of(["a.dae", DOCUMENT])];
+            var files:Array = ["obj", encoded(OBJ), "stl", encoded(STL), "binary stl", binaryStl(), "gltf", Gltf.tetrahedron().toTextBytes(),
+                    "glb", Gltf.tetrahedron().toBinary(), "COLLADA", encoded(DOCUMENT), "zip", Zip.of(["a.dae", DOCUMENT])];
             var names:Array = ["a.obj", "a.stl", "a.glb?x=1", "a.gltf", "a.dae", "a.zae", "a.png", "a"];
             for each (var name:String in names)
             {
@@ -55,7 +56,7 @@ package starlogo.models
             for each (name in ["a.stl", "a.gltf", "a.dae", "a.obj", "a"])
             {
                 _loader.load("nothing", name);
-                _loader.fetches[_loader.fetches.length - 1].deliver(bytesOf("# nothing"));
+                _loader.fetches[_loader.fetches.length - 1].deliver(encoded("# nothing"));
             }
             _loader.loadText("text", OBJ);
             _loader.loadText("text", STL);
@@ -153,7 +154,7 @@ package starlogo.models
 
         private static function binaryStl():ByteArray
         {
-            var bytes:ByteArray = bytesOf("solid");
+            var bytes:ByteArray = encoded("solid");
             bytes.length = 84;
             bytes[80] = 1;
             bytes.position = 96;
@@ -163,13 +164,6 @@ package starlogo.models
                 bytes.writeFloat(number);
             }
             bytes.writeShort(0);
-            return bytes;
-        }
-
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
             return bytes;
         }
     }

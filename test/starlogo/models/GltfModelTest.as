@@ -8,6 +8,7 @@ package starlogo.models
     import support.Failures;
     import support.Gltf;
     import support.Surfaces;
+    import support.encoded;
 
     /** What glTF files have. What three.js draws of random ones is compared in test/module/gltf.test.mjs. */
     public class GltfModelTest
@@ -126,11 +127,11 @@ package starlogo.models
                 _file.json.nodes[0].translation = [987, 0, 0];
                 _file.json.nodes[0].name = "-1234567890.5 \\\" 123456789012345";
                 var text:String = _file.toText().replace("987", word).replace("\"count\":4", "\"count\":4.000000000000");
-                assertEquals(word, Decimal.of(word), GltfModel.fromBytes("a", bytesOf(text), "z", Model.AS_GIVEN).vertices[0]);
+                assertEquals(word, Decimal.of(word), GltfModel.fromBytes("a", encoded(text), "z", Model.AS_GIVEN).vertices[0]);
             }
             Failures.assertFails("", "its JSON can't be read", function():void
                 {
-                    GltfModel.fromBytes("a", bytesOf(text.replace("[7", "[123456.7.8901")));
+                    GltfModel.fromBytes("a", encoded(text.replace("[7", "[123456.7.8901")));
                 });
         }
 
@@ -255,13 +256,6 @@ package starlogo.models
             _file.json.bufferViews[0].buffer = 1;
             _file.json.bufferViews[0].extensions = {EXT_meshopt_compression: {}};
             Failures.assertFails("bufferViews[0]", "meshopt", read);
-        }
-
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
-            return bytes;
         }
 
         private function read():Model

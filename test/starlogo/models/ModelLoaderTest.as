@@ -3,7 +3,6 @@ package starlogo.models
     import flash.events.ErrorEvent;
     import flash.events.Event;
     import flash.events.ProgressEvent;
-    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertTrue;
@@ -13,6 +12,7 @@ package starlogo.models
     import support.SlowReceiver;
     import support.Zip;
     import support.assertThrows;
+    import support.encoded;
 
     public class ModelLoaderTest
     {
@@ -52,8 +52,8 @@ package starlogo.models
         {
             _loader.loadText("obj text", OBJ);
             _loader.loadText("COLLADA text", "\uFEFF \n" + DOCUMENT);
-            _loader.loadBytes("obj bytes", bytesOf(OBJ), "y");
-            _loader.loadBytes("COLLADA bytes", bytesOf(DOCUMENT));
+            _loader.loadBytes("obj bytes", encoded(OBJ), "y");
+            _loader.loadBytes("COLLADA bytes", encoded(DOCUMENT));
             _loader.loadBytes("archive", Zip.of(["a.dae", DOCUMENT]));
             whenComplete(function():void
                 {
@@ -231,13 +231,6 @@ package starlogo.models
                     assertEquals(0, _receiver.expected.length);
                     check();
                 }, 5000);
-        }
-
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
-            return bytes;
         }
 
         private static function grid(size:int):String

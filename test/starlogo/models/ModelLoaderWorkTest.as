@@ -4,7 +4,6 @@ package starlogo.models
     import flash.events.ErrorEvent;
     import flash.events.Event;
     import flash.events.EventDispatcher;
-    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertFalse;
     import org.flexunit.asserts.assertNotNull;
@@ -14,6 +13,7 @@ package starlogo.models
     import starlogo.steps.Steps;
     import support.RecordingURLLoader;
     import support.assertThrows;
+    import support.encoded;
 
     /** How a ModelLoader lives and works: its frames, its clock, its fetching. It is its receiver itself. */
     public class ModelLoaderWorkTest implements ModelReceiver
@@ -131,7 +131,7 @@ package starlogo.models
             assertEquals(1, a.closeCount);
             assertFalse("nothing arrives any more", a.hasEventListener(Event.COMPLETE));
             assertEquals("the other one goes on", 0, b.closeCount);
-            b.deliver(bytesOf(OBJ));
+            b.deliver(encoded(OBJ));
             _loader.cancel();
             assertEquals("one that is fetched is not closed", 0, b.closeCount);
             assertEquals(1, a.closeCount);
@@ -151,7 +151,7 @@ package starlogo.models
             _loader.cancel("a");
             for each (var fetch:RecordingURLLoader in _loader.fetches)
             {
-                fetch.deliver(bytesOf(OBJ));
+                fetch.deliver(encoded(OBJ));
             }
             whenComplete(function():void
                 {
@@ -225,13 +225,6 @@ package starlogo.models
                 {
                     check();
                 }, 20000);
-        }
-
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
-            return bytes;
         }
     }
 }

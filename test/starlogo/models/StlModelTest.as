@@ -7,6 +7,7 @@ package starlogo.models
     import org.flexunit.asserts.assertTrue;
     import support.Failures;
     import support.Surfaces;
+    import support.encoded;
 
     public class StlModelTest
     {
@@ -17,7 +18,7 @@ package starlogo.models
         public function readsBothKinds():void
         {
             var binary:Model = StlModel.fromBytes("a", binaryOf(TETRAHEDRON));
-            var text:Model = StlModel.fromBytes("a", bytesOf(textOf(TETRAHEDRON)));
+            var text:Model = StlModel.fromBytes("a", encoded(textOf(TETRAHEDRON)));
             assertEquals(binary.vertices.join(), text.vertices.join());
             assertEquals("vertices at equal places are one", 12, binary.vertices.length);
             assertEquals("0,1,2,0,2,3,0,3,1,2,1,3", binary.triangles.join());
@@ -53,11 +54,11 @@ package starlogo.models
                         "SOLID A VERTEX\nFACET NORMAL 0 0 0\n OUTER LOOP\n\tVERTEX 0 0 0\n\tVERTEX\t1e0  0 0\nVERTEX 0 1 -0\nENDLOOP\nENDFACET\nENDSOLID",
                         "\uFEFFsolid\n\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\ncolor 1 0 0\nendfacet\n"])
             {
-                assertEquals(text, 3, StlModel.fromBytes("a", bytesOf(text)).triangles.length);
+                assertEquals(text, 3, StlModel.fromBytes("a", encoded(text)).triangles.length);
             }
             var two:String = textOf(TETRAHEDRON.slice(0, 2)) + textOf([]) + textOf(TETRAHEDRON.slice(2));
-            assertEquals("several solids make one model", 12, StlModel.fromBytes("a", bytesOf(two)).triangles.length);
-            assertEquals("all in one line", 6, StlModel.fromBytes("a", bytesOf("solid a\n" + facet + " " + facet)).triangles.length);
+            assertEquals("several solids make one model", 12, StlModel.fromBytes("a", encoded(two)).triangles.length);
+            assertEquals("all in one line", 6, StlModel.fromBytes("a", encoded("solid a\n" + facet + " " + facet)).triangles.length);
         }
 
         [Test]
@@ -146,18 +147,11 @@ package starlogo.models
             return text + "endsolid vertex of something\n";
         }
 
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
-            return bytes;
-        }
-
         private static function refuses(place:String, words:String, text:String):void
         {
             Failures.assertFails(place, words, function():void
                 {
-                    StlModel.fromBytes("a", bytesOf(text));
+                    StlModel.fromBytes("a", encoded(text));
                 });
         }
     }

@@ -4,12 +4,12 @@ package starlogo.models
     import flash.events.Event;
     import flash.events.IOErrorEvent;
     import flash.geom.Vector3D;
-    import flash.utils.ByteArray;
     import org.flexunit.asserts.assertEquals;
     import org.flexunit.asserts.assertTrue;
     import org.flexunit.async.Async;
     import support.RecordingURLLoader;
     import support.SlowReceiver;
+    import support.encoded;
 
     /** Transform files that a ModelLoader finds beside models. */
     public class TransformsLoadingTest
@@ -70,13 +70,13 @@ package starlogo.models
             _loader.load("nothing said", "2.obj", "y");
             _loader.load("given", "3.obj", turned, Model.AS_GIVEN);
             // the transform first, or last: the model waits for it
-            _loader.fetches[1].deliver(bytesOf("StarLogoTNG\n" + turned));
-            _loader.fetches[0].deliver(bytesOf(OBJ));
-            _loader.fetches[2].deliver(bytesOf(OBJ));
+            _loader.fetches[1].deliver(encoded("StarLogoTNG\n" + turned));
+            _loader.fetches[0].deliver(encoded(OBJ));
+            _loader.fetches[2].deliver(encoded(OBJ));
             _loader.fetches[3].dispatchEvent(new IOErrorEvent(IOErrorEvent.IO_ERROR, false, false, "404"));
-            _loader.fetches[4].deliver(bytesOf(OBJ));
-            _loader.fetches[5].deliver(bytesOf("<html>not here</html>"));
-            _loader.fetches[6].deliver(bytesOf(OBJ));
+            _loader.fetches[4].deliver(encoded(OBJ));
+            _loader.fetches[5].deliver(encoded("<html>not here</html>"));
+            _loader.fetches[6].deliver(encoded(OBJ));
             assertEquals(7, _loader.fetches.length);
             Async.handleEvent(this, _loader, Event.COMPLETE, function(event:Event, data:Object):void
                 {
@@ -108,13 +108,6 @@ package starlogo.models
                 all = all.concat(fetch.addresses);
             }
             return all.join();
-        }
-
-        private static function bytesOf(text:String):ByteArray
-        {
-            var bytes:ByteArray = new ByteArray();
-            bytes.writeUTFBytes(text);
-            return bytes;
         }
     }
 }

@@ -87,37 +87,18 @@ package starlogo.queries
         }
 
         [Test(timeout="3600000")]
-        public function spheresAreMetAsALoopFinds():void
+        public function agentsAreMetAsALoopFinds():void
         {
             compare("bins", Effort.choose(16, 400), 60);
-        }
-
-        [Test(timeout="3600000")]
-        public function tightestFitsAreMetAsALoopFinds():void
-        {
             compare("tightest fits", Effort.choose(16, 400), 60);
-        }
-
-        [Test(timeout="3600000")]
-        public function hierarchiesAreMetAsALoopFinds():void
-        {
             compare("hierarchies", Effort.choose(8, 200), 12);
-        }
-
-        [Test(timeout="3600000")]
-        public function trianglesAreMetAsALoopFinds():void
-        {
             compare("triangles", Effort.choose(8, 200), 12);
-        }
-
-        [Test(timeout="3600000")]
-        public function combinationsAreMetAsALoopFinds():void
-        {
             compare("combinations", Effort.choose(8, 200), 20);
         }
 
         private function compare(system:String, worlds:int, count:int):void
         {
+            _counts.hits = _counts.inside = _counts.unclear = 0;
             for (var world:int = 0; world < worlds; world++)
             {
                 var collider:Collider = EachCollider.make(system, sGreatLand);

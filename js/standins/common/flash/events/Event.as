@@ -77,7 +77,7 @@ package flash.events
             return _target;
         }
 
-        /** Flash's EventPhase.AT_TARGET. */
+        /** Always 2: an event is at its target. */
         public function get eventPhase():uint
         {
             return 2;

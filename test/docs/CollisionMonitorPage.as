@@ -19,7 +19,7 @@ package docs
         override protected function check(shown:Object):void
         {
             assertEquals(_before + 1, stage.numChildren);
-            assertEquals(collision, CollisionMonitor(stage.removeChildAt(_before)).collision);
+            assertEquals(collision, CollisionMonitor(stage.removeChild(stage.getChildAt(_before))).collision);
         }
     }
 }

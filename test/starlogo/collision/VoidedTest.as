@@ -552,7 +552,8 @@ package starlogo.collision
                         }
                         frame();
                         moveSome();
-                        Function(_random.pick(_causes))();
+                        var happens:Function = _random.pick(_causes);
+                        happens();
                         if (_agents.length < COUNT)
                         {
                             _agents.push(makeAgent(), makeAgent());

@@ -37,7 +37,7 @@ if (which === 'pages' && missing) {
 	writeFileSync(summary, `0 passed, 0 failed, ${files.length} skipped\n`);
 	process.exit();
 }
-// Node alone would leave a processor free, of two a half
+// as many files at once as there are processors: Node by itself leaves one processor free
 const run = spawnSync(process.execPath, ['--test', `--test-concurrency=${availableParallelism()}`, ...files], { encoding: 'utf8', maxBuffer: 1e9 });
 const passed = count(run.stdout, 'pass');
 const failed = Math.max(count(run.stdout, 'fail'), run.status === 0 && passed > 0 ? 0 : 1);

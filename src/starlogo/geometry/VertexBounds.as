@@ -7,6 +7,9 @@ package starlogo.geometry
      */
     public final class VertexBounds
     {
+        /** Products of three coordinates up to this are finite. Hulls and hierarchies refuse larger ones. */
+        public static const LARGEST_COORDINATE:Number = 1e100;
+
         /** The least x. */
         public var minX:Number = Infinity;
 
@@ -37,6 +40,21 @@ package starlogo.geometry
         public function get extent():Number
         {
             return Math.max(maxX - minX, maxY - minY, maxZ - minZ);
+        }
+
+        /** The largest absolute coordinate. */
+        public function get largest():Number
+        {
+            return Math.max(-minX, -minY, -minZ, maxX, maxY, maxZ);
+        }
+
+        /** Throws an ArgumentError if an absolute coordinate is too large. */
+        public static function requireWithin(largest:Number):void
+        {
+            if (!(largest <= LARGEST_COORDINATE))
+            {
+                throw new ArgumentError("coordinates must be at most " + LARGEST_COORDINATE + ": " + largest);
+            }
         }
 
         /**

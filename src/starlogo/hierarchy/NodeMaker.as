@@ -2,6 +2,7 @@ package starlogo.hierarchy
 {
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexBounds;
 
     use namespace engine;
 
@@ -12,9 +13,6 @@ package starlogo.hierarchy
      */
     public final class NodeMaker
     {
-        // Products of three coordinates are finite.
-        private static const LARGEST:Number = 1e100;
-
         private var _hierarchy:Hierarchy;
         private var _radius:Number = 0;
 
@@ -31,10 +29,7 @@ package starlogo.hierarchy
             {
                 _radius = Math.max(_radius, Math.abs(extents[i]));
             }
-            if (!(_radius <= LARGEST))
-            {
-                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + _radius);
-            }
+            VertexBounds.requireWithin(_radius);
             _radius *= Math.sqrt(3);
         }
 

@@ -151,19 +151,19 @@ package starlogo.intersection
             atFirst = x * dx + y * dy + z * dz;
             atU = x * fx + y * fy + z * fz;
             atV = x * gx + y * gy + z * gz;
-            own = atU < atV ? atU : atV;
-            gap = atU < atV ? atV : atU;
-            own = own < 0 ? own : 0;
-            gap = gap > 0 ? gap : 0;
-            low -= atFirst + gap;
-            high -= atFirst + own;
+            var lowB:Number = atU < atV ? atU : atV;
+            var highB:Number = atU < atV ? atV : atU;
+            lowB = lowB < 0 ? lowB : 0;
+            highB = highB > 0 ? highB : 0;
+            low -= atFirst + highB;
+            high -= atFirst + lowB;
             gap = low > 0 ? low : -high;
-            own = x * x + y * y + z * z;
-            if (gap > 0 && gap * gap > limit * own)
+            var squaredLength:Number = x * x + y * y + z * z;
+            if (gap > 0 && gap * gap > limit * squaredLength)
             {
                 return false;
             }
-            isSure = isSure && gap < 0 && gap * gap > clearly * own;
+            isSure = isSure && gap < 0 && gap * gap > clearly * squaredLength;
             if (i == 1)
             {
                 x = ux;

@@ -20,7 +20,6 @@ package starlogo.solid
         private var _hierarchy:SolidHierarchy;
         private var _order:Vector.<int>;
         private var _solid:Solid;
-        private var _finder:SurfaceBuilder;
         private var _surface:Surface;
         private var _extremes:PartExtremes;
 
@@ -60,13 +59,13 @@ package starlogo.solid
 
         private function newSurface():Steps
         {
-            _finder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
-            return _finder;
+            var builder:SurfaceBuilder = new SurfaceBuilder(_hierarchy.vertices, _hierarchy.triangles);
+            _surface = builder.surface;
+            return builder;
         }
 
         private function newParts():Steps
         {
-            _surface = _finder.surface;
             return new PartFinder(_hierarchy.root, _solid, _surface, _order);
         }
 

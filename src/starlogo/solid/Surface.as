@@ -10,8 +10,8 @@ package starlogo.solid
      */
     public final class Surface
     {
-        // The shortest bytes that describe a surface: three numbers, and one run of triangles.
-        private static const LEAST_LENGTH:int = 20;
+        // Flags, how many parts there are, and the widest seam.
+        private static const HEAD_LENGTH:int = 16;
         private static const CLOSED:int = 1;
         private static const ORIENTED:int = 2;
         private static const TURNED:int = 4;
@@ -62,7 +62,7 @@ package starlogo.solid
          */
         public static function read(bytes:ByteArray, triangleCount:int):Surface
         {
-            if (bytes.bytesAvailable < LEAST_LENGTH)
+            if (bytes.bytesAvailable < HEAD_LENGTH)
             {
                 return null;
             }
@@ -72,12 +72,8 @@ package starlogo.solid
             surface.isOriented = (flags & ORIENTED) != 0;
             surface.partCount = bytes.readInt();
             surface.widestSeam = bytes.readDouble();
-            var isSound:Boolean = surface.partCount > 0 && surface.partCount <= triangleCount && surface.widestSeam >= 0 && surface.widestSeam < Infinity;
-            isSound &&= surface.readParts(bytes);
-            if (isSound && (flags & TURNED) != 0)
-            {
-                isSound = surface.readTurned(bytes);
-            }
+            var isSound:Boolean = surface.partCount > 0 && surface.partCount <= triangleCount && surface.widestSeam >= 0 && surface.widestSeam < Infinity
+                && surface.readParts(bytes) && ((flags & TURNED) == 0 || surface.readTurned(bytes));
             return isSound ? surface : null;
         }
 

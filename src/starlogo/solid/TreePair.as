@@ -24,8 +24,8 @@ package starlogo.solid
     use namespace engine;
 
     /**
-     * Two models that are placed in the world: two trees, or a tree and a structure. They are set once, and then asked whether they overlap, when
-     * they touch for the first time, where, and how far they are apart (thesis §4.6).
+     * Two models that are placed in the world: two trees, or a tree and a structure. <code>areOverlapping()</code> asks whether two overlap that
+     * stand still. For all else the pair is set once, and then asked when it touches for the first time, where, and how far it is apart (thesis §4.6).
      *
      * <p>The thesis puts both structures into the world for each pair of nodes (§4.5). Here one RelativePose for each pair of models takes the
      * second into the space of the first. A traversal of pairs of nodes answers there, depth-first, down to two nodes that are leaves or at their

@@ -678,10 +678,10 @@ package starlogo.collision
         {
             check(cause, changed, function():void
                 {
-                    some().forEach(function(agent:Agent, index:int, all:Array):void
-                        {
-                            change(agent);
-                        });
+                    for each (var agent:Agent in some())
+                    {
+                        change(agent);
+                    }
                 }, interests);
         }
 

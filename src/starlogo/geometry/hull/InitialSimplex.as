@@ -14,9 +14,6 @@ package starlogo.geometry.hull
      */
     public final class InitialSimplex extends StepSequence
     {
-        // Beyond it the cubes and squares of coordinates overflow.
-        private static const LARGEST:Number = 1e100;
-
         private static const VERTICES_PER_STEP:int = 4000;
 
         /** The longest side of the axis-aligned box around the vertices; this and all others when no step is left. */
@@ -85,12 +82,8 @@ package starlogo.geometry.hull
                 throw new ArgumentError(VertexData.vertexProblem(_vertices));
             }
             extent = _bounds.extent;
-            var largest:Number = Math.max(-_bounds.minX, -_bounds.minY, -_bounds.minZ, _bounds.maxX, _bounds.maxY, _bounds.maxZ);
-            if (largest > LARGEST)
-            {
-                throw new ArgumentError("coordinates must be at most " + LARGEST + ": " + largest);
-            }
-            _flat = Tolerances.HULL_FLAT * extent + Tolerances.HULL_ROUNDING * largest;
+            VertexBounds.requireWithin(_bounds.largest);
+            _flat = Tolerances.HULL_FLAT * extent + Tolerances.HULL_ROUNDING * _bounds.largest;
         }
 
         // Adds the steps of finding the next corner.

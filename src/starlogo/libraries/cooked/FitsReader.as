@@ -8,6 +8,7 @@ package starlogo.libraries.cooked
     import starlogo.bounding.Sphere;
     import starlogo.engine;
     import starlogo.geometry.Tolerances;
+    import starlogo.geometry.VertexBounds;
     import starlogo.libraries.FitSettings;
     import starlogo.libraries.ModelFits;
     import starlogo.models.Model;
@@ -27,9 +28,6 @@ package starlogo.libraries.cooked
     {
         private static const KINDS:int = 7;
 
-        // The fitters refuse larger coordinates, so models with such have no record.
-        private static const LARGEST:Number = 1e100;
-
         // The numbers of a structure are at most the coordinates of the model times this, or 1.
         private static const LARGEST_FACTOR:Number = 10;
 
@@ -48,14 +46,16 @@ package starlogo.libraries.cooked
          */
         public static function read(file:CookedFile, model:Model, settings:FitSettings, fits:ModelFits):void
         {
-            var largest:Number = largestOf(model.vertices);
-            if (!(largest <= LARGEST))
+            var bounds:VertexBounds = new VertexBounds();
+            bounds.add(model.vertices, 0, model.vertices.length / 3);
+            if (bounds.largest > VertexBounds.LARGEST_COORDINATE)
             {
+                // no fitter takes such a model, so this is no true record
                 return;
             }
             var triangleCount:int = model.triangles == null ? 0 : model.triangles.length / 3;
             var structures:ByteArray = settings.structures == null ? null : file.section(CookedFile.STRUCTURES, settings.structures);
-            fits.structures ||= readStructures(structures, Math.max(1, LARGEST_FACTOR * largest));
+            fits.structures ||= readStructures(structures, Math.max(1, LARGEST_FACTOR * bounds.largest));
             if (settings.hierarchy == null)
             {
                 return;
@@ -84,14 +84,12 @@ package starlogo.libraries.cooked
             {
                 return null;
             }
-            var written:Vector.<Number> = new Vector.<Number>();
-            while (written.length < numbers)
+            for (var i:int = 0; i < numbers; i++)
             {
-                written.push(bytes.readDouble());
-            }
-            if (!(largestOf(written) <= limit))
-            {
-                return null;
+                if (!(Math.abs(bytes.readDouble()) <= limit))
+                {
+                    return null;
+                }
             }
             bytes.position = 4;
             try
@@ -105,17 +103,6 @@ package starlogo.libraries.cooked
                 // the constructors refuse what is no structure
             }
             return null;
-        }
-
-        // NaN if one is no number.
-        private static function largestOf(numbers:Vector.<Number>):Number
-        {
-            var largest:Number = 0;
-            for each (var number:Number in numbers)
-            {
-                largest = Math.max(largest, Math.abs(number));
-            }
-            return largest;
         }
 
         // The constructor straightens the axes once more, which may change their last bits.
